@@ -215,3 +215,26 @@ def test_a_text_that_is_cut_off_is_told_with_its_line_alone(tmp_path: Path) -> N
     path.write_text('<mujoco>\n<worldbody>\n<body name="a"><joint na')
     with pytest.raises(FormatError, match=r"^not a readable MJCF: not well-formed XML at line 3$"):
         read_mjcf(path, floating=False)
+
+
+SOLID = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"
+
+
+@pytest.mark.parametrize(("suffix", "place"), [(".xml", "parts/"), (".XML", ""), (".mjcf", "")])
+def test_files_that_it_names_are_found_from_where_it_is(
+    suffix: str, place: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A suffix that MuJoCo does not know includes its neighbours only."""
+    (tmp_path / "parts").mkdir()
+    part = f"<mujoco><asset><mesh name='solid' file='{place}solid.obj'/></asset></mujoco>"
+    (tmp_path / place / "solid.xml").write_text(part)
+    (tmp_path / place / "solid.obj").write_text(SOLID)
+    text = ARM.replace("<worldbody>", f"<include file='{place}solid.xml'/><worldbody>")
+    text = text.replace(f'quat="1 1 0 0">{BODY}', "><geom type='mesh' mesh='solid' density='6'/>")
+    path = tmp_path / f"arm{suffix}"
+    path.write_text(text)
+    monkeypatch.chdir("/")
+    former = mujoco.get_mju_user_warning()
+    (tool,) = read_mjcf(path, floating=False).robot.links[2].parts[1:]
+    assert mujoco.get_mju_user_warning() is former
+    assert tool.body is not None and tool.body.mass == pytest.approx(1.0)

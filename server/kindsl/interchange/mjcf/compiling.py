@@ -26,7 +26,7 @@ def spec_of_file(path: Path) -> Any:
         is_urdf = b"<robot" in content
         hint = "a URDF: use --from urdf" if is_urdf else "its root element is not <mujoco>"
         raise FormatError(f"not an MJCF: {hint}")
-    is_known = path.suffix.lower() == ".xml"
+    is_known = path.suffix == ".xml"
     try:
         return _told(
             (lambda: mujoco.MjSpec.from_file(str(path)))
