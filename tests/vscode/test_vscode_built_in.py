@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from playwright.sync_api import Browser, Locator, Page, TimeoutError, expect
+from playwright.sync_api import Browser, Locator, TimeoutError, expect
 from tests.vscode import code_server, models
 from tests.vscode.browser import missing
 from tests.vscode.code_server import Machine
@@ -184,7 +184,7 @@ def test_the_preview_opens_in_a_browser_too(browser: Browser, vsix: Path, tmp_pa
         workbench.run("Kinematics-DSL: Open Preview to the Side")
         panel = preview_page(workbench)
         expect(panel.locator("#robot")).to_have_text("arm")
-        page = page_in_browser(workbench)
+        page = workbench.page_in_browser()
         expect(page.locator("#state")).to_have_text("live")
         # Each shows what is done in the other.
         page.get_by_role("slider", name="elbow", exact=True).fill("1.2")
@@ -319,25 +319,6 @@ def language_status(workbench: Workbench) -> Locator:
 
     workbench.insist(show, "the language status")
     return hover
-
-
-def page_in_browser(workbench: Workbench) -> Page:
-    """Return the page that the browser opens for the document's preview."""
-    pages = workbench.page.context.pages
-    allow = workbench.page.get_by_role("button", name="Open", exact=True)
-
-    def opened() -> list[Page]:
-        return [page for page in workbench.page.context.pages if page not in pages]
-
-    def choose() -> None:
-        workbench.run("Kinematics-DSL: Open Preview in Browser")
-        workbench.wait_until(lambda: allow.is_visible() or opened() != [])
-        if allow.is_visible():
-            allow.click()
-        workbench.wait_until(lambda: opened() != [])
-
-    workbench.insist(choose, "a page in the browser")
-    return opened()[0]
 
 
 def preview_page(workbench: Workbench) -> Locator:

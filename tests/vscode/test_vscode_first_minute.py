@@ -1,18 +1,19 @@
 """What somebody meets first: a robot that moves, and an Enter that breaks the line."""
 
-from playwright.sync_api import expect
+from playwright.sync_api import Locator, expect
 from tests.vscode import models
-from tests.vscode.workbench import Workbench
+from tests.vscode.workbench import PATIENCE, Workbench
 
 
 def test_the_walkthrough_begins_with_a_robot_that_moves(workbench: Workbench) -> None:
     steps = workbench.page.locator(".getting-started-step")
-    choose(workbench, "Welcome: Open Walkthrough...", "Get started with the Kinematics-DSL")
+    open_walkthrough(workbench, steps)
     workbench.eventually(lambda: steps.count() == 3, "the steps")
     first, done = steps.first, workbench.page.locator(".getting-started-step .complete:visible")
     expect(first).to_contain_text("See a robot move")
     workbench.screenshot("walkthrough")
-    first.locator(".monaco-button").click()
+    preview = workbench.page.locator(".tab", has_text="Preview ")
+    workbench.click_until(first.locator(".monaco-button"), preview)
     frame = workbench.preview_frame()
     frame.wait_for_function("() => kindsl.scene.trees.robot.joints.size === 12")
     frame.locator("#animate").click()
@@ -20,7 +21,7 @@ def test_the_walkthrough_begins_with_a_robot_that_moves(workbench: Workbench) ->
     frame.wait_for_function(moved)
     frame.locator("#animate").click()
     workbench.screenshot("walkthrough-example")
-    choose(workbench, "Welcome: Open Walkthrough...", "Get started with the Kinematics-DSL")
+    open_walkthrough(workbench, steps)
     # The robot was seen, and the server runs; nothing was written yet.
     workbench.eventually(lambda: done.count() == 2, "two ticks")
     workbench.screenshot("walkthrough-ticked")
@@ -34,8 +35,13 @@ def test_enter_breaks_the_line_behind_a_number(workbench: Workbench) -> None:
     workbench.eventually(lambda: "id = 1\n" in workbench.text_of(path), "the number and its line")
 
 
-def choose(workbench: Workbench, command: str, title: str) -> None:
-    """Run a command that asks, and answer it."""
+def open_walkthrough(workbench: Workbench, steps: Locator) -> None:
+    """Open the walkthrough until its steps are seen."""
+    title = "Get started with the Kinematics-DSL"
     row = workbench.page.locator(".quick-input-list .monaco-list-row", has_text=title)
-    workbench.run_until(command, row)
-    row.click()
+
+    def choose() -> None:
+        workbench.run_until("Welcome: Open Walkthrough...", row)
+        row.click(timeout=PATIENCE)
+
+    workbench.insist_until(choose, steps, "the walkthrough")

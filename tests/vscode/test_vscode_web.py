@@ -150,8 +150,7 @@ def test_no_other_host_is_asked(requests: list[str]) -> None:
 
 def test_what_needs_a_process_is_not_offered(workbench: Workbench) -> None:
     rows = workbench.page.locator(".quick-input-list .monaco-list-row")
-    workbench.press("F1")
-    workbench.field().fill(">Kinematics-DSL: ")
+    workbench.ask("F1", ">Kinematics-DSL: ")
     expect(rows.filter(has_text="Restart Server")).to_be_visible()
     for title in ("Select Python Interpreter", "Open Preview in Browser"):
         expect(rows.filter(has_text=title)).to_have_count(0)

@@ -105,11 +105,16 @@ class Workbench:
         """Put the cursor at a place of the document that has the focus, both from 1."""
 
         def go() -> None:
-            self._ask("Control+g", f":{line}:{column}")
+            self.ask("Control+g", f":{line}:{column}")
             self.field().press("Enter", timeout=PATIENCE)
             self.cursor_in(line, column).wait_for(timeout=PATIENCE)
+            self.wait_for_editor(PATIENCE)
 
         self.insist(go, f"the cursor at {line}:{column}")
+
+    def wait_for_editor(self, timeout: float = TIMEOUT) -> None:
+        """Wait until keys go into the text of the active group, for milliseconds at most."""
+        self.page.wait_for_selector(f"{ACTIVE_GROUP} .monaco-editor.focused", timeout=timeout)
 
     def cursor_in(self, line: int, column: int | None = None) -> Locator:
         """The status bar where it tells a place in that line, or that very place."""
@@ -130,7 +135,7 @@ class Workbench:
         """Run a command from the palette."""
 
         def choose() -> None:
-            self._ask("F1", f">{title}")
+            self.ask("F1", f">{title}")
             try:
                 self._rows(title).first.click(timeout=PATIENCE)
             except TimeoutError:
@@ -142,30 +147,56 @@ class Workbench:
 
     def run_until(self, title: str, seen: Locator) -> None:
         """Run a command, again while VS Code answers it with nothing, until that is seen."""
-
-        def ask() -> None:
-            self.run(title)
-            seen.first.wait_for(timeout=PATIENCE)
-
-        self.insist(ask, f"what {title} shows")
+        self.insist_until(lambda: self.run(title), seen, f"what {title} shows")
 
     def press_until(self, key: str, seen: Locator) -> None:
         """Press a key, again while VS Code answers it with nothing, until that is seen."""
-
-        def press() -> None:
-            self.press(key)
-            seen.first.wait_for(timeout=PATIENCE)
-
-        self.insist(press, f"what {key} shows")
+        self.insist_until(lambda: self.press(key), seen, f"what {key} shows")
 
     def click_until(self, button: Locator, seen: Locator) -> None:
         """Click what VS Code may be drawing anew, until that is seen."""
+        self.insist_until(lambda: button.click(timeout=PATIENCE), seen, "what a click shows")
 
-        def click() -> None:
-            button.click(timeout=PATIENCE)
-            seen.first.wait_for(timeout=PATIENCE)
+    def fixes(self, text: str) -> Locator:
+        """List the fixes at the cursor; return those that tell that text."""
+        rows = self.page.locator(".action-widget .monaco-list-row", has_text=text)
 
-        self.insist(click, "what a click shows")
+        def ask() -> None:
+            # VS Code says that there are none while it is about to ask.
+            self.press("Escape")
+            self.press("Control+.")
+
+        self.insist_until(ask, rows, f"the fix {text}")
+        return rows
+
+    def close(self, tab: Locator) -> None:
+        """Close a tab."""
+
+        def close() -> None:
+            if tab.count():
+                tab.locator(".codicon-close").click(timeout=PATIENCE)
+            tab.wait_for(state="detached", timeout=PATIENCE)
+
+        self.insist(close, "a closed tab")
+
+    def page_in_browser(self) -> Page:
+        """Open the document's preview in the browser, and return its page."""
+        context = self.page.context
+        before = context.pages
+        allow = self.page.get_by_role("button", name="Open", exact=True)
+
+        def opened() -> list[Page]:
+            return [page for page in context.pages if page not in before]
+
+        def choose() -> None:
+            self.run("Kinematics-DSL: Open Preview in Browser")
+            self.wait_until(lambda: allow.is_visible() or opened() != [])
+            if allow.is_visible():
+                allow.click()
+            self.wait_until(lambda: opened() != [])
+
+        self.insist(choose, "a page in the browser")
+        return opened()[0]
 
     def _rows(self, text: str) -> Locator:
         return self.page.locator(".quick-input-list .monaco-list-row", has_text=text)
@@ -174,7 +205,7 @@ class Workbench:
         """The input field of the palette and of dialogs."""
         return self.page.locator(".quick-input-widget input[type=text]")
 
-    def _ask(self, key: str, text: str) -> None:
+    def ask(self, key: str, text: str) -> None:
         """Press a key that opens an input field and fill it."""
 
         def ask() -> None:
@@ -200,6 +231,19 @@ class Workbench:
             return
         self.screenshot("missing")
         raise AssertionError(f"not seen: {what}")
+
+    def insist_until(self, gesture: Callable[[], None], seen: Locator, what: str) -> None:
+        """Make a gesture until that is seen, not again where it only came late."""
+        is_made = False
+
+        def make() -> None:
+            nonlocal is_made
+            if not (is_made and seen.first.is_visible()):
+                is_made = True
+                gesture()
+            seen.first.wait_for(timeout=PATIENCE)
+
+        self.insist(make, what)
 
     def wait_until(self, see: Callable[[], bool]) -> None:
         """Wait for what a gesture brings.
