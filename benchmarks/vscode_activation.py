@@ -39,7 +39,7 @@ def main(rounds: int) -> int:
     times: dict[str, list[float]] = {name: [] for name in SUBJECTS}
     with tempfile.TemporaryDirectory() as work, browser.chromium() as window:
         settings = {"kindsl.interpreter": [sys.executable]}
-        with code_server.running(Path(work) / "data", settings, [package]) as server:
+        with code_server.running(Path(work) / "data", settings, package) as server:
             for number in range(-1, rounds):
                 for name in SUBJECTS if number % 2 else reversed(SUBJECTS):
                     milliseconds = _measure(window, server, Path(work) / name, name)

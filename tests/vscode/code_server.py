@@ -15,7 +15,9 @@ import urllib.request
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 from tests.support.ports import free_port
@@ -127,29 +129,40 @@ def package_extension() -> Path:
 def running(
     data: Path,
     settings: Mapping[str, object],
-    packages: Sequence[Path],
+    package: Path,
     machine: Machine = Machine(),  # noqa: B008 (immutable)
 ) -> Iterator[CodeServer]:
-    """Run a server with the given user settings and extension packages installed."""
-    vscode = install()
+    """Run a server with the given user settings and an extension's package installed."""
     write_settings(data, settings)
-    options = [
-        *("--server-data-dir", str(data), "--user-data-dir", str(data / "user")),
-        *("--extensions-dir", str(data / "ext"), "--accept-server-license-terms"),
-        *("--telemetry-level", "off"),
-    ]
-    command = [_node(), str(vscode / "out" / "server-main.js"), *options]
-    for package in packages:
-        _check(subprocess.run([*command, "--install-extension", str(package)], **_CAPTURED))
+    shutil.copytree(Path(_installed(package).name) / "ext", data / "ext")
     behind, port = free_port(), free_port()
     listen = ["--host", "127.0.0.1", "--port", str(behind), "--without-connection-token"]
-    server = [*command, *listen, "--enable-smoke-test-driver"]
+    server = [*_server(data), *listen, "--enable-smoke-test-driver"]
     front = [_node(), str(FRONT), str(port), str(behind)]
     log = data / "server.log"
     front_process = _process(front, data / "front.log")
     with _process([*machine.before, *server], log, machine.env) as process, front_process:
-        _wait_until_up(behind, process, log)
+        _wait_until_up(port, process, log)
         yield CodeServer(port, data)
+
+
+@cache
+def _installed(package: Path) -> "TemporaryDirectory[str]":
+    """Return a data folder in which a package was installed, once for all servers."""
+    data = TemporaryDirectory()
+    command = [*_server(Path(data.name)), "--install-extension", str(package)]
+    _check(subprocess.run(command, **_CAPTURED))
+    return data
+
+
+def _server(data: Path) -> list[str]:
+    """Return the command of a server with a data folder."""
+    return [
+        *(_node(), str(install() / "out" / "server-main.js")),
+        *("--server-data-dir", str(data), "--user-data-dir", str(data / "user")),
+        *("--extensions-dir", str(data / "ext"), "--accept-server-license-terms"),
+        *("--telemetry-level", "off"),
+    ]
 
 
 @contextmanager

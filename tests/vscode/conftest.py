@@ -24,7 +24,7 @@ def vsix() -> Path:
 def server(vsix: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[CodeServer]:
     """VS Code's server, with the interpreter of the tests configured."""
     settings = {"kindsl.interpreter": [sys.executable]}
-    with code_server.running(tmp_path_factory.mktemp("vscode"), settings, [vsix]) as running:
+    with code_server.running(tmp_path_factory.mktemp("vscode"), settings, vsix) as running:
         yield running
 
 

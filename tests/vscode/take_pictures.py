@@ -24,7 +24,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as work, browser.chromium() as chromium:
         folder = Path(work) / "robots"
         shutil.copytree(EXAMPLES, folder)
-        with code_server.running(Path(work) / "data", settings, [package]) as server:
+        with code_server.running(Path(work) / "data", settings, package) as server:
             workbench = Workbench(chromium.new_page(viewport=SIZE), server, folder)
             _take_problems(workbench)
             _take_preview(workbench)

@@ -211,7 +211,7 @@ def test_the_linter_is_a_task(browser: Browser, vsix: Path, tmp_path: Path) -> N
     folder = tmp_path / "robots"
     folder.mkdir()
     (folder / "broken.kindsl").write_text(models.ARM.replace("lower via elbow", "lower via x"))
-    with code_server.running(tmp_path / "data", BUILT_IN, [vsix]) as server:
+    with code_server.running(tmp_path / "data", BUILT_IN, vsix) as server:
         outcome = run_suite(browser, server, folder, HOST / "tasks.js")
     assert outcome.code == 0, str(outcome)
 
@@ -255,7 +255,7 @@ def window(
     folder = opened or work / "robots"
     if opened is None:
         folder.mkdir(exist_ok=True)
-    with code_server.running(work / "data", settings, [vsix], machine) as server:
+    with code_server.running(work / "data", settings, vsix, machine) as server:
         page = browser.new_page(viewport={"width": 1280, "height": 800})
         workbench = Workbench(page, server, folder)
         try:

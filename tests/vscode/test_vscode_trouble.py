@@ -98,7 +98,7 @@ def window(
     """A window on the folder `robots` in an installation of its own."""
     folder = work / "robots"
     folder.mkdir(exist_ok=True)
-    with code_server.running(work / "data", settings, [vsix]) as server:
+    with code_server.running(work / "data", settings, vsix) as server:
         page = browser.new_page(viewport={"width": 1280, "height": 800})
         workbench = Workbench(page, server, folder)
         try:
