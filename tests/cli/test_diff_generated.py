@@ -141,6 +141,7 @@ def test_an_entry_is_arithmetic_on_numbers(kindsl: Runner, folder: Path, sum: st
         (TURNING, INERTIA.replace("com_arm = ", "com_leg = "), "depends on parameters"),
         (TURNING.replace("- s_q", "__import__('os')"), INERTIA, "has no transform between"),
         (TURNING.replace("- s_q", "1/0"), INERTIA, "has no transform between"),
+        (TURNING.replace("- s_q", "1e300*1e300"), INERTIA, "has no transform between"),
         (TURNING + "    (*this)(4,0) = 1;\n", INERTIA, "has no transform between"),
         (TURNING + "    (*this)(0,4) = 1;\n", INERTIA, "has no transform between"),
         ("", INERTIA, "has no transform between 'arm' and a parent"),

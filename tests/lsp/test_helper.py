@@ -60,6 +60,19 @@ async def test_a_process_that_ends_is_told_and_replaced_once(
     ]
 
 
+async def test_an_answer_that_came_before_the_process_ended_counts() -> None:
+    helper = HelperProcess(Worker())
+    waiting = asyncio.ensure_future(helper.run(signal.pause))
+    await asyncio.sleep(0)
+    (number,), process = helper._waiting, helper._process
+    assert process is not None
+    helper._answer(number, True, "in time")
+    helper._lose(process, 0)
+    assert await waiting == "in time"
+    process.kill()
+    process.wait()
+
+
 async def test_who_waits_when_it_is_stopped_is_cancelled() -> None:
     helper = HelperProcess(Worker())
     waiting = asyncio.ensure_future(helper.run(time.sleep, 60))

@@ -1,6 +1,7 @@
 """What is pushed to the editor and when, and what is left to those that pull."""
 
 import asyncio
+import threading
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,7 @@ from kindsl.cli import main
 from kindsl.lsp.handlers.diagnostics import pull
 from kindsl.lsp.session import calm, publishing
 from kindsl.lsp.session.disk_watch import watch_disk
+from kindsl.lsp.session.findings import diagnostics
 from kindsl.lsp.session.session import Session
 
 PUBLISH = "textDocument/publishDiagnostics"
@@ -106,12 +108,21 @@ async def test_who_listens_hears_what_was_found() -> None:
 
 
 async def test_many_findings_are_made_ready_in_the_worker(monkeypatch: pytest.MonkeyPatch) -> None:
-    for many in (1, 200):
+    threads: set[threading.Thread] = set()
+
+    def noted(*arguments: Any) -> Any:
+        threads.add(threading.current_thread())
+        return diagnostics(*arguments)
+
+    monkeypatch.setattr(publishing, "diagnostics", noted)
+    for many, is_here in ((1, False), (2, True)):
+        threads.clear()
         monkeypatch.setattr(publishing, "_MANY", many)
         with session_with() as (session, told):
             opened(session, URI, INTEGER, 1)
             (found,) = await published(told, URI)
             assert codes(found) == ["KD005"]
+        assert [thread is threading.current_thread() for thread in threads] == [is_here]
 
 
 async def test_what_is_pulled_is_cleared_once_and_pushed_no_more() -> None:

@@ -222,7 +222,7 @@ def _value(expression: str, names: Mapping[str, float]) -> float | None:
         value = _of_node(ast.parse(expression.strip(), mode="eval").body, names)
     except (SyntaxError, ValueError, ZeroDivisionError, RecursionError, OverflowError):
         return None
-    return value if value is not None and isfinite(value) else None
+    return value if isfinite(value) else None
 
 
 def _of_node(node: ast.expr, names: Mapping[str, float]) -> float:

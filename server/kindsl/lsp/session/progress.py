@@ -34,7 +34,7 @@ class Progress:
         self._state = state
         self._title = title
         self._token = token
-        self._shown = -1
+        self._shown = 0
         self._start = time.monotonic()
         self._may_begin = token is None and state.client.can("window.work_done_progress")
 
