@@ -18,3 +18,11 @@ def test_stacks_are_forgotten_when_there_have_been_many(monkeypatch: pytest.Monk
     first = initial("link")
     monkeypatch.setattr(Stack, "made", Stack.made + 1_000_000)
     assert initial("link") is not first
+
+
+def test_of_what_may_be_lost_no_token_is_left_out_that_can_stand() -> None:
+    link = initial("link")
+    name = link.after("link")
+    assert name is not None
+    assert [kind for kind, _ in link.losable()] == ["link"]
+    assert name.losable() == (("NAME", name.after("NAME")),)

@@ -3,12 +3,15 @@
 from functools import lru_cache
 from typing import ClassVar
 
-from kindsl.syntax.tables import RULES, STARTS, STATES
+from kindsl.syntax.tables import KEYWORDS, RULES, STARTS, STATES
 
 CONSTRUCTS = [state[0] for state in STATES]
 ROWS = [dict(zip(*state[1:3], strict=True)) for state in STATES]
 TARGETS = [dict(zip(*state[3:5], strict=True)) for state in STATES]
 
+# Tokens whose loss is thought of; where one word of several can stand, the usual one will do.
+_LOSABLE = frozenset((*KEYWORDS.values(), *"{}()=,]>", "NAME", "FLOAT", "INT"))
+_LOSABLE -= {"PI", "LOWER_PI", "FLOATING"}
 _MATTER = 5
 _MOST_KNOWN = 20_000  # ten megabytes at most
 
@@ -26,7 +29,7 @@ class Stack:
         innermost: The last states, enough to tell stacks apart that matter.
     """
 
-    __slots__ = ("_above", "_after", "below", "innermost", "state")
+    __slots__ = ("_above", "_after", "_losable", "below", "innermost", "state")
     made: ClassVar[int] = 0
 
     def __init__(self, state: int, below: "Stack | None") -> None:
@@ -37,6 +40,7 @@ class Stack:
         self.innermost: tuple[int, ...] = (state, *around)
         self._above: dict[int, Stack] = {}
         self._after: dict[str, Stack | None] = {}
+        self._losable: tuple[tuple[str, Stack], ...] | None = None
 
     def under(self, state: int) -> "Stack":
         """Return the stack with one more state."""
@@ -52,6 +56,14 @@ class Stack:
         except KeyError:
             found = self._after[kind] = _step(self, kind)
             return found
+
+    def losable(self) -> "tuple[tuple[str, Stack], ...]":
+        """Return the tokens that may have been lost here, and the stack after each."""
+        if self._losable is None:
+            kinds = (kind for kind in ROWS[self.state] if kind in _LOSABLE)
+            steps = ((kind, self.after(kind)) for kind in kinds)
+            self._losable = tuple((kind, after) for kind, after in steps if after is not None)
+        return self._losable
 
 
 def initial(start: str) -> Stack:

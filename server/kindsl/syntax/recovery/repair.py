@@ -9,17 +9,16 @@ import heapq
 import itertools
 from collections.abc import Callable, Iterator, Sequence
 from functools import cache
+from math import inf
 from typing import NamedTuple
 
-from kindsl.syntax.automaton import ROWS, Stack, is_complete
+from kindsl.syntax.automaton import Stack, is_complete
 from kindsl.syntax.recovery.costs import cost
-from kindsl.syntax.token_names import BLOCK_STARTS, SPELLINGS
+from kindsl.syntax.token_names import BLOCK_STARTS
 from kindsl.syntax.tree import Token
 
 _SIGNS = frozenset("{}()=,]>")
 _VALUES = frozenset({"NAME", "FLOAT", "INT"})
-INSERTABLE = (frozenset(SPELLINGS) | _SIGNS | _VALUES) - {"PI", "LOWER_PI", "FLOATING"}
-_INSERTABLE_AFTER = [tuple(kind for kind in row if kind in INSERTABLE) for row in ROWS]
 
 _MOST_EXPANSIONS = 1200
 _MOST_GOALS = 30
@@ -43,32 +42,32 @@ class RepairStep(NamedTuple):
 
 
 class FoundRepair(NamedTuple):
-    """A repair: from which token on, what, and where reading goes on."""
+    """A repair: from which token on, and what."""
 
     first: int
     changes: tuple[RepairStep, ...]
-    stack: Stack
-    next: int
 
 
-class _Candidate(NamedTuple):
-    """A repair that is tried: what it has cost, and how far reading has come with it.
+# The changes before the last one, and the fields of that one's step.
+_Changes = tuple["_Changes | None", str, int, str]
+# A repair that is tried: the stack and the token that reading has come to with it, its changes, how
+# many tokens fit behind them, the first token that is read again, and whether it is a gap.
+_Candidate = tuple[Stack, int, _Changes | None, int, int, bool]
+
+
+class _Goal(NamedTuple):
+    """A good repair.
 
     Attributes:
+        run: How many more tokens fit; many where they fit to the end.
         is_gap: Whether it puts in what may be lost at one place, and nothing else.
     """
 
     cost: float
-    stack: Stack
-    at: int
-    changes: tuple[RepairStep, ...]
-    shifts: int
+    run: int
     first: int
+    changes: _Changes
     is_gap: bool
-
-
-# What may come of a candidate: cost, order, the candidate, the stack then, the step and its kind.
-_Prospect = tuple[float, int, _Candidate, Stack, str, str]
 
 
 class Preferences(NamedTuple):
@@ -102,41 +101,7 @@ def search(
         start: The construct being read.
         preferences: Extra costs.
     """
-    back = cost("go back by a token")
-    queue: list[_Prospect] = []
-    for count, stack in enumerate(stacks):
-        begin = _Candidate(back * count, stack, index - count, (), 0, index - count, True)
-        queue.append((begin.cost, count, begin, stack, "begin", ""))
-    goals: list[_Candidate] = []
-    seen: dict[object, float] = {}
-    prices = _Prices(tokens, preferences)
-    fair = limit = _MOST_COST
-    order = itertools.count(len(queue))
-    for _ in range(_MOST_EXPANSIONS):
-        if not queue or len(goals) > _MOST_GOALS or queue[0][0] > limit:
-            break
-        candidate = _come_true(heapq.heappop(queue))
-        if candidate.changes and _is_goal(candidate, tokens, index, start):
-            goals.append(candidate)
-            if _run(candidate, tokens, start) == _READ_FURTHER:
-                break  # no other one is better, for this one is the cheapest that reads so far
-            fair = min(_MOST_COST, goals[0].cost + cost("read further, slack"))
-            limit = min(_MOST_COST, goals[0].cost + cost("read to the end, slack"))
-            continue
-        if candidate.cost > fair and not candidate.is_gap:
-            continue
-        key = _key(candidate)
-        if seen.get(key, _MOST_COST + 1) <= candidate.cost:
-            continue
-        seen[key] = candidate.cost
-        for paid, after, action, kind in _following(candidate, tokens, index, prices, fair, limit):
-            heapq.heappush(queue, (paid, next(order), candidate, after, action, kind))
-    if not goals:
-        return None
-    fair = goals[0].cost + cost("read further, slack")
-    good = [goal for goal in goals if goal.cost <= fair or _is_lost_run(goal, tokens, start)]
-    best = min(good, key=lambda goal: (-_run(goal, tokens, start), goal.cost))
-    return FoundRepair(best.first, best.changes, best.stack, best.at)
+    return _Search(tokens, index, start, preferences).best(stacks)
 
 
 def completion(stack: Stack, start: str) -> list[str] | None:
@@ -154,12 +119,10 @@ def completion(stack: Stack, start: str) -> list[str] | None:
         if key in seen:
             continue
         seen.add(key)
-        for kind in _INSERTABLE_AFTER[stack.state]:
-            following = stack.after(kind)
-            if following is not None:
-                order += 1
-                price = cost("close at the end") if kind in "})" else insertion_cost(kind)
-                heapq.heappush(queue, (paid + price, order, following, (*kinds, kind)))
+        for kind, after in stack.losable():
+            order += 1
+            price = cost("close at the end") if kind in "})" else insertion_cost(kind)
+            heapq.heappush(queue, (paid + price, order, after, (*kinds, kind)))
     return None
 
 
@@ -183,63 +146,130 @@ def _replacement_cost(old: str, new: str) -> float:
     return price if new in _VALUES else price + cost("replace by no value, more")
 
 
-def _is_goal(candidate: _Candidate, tokens: Sequence[Token], failed: int, start: str) -> bool:
-    if candidate.shifts >= _FIT_BEHIND and candidate.at > failed:
-        return True
-    index = candidate.at
-    if index < len(tokens):
-        is_behind = index > failed and candidate.shifts > 0
-        if not is_behind or not _begins_block(tokens, index):
-            return False
-    return is_complete(candidate.stack, start)
+class _Search:
+    """A search for the repair where the token `failed` does not fit.
+
+    Attributes:
+        fair: The most that a repair may cost.
+        limit: The most that one may cost that puts in what is lost at one place.
+    """
+
+    def __init__(
+        self, tokens: Sequence[Token], failed: int, start: str, preferences: Preferences
+    ) -> None:
+        self.tokens = tokens
+        self.failed = failed
+        self.start = start
+        self.prices = _Prices(tokens, preferences)
+        self.queue = _Queue()
+        self.fair = self.limit = _MOST_COST
+
+    def best(self, stacks: Sequence[Stack]) -> FoundRepair | None:
+        """Return the best repair that begins at one of the stacks, the last one first."""
+        goals = self._goals(stacks)
+        if not goals:
+            return None
+        fair = goals[0].cost + cost("read further, slack")
+        good = [g for g in goals if g.cost <= fair or (g.is_gap and g.run == _READ_FURTHER)]
+        best = min(good, key=lambda goal: (-goal.run, goal.cost))
+        return FoundRepair(best.first, _steps(best.changes))
+
+    def _goals(self, stacks: Sequence[Stack]) -> list[_Goal]:
+        """Return good repairs, the cheapest first."""
+        back = cost("go back by a token")
+        for count, stack in enumerate(stacks):
+            at = self.failed - count
+            self.queue.add(back * count, (stack, at, None, 0, at, True))
+        goals: list[_Goal] = []
+        seen: set[object] = set()
+        for paid, candidate in itertools.islice(self.queue, _MOST_EXPANSIONS):
+            if len(goals) > _MOST_GOALS or paid > self.limit:
+                break
+            stack, at, changes, shifts, first, is_gap = candidate
+            if changes is not None and self._is_goal(stack, at, shifts):
+                goals.append(_Goal(paid, self._run(stack, at), first, changes, is_gap))
+                if goals[-1].run == _READ_FURTHER:
+                    break  # no other one is better, for this one is the cheapest that reads so far
+                self.fair = min(_MOST_COST, goals[0].cost + cost("read further, slack"))
+                self.limit = min(_MOST_COST, goals[0].cost + cost("read to the end, slack"))
+            elif paid <= self.fair or is_gap:
+                is_deleted = changes is not None and changes[1] == "delete"
+                key = (stack.innermost, at, shifts > 0, is_deleted)
+                if key not in seen:
+                    seen.add(key)
+                    self._go_on(paid, candidate)
+        return goals
+
+    def _go_on(self, paid: float, candidate: _Candidate) -> None:
+        """Queue what one step can make of a candidate."""
+        stack, at, changes, shifts, first, is_gap = candidate
+        add, fair = self.queue.add, self.fair
+        step = changes[1] if changes is not None and shifts == 0 else ""
+        if at < len(self.tokens):
+            kind = self.tokens[at].kind
+            after = stack.after(kind)
+            if after is not None and (changes is not None or at < self.failed):
+                add(paid, (after, at + 1, changes, shifts + 1, first, is_gap))
+            price = paid + self.prices.deletion(at, step == "delete")
+            if price <= fair:
+                add(price, (stack, at + 1, (changes, "delete", at, kind), 0, first, False))
+        is_gap = is_gap and (shifts == 0 or changes is None)
+        most = self.limit if is_gap else fair
+        factor = cost("insert on, factor") if step == "insert" else 1.0
+        for new, after in stack.losable():
+            price = paid + self.prices.insertion(new, at) * factor
+            if price <= most:
+                add(price, (after, at, (changes, "insert", at, new), 0, first, is_gap))
+            price = paid + self.prices.replacement(new, at)
+            if price <= fair:
+                add(price, (after, at + 1, (changes, "replace", at, new), 0, first, False))
+
+    def _is_goal(self, stack: Stack, at: int, shifts: int) -> bool:
+        if shifts >= _FIT_BEHIND and at > self.failed:
+            return True
+        if at < len(self.tokens):
+            is_behind = at > self.failed and shifts > 0
+            if not is_behind or not _begins_block(self.tokens, at):
+                return False
+        return is_complete(stack, self.start)
+
+    def _run(self, stack: Stack, at: int) -> int:
+        """Return how many more tokens fit; many where they fit to the end."""
+        count = 0
+        for token in self.tokens[at : at + _READ_FURTHER]:
+            after = stack.after(token.kind)
+            if after is None:
+                is_next = _begins_block(self.tokens, at + count) and is_complete(stack, self.start)
+                return _READ_FURTHER if is_next else count
+            stack = after
+            count += 1
+        if at + count >= len(self.tokens) and not is_complete(stack, self.start):
+            return count
+        return _READ_FURTHER
 
 
-def _come_true(prospect: _Prospect) -> _Candidate:
-    """Return the candidate that another one becomes."""
-    paid, _, before, after, action, kind = prospect
-    _, _, at, changes, shifts, first, is_gap = before
-    if action == "begin":
-        return before
-    if action == "shift":
-        return _Candidate(paid, after, at + 1, changes, shifts + 1, first, is_gap)
-    change = RepairStep(action, at, kind)
-    if action == "insert":
-        is_gap = not changes or (is_gap and changes[-1].at == at)
-        return _Candidate(paid, after, at, (*changes, change), 0, first, is_gap)
-    return _Candidate(paid, after, at + 1, (*changes, change), 0, first, False)
+class _Queue:
+    """Candidates by their cost; of those that cost the same, the one added first comes first."""
 
+    def __init__(self) -> None:
+        self._costs: list[float] = []
+        self._alike: dict[float, list[_Candidate]] = {}
 
-def _following(
-    candidate: _Candidate,
-    tokens: Sequence[Token],
-    failed: int,
-    prices: "_Prices",
-    fair: float,
-    limit: float,
-) -> Iterator[tuple[float, Stack, str, str]]:
-    """Yield what one step can make of a candidate: the cost, the stack, the step and its kind."""
-    paid, stack, index, changes, _, _, is_gap = candidate
-    at_end = index >= len(tokens)
-    kind = "$END" if at_end else tokens[index].kind
-    if not at_end:
-        after = stack.after(kind)
-        if after is not None and (changes or index < failed):
-            yield paid, after, "shift", kind
-        is_continued = bool(changes) and changes[-1][:2] == ("delete", index - 1)
-        price = paid + prices.deletion(index, is_continued)
-        if price <= fair:
-            yield price, stack, "delete", kind
-    is_continued = bool(changes) and changes[-1][:2] == ("insert", index)
-    most = limit if is_gap and (is_continued or not changes) else fair
-    for new in _INSERTABLE_AFTER[stack.state]:
-        price = paid + prices.insertion(new, index, is_continued)
-        if price <= most and (after := stack.after(new)) is not None:
-            yield price, after, "insert", new
-        if at_end or new == kind:
-            continue
-        price = paid + prices.replacement(new, index)
-        if price <= fair and (after := stack.after(new)) is not None:
-            yield price, after, "replace", new
+    def add(self, paid: float, candidate: _Candidate) -> None:
+        """Add a candidate that costs no less than the one that was last taken."""
+        try:
+            self._alike[paid].append(candidate)
+        except KeyError:
+            self._alike[paid] = [candidate]
+            heapq.heappush(self._costs, paid)
+
+    def __iter__(self) -> Iterator[tuple[float, _Candidate]]:
+        """Yield each candidate and its cost, those too that are added meanwhile."""
+        while self._costs:
+            paid = heapq.heappop(self._costs)
+            for candidate in self._alike[paid]:
+                yield paid, candidate
+            del self._alike[paid]
 
 
 class _Prices:
@@ -250,12 +280,13 @@ class _Prices:
             price = cost("delete on") if is_continued else _deletion_cost(tokens[index].kind)
             return price + preferences.deletion(index)
 
-        def insertion(new: str, index: int, is_continued: bool) -> float:
-            price = insertion_cost(new) + preferences.insertion(new, index)
-            return price * cost("insert on, factor") if is_continued else price
+        def insertion(new: str, index: int) -> float:
+            return insertion_cost(new) + preferences.insertion(new, index)
 
         def replacement(new: str, index: int) -> float:
-            old = tokens[index].kind
+            old = tokens[index].kind if index < len(tokens) else new
+            if new == old:
+                return inf
             return _replacement_cost(old, new) + preferences.replacement(new, index)
 
         self.deletion = cache(deletion)
@@ -269,26 +300,8 @@ def _begins_block(tokens: Sequence[Token], index: int) -> bool:
     return kinds[0] in BLOCK_STARTS or kinds == ["NAME", "NAME", "{"]
 
 
-def _run(goal: _Candidate, tokens: Sequence[Token], start: str) -> int:
-    """Return how many more tokens fit; many where they fit to the end."""
-    stack, count = goal.stack, 0
-    for token in tokens[goal.at : goal.at + _READ_FURTHER]:
-        after = stack.after(token.kind)
-        if after is None:
-            is_next = _begins_block(tokens, goal.at + count) and is_complete(stack, start)
-            return _READ_FURTHER if is_next else count
-        stack = after
-        count += 1
-    if goal.at + count >= len(tokens) and not is_complete(stack, start):
-        return count
-    return _READ_FURTHER
-
-
-def _is_lost_run(goal: _Candidate, tokens: Sequence[Token], start: str) -> bool:
-    """Return whether a repair puts in what may be lost at one place, and all fits behind it."""
-    return goal.is_gap and _run(goal, tokens, start) == _READ_FURTHER
-
-
-def _key(candidate: _Candidate) -> object:
-    deleted = bool(candidate.changes) and candidate.changes[-1].action == "delete"
-    return (candidate.stack.innermost, candidate.at, min(candidate.shifts, 1), deleted)
+def _steps(changes: _Changes) -> tuple[RepairStep, ...]:
+    """Return the steps of a repair, the first change first."""
+    before, action, at, kind = changes
+    earlier = _steps(before) if before is not None else ()
+    return (*earlier, RepairStep(action, at, kind))
