@@ -29,7 +29,7 @@ from kindsl.text.edits import TextEdit  # noqa: E402
 LEAST_FASTER = 100.0
 MOST_EDIT_GROWTH = 2.0
 MOST_START = 3.0
-MOST_SLIPS = 50.0
+MOST_SLIPS = 25.0
 PLAIN = Style(has_comments=False)
 
 
