@@ -50,6 +50,5 @@ def _pose(
     yield from implied("joint", name, POSE[:3], own)
     yield from implied("joint", name, (*TURNS, AXIS), xml.of_attribute(joint, "axis"))
     yield from keyed("joint", name, POSE[:3], xml.of_attribute(placed, "pos"))
-    if placed is not joint:
-        for attribute in _ORIENTATIONS:
-            yield from implied("joint", name, TURNS, xml.of_attribute(placed, attribute))
+    for attribute in _ORIENTATIONS:
+        yield from implied("joint", name, TURNS, xml.of_attribute(placed, attribute))
