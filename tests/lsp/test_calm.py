@@ -49,6 +49,11 @@ def test_no_squiggle_passes_while_a_robot_is_typed() -> None:
     assert len(passing_squiggles(lines[:8], is_calm=False)) > 20
 
 
+def test_the_page_says_how_long_it_lasts() -> None:
+    page = (Path(__file__).parents[2] / "docs" / "editors.md").read_text("utf-8")
+    assert f"or {calm.PATIENCE:g} s after the last" in " ".join(page.split())
+
+
 async def test_an_error_in_the_line_of_the_edit_comes_when_the_hand_rests(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -16,7 +16,9 @@ from kindsl.lsp.handlers.diagnostics import pull
 from kindsl.lsp.session import calm, publishing
 from kindsl.lsp.session.disk_watch import watch_disk
 from kindsl.lsp.session.findings import diagnostics
+from kindsl.lsp.session.publishing import Publisher
 from kindsl.lsp.session.session import Session
+from kindsl.lsp.text.document import Document
 
 PUBLISH = "textDocument/publishDiagnostics"
 URI = "untitled:arm"
@@ -83,6 +85,30 @@ async def test_of_several_turns_to_publish_a_version_the_last_is_taken() -> None
         await published(told, URI)
         await settled(session)
         assert len(told.named(PUBLISH)) == 1
+
+
+async def test_only_a_keystroke_is_waited_after(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    schedule, delays = Publisher.schedule, list[float]()
+
+    def noted(publisher: Publisher, document: Document, delay: float) -> None:
+        delays.append(delay)
+        schedule(publisher, document, delay)
+
+    monkeypatch.setattr(Publisher, "schedule", noted)
+    companion = (tmp_path / "kindsl.toml").as_uri()
+    with session_with() as (session, told):
+        session.workspace.set_editor_settings({"diagnostics": {"delay": 20}})
+        opened(session, companion, "[parameters]\nlength = 1.0\n")
+        await published(told, companion)
+        opened(session, URI, UNBOUND)
+        await published(told, companion, 2)
+        session.publisher.refresh()
+        await settled(session)
+        assert set(delays) == {0.0}
+        change(session, URI, 2, GOOD)
+        assert delays[-1] == 0.02
 
 
 async def test_what_a_document_needs_is_set_aside_once(monkeypatch: pytest.MonkeyPatch) -> None:

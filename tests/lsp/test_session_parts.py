@@ -17,7 +17,8 @@ from tests.lsp.sessions import REFUSAL, folder_of, of_versions, opened, session_
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.diagnostics import RelatedPlace
 from kindsl.config.editor_settings import editor_settings
-from kindsl.lsp.session import memory
+from kindsl.lsp.session import disk_watch, memory, previews, progress, symbols
+from kindsl.lsp.session import state as session_state
 from kindsl.lsp.session.binding import bound, posed
 from kindsl.lsp.session.closed_configurations import ClosedConfigurations
 from kindsl.lsp.session.configuration_diagnostics import configuration_problems
@@ -581,6 +582,12 @@ def test_a_file_of_another_tool_is_no_configuration(name: str, is_ours: bool) ->
         assert bool(told) is (is_ours and "mistaken" in text)
         if not told:
             assert (configuration_of(shown) is not None) is is_ours
+
+
+def test_nobody_waits_longer_than_a_second_and_what_nobody_waits_for_two() -> None:
+    waits = (disk_watch._INTERVAL, memory._LATER, previews._FRAME, progress._PATIENCE)
+    assert all(0.0 < wait <= 1.0 for wait in (*waits, session_state._PATIENCE))
+    assert 1.0 < symbols._LATER <= 2.0
 
 
 def test_the_collector_looks_seldom_at_what_is_young_and_old() -> None:
