@@ -2,12 +2,14 @@
 
 import json
 from collections.abc import Callable
+from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from tests.codegen.documents import DOCUMENTS
-from tests.codegen.robots import PLAIN, STAMP
+from tests.codegen.robots import PLAIN, STAMP, bodies_of_seed
 from tests.support.robots import LIFT
 
 import kindsl
@@ -16,6 +18,7 @@ from kindsl.codegen.checking import _compiler, misfit
 from kindsl.codegen.generating import Source, generate
 from kindsl.codegen.library import GenerationError, Options
 from kindsl.codegen.manifest import NAME, Manifest, read_manifest
+from kindsl.codegen.resistance import refuse_unresisted
 from kindsl.codegen.robcogen.robot import GeneratedRobot
 from kindsl.codegen.writing import refuse_foreign, write_files
 from kindsl.interchange.generated_folder import digest
@@ -76,6 +79,26 @@ def test_a_rotor_resists_where_the_code_has_rotors() -> None:
     assert "forward_dynamics" in generate(driven, options)[0].functions
     with pytest.raises(GenerationError, match="nothing resists motion of joint"):
         generate(driven, replace(options, language="robcogen", parameters="all"))
+
+
+@pytest.mark.parametrize(
+    ("quantity", "moving"),
+    [("forward_dynamics", "joint '.*'"), ("contact_dynamics", "joint '.*'"),
+     ("inverse_dynamics", "the base")],
+)  # fmt: skip
+def test_what_only_rounding_resists_is_refused(
+    quantity: str, moving: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    bodies = bodies_of_seed(3)
+    for condition in (1e15, np.nextafter(1e15, np.inf)):
+        monkeypatch.setattr("kindsl.codegen.resistance._condition", lambda M, told=condition: told)
+        refuse_unresisted(("poses", "joint_space_inertia"), bodies, np.zeros(bodies.n_links))
+        with (
+            pytest.raises(GenerationError, match=f"'{quantity}' .* {moving}; use")
+            if condition > 1e15
+            else nullcontext()
+        ):
+            refuse_unresisted((quantity,), bodies, np.zeros(bodies.n_links))
 
 
 def test_the_model_of_defaults_has_their_values() -> None:
