@@ -60,6 +60,7 @@ LAYOUTS: dict[str, Callable[[str], str]] = {
     "commas in groups": _with_groups(","),
     "quotes in groups": _with_groups("'"),
     "thin blanks in groups": _with_groups("\u202f"),
+    "page numbers": lambda text: text.replace("\n", "\n7\n"),
     "decimal commas": lambda text: re.sub(r"(?<=\d)\.(?=\d)", ",", text),
 }
 _WITH_MARKS = ("SolidWorks_komma", "Inventor_groups")

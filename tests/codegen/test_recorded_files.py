@@ -57,7 +57,7 @@ CASES: dict[str, list[tuple[str, dict[str, object]]]] = {
     "cpp": [("arm", {"quantities": ALL}), *PLAINLY, ("arm", {"real": "float"})],
     "jax": PLAINLY[:2],
     "octave": FOR_ROBCOGEN,
-    "python": [("arm", {"quantities": ALL}), *PLAINLY],
+    "python": [("arm", {"quantities": ALL}), *PLAINLY, ("arm", {"quantities": ("energies",)})],
     "robcogen": [
         *FOR_ROBCOGEN,
         ("long", {}),

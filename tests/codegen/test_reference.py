@@ -9,6 +9,7 @@ from tests.support.differences import worst_difference
 
 import kindsl
 from kindsl.analysis.settings import Settings
+from kindsl.codegen.c_test_program import parameter_values
 from kindsl.codegen.generating import Source, generate
 from kindsl.codegen.library import Library, Options
 from kindsl.codegen.reference import Reference, sample
@@ -84,6 +85,11 @@ def test_each_function_gives_the_right_answer(pair: tuple[Library, Reference]) -
             found = answers(made, function, function.loaded, expected.values)
             right = expected.loaded_results(function)
             assert worst_difference([x.ravel() for x in found], right) < 1e-9, function.name
+
+
+def test_parameters_without_a_value_have_different_ones() -> None:
+    values = parameter_values([("a", None), ("b", 2.0), ("c", None)])
+    assert values == pytest.approx({"a": 0.3, "b": 2.0, "c": 0.4})
 
 
 def test_sampled_values_are_small_and_all_different(pair: tuple[Library, Reference]) -> None:
