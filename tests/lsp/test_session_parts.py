@@ -558,6 +558,7 @@ async def test_of_several_robots_the_one_that_a_transforms_document_names_is_see
 ) -> None:
     for number, name in enumerate(("arm", "leg")):
         (tmp_path / f"{number}.kindsl").write_text(GOOD.replace("Robot arm", f"Robot {name}"))
+    (tmp_path / "0-gone.kindsl").symlink_to("nowhere")
     with session_with() as (session, _):
         text = f"Robot {named}\n\nTransforms {{\n}}\n"
         shown = opened(session, (tmp_path / "pairs.dtdsl").as_uri(), text)
