@@ -97,6 +97,15 @@ def test_what_keeps_a_report_from_being_taken_over(text: str, said: str) -> None
     assert said in refusal(text)
 
 
+def test_only_programs_that_mean_the_com_may_leave_it_out() -> None:
+    report = REPORTS["FreeCAD_base"].partition("Matrix of inertia at the origin")[0]
+    unsaid = report.replace(" at the center of mass (kg", " (kg")
+    assert unsaid != report
+    assert kindsl.mass_properties(unsaid).moments == kindsl.mass_properties(report).moments
+    said = refusal(ON_AXIS.format(notation="").replace("Taken at the output", "In the output"))
+    assert "does not say whether moments are about the CoM or the origin" in said
+
+
 def test_a_contradiction_has_both_numbers() -> None:
     said = refusal(ON_AXIS.format(notation="") + ON_AXIS.format(notation="").replace(
         "Taken at the output", "Taken at the center of mass and aligned with the output"

@@ -14,6 +14,7 @@ from kindsl.cad.shape import (
     SPHERE,
     Kind,
     ShapeError,
+    shape_called,
     shape_properties,
 )
 
@@ -78,3 +79,22 @@ def test_digits_follow_what_is_given() -> None:
 def test_sizes_that_no_body_has(kind: Kind, sizes: str, said: str) -> None:
     with pytest.raises(ShapeError, match=said):
         made(kind, sizes, mass="1.0")
+
+
+def test_a_shape_in_words_is_the_shape() -> None:
+    assert shape_called("box(0.1, 0.2, 0.3, mass = 4)") == made(BOX, "0.1 0.2 0.3", mass="4")
+    assert shape_called("sphere(0.3,density=7)") == made(SPHERE, "0.3", density="7")
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("sphere(0.3, 0.4, mass = 4)", "a sphere needs radius and 'mass =' or 'density ='"),
+        ("sphere(0.3, weight = 4)", "a sphere needs radius and 'mass =' or 'density ='"),
+        ("sphere(0.3, mass = four)", "'four' is not a number"),
+        ("sphere(wide, mass = 4)", "'wide' is not a number"),
+    ],
+)
+def test_words_that_are_no_shape(text: str, said: str) -> None:
+    with pytest.raises(ShapeError, match=said):
+        shape_called(text)
