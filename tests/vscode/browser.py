@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from typing import NoReturn
 
 import pytest
-from playwright.sync_api import Browser, sync_playwright
+from playwright.sync_api import Browser, BrowserType, sync_playwright
 
 ARGUMENTS = (
     "--no-sandbox",
@@ -42,10 +42,14 @@ def missing(reason: str) -> NoReturn:
 @contextmanager
 def chromium(*more: str) -> Iterator[Browser]:
     """Run a browser, with more arguments than the usual."""
-    path = require("chromium")
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(
-            executable_path=path, args=[*ARGUMENTS, *more], timeout=TIMEOUT
-        )
+    with sync_playwright() as playwright, launched(playwright.chromium, *more) as browser:
         yield browser
-        browser.close()
+
+
+@contextmanager
+def launched(kind: BrowserType, *more: str) -> Iterator[Browser]:
+    """Run one more browser of a kind, with more arguments than the usual."""
+    path = require("chromium")
+    browser = kind.launch(executable_path=path, args=[*ARGUMENTS, *more], timeout=TIMEOUT)
+    yield browser
+    browser.close()

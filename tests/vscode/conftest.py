@@ -39,6 +39,13 @@ def browser(request: pytest.FixtureRequest) -> Iterator[Browser]:
 
 
 @pytest.fixture(scope="module")
+def undrawn_browser(browser: Browser) -> Iterator[Browser]:
+    """A browser for windows in which nothing is drawn but the workbench."""
+    with browser_module.launched(browser.browser_type, *browser_module.UNDRAWN) as running:
+        yield running
+
+
+@pytest.fixture(scope="module")
 def workbench(
     browser: Browser, server: CodeServer, tmp_path_factory: pytest.TempPathFactory
 ) -> Iterator[Workbench]:
