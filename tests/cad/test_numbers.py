@@ -8,6 +8,7 @@ import pytest
 from kindsl.cad.mesh import ShapeError, _check_closed
 from kindsl.cad.number_style import NumberStyle, number_styles, with_joined_groups
 from kindsl.cad.quantity import Quantity, Rounded, decimal_text
+from kindsl.cad.unit import unit
 
 POINT, COMMA = NumberStyle("."), NumberStyle(",", has_commas=True)
 
@@ -30,6 +31,8 @@ POINT, COMMA = NumberStyle("."), NumberStyle(",", has_commas=True)
         ("1.234,5", [COMMA._replace(has_groups=True)]),
         ("1'500.25", [POINT._replace(has_groups=True)]),
         ("1'500,250", [COMMA._replace(has_groups=True)]),
+        ("1.234.567,8", [COMMA._replace(has_groups=True)]),
+        ("1,234,567.8", [POINT._replace(has_groups=True)]),
         ("1.234.567", [COMMA._replace(has_groups=True)]),
         ("1,234,567", [POINT._replace(has_groups=True)]),
         ("1,23,456", [POINT]),
@@ -88,3 +91,30 @@ def test_open_edges_are_counted(count: int, said: str) -> None:
     with pytest.raises(ShapeError, match=said):
         _check_closed(edges, Fraction(1))
     _check_closed([], Fraction(1))
+
+
+@pytest.mark.parametrize(
+    ("text", "factor", "dimension"),
+    [
+        ("g·mm²", "1e-9", (1, 2, 0)),
+        ("kg * square millimeters", "1e-6", (1, 2, 0)),
+        ("metric tons", "1000", (1, 0, 0)),
+        ("oz", "0.028349523125", (1, 0, 0)),
+        ("slug", "14.593902937206364", (1, 0, 0)),
+        ("slinch", "175.12683524647637", (1, 0, 0)),
+        ("lbf s^2/in", "175.12683524647637", (1, 0, 0)),
+        ("µm", "1e-6", (0, 1, 0)),
+        ("cubic yards", "0.764554857984", (0, 3, 0)),
+        ("kg per cubic metre", "1", (1, -3, 0)),
+    ],
+)
+def test_units(text: str, factor: str, dimension: tuple[int, int, int]) -> None:
+    found = unit(text)
+    assert found is not None
+    assert found.dimension == dimension
+    assert float(found.factor) == pytest.approx(float(factor), rel=1e-14)
+
+
+@pytest.mark.parametrize("text", ["", "furlong", "square", "kg 5"])
+def test_what_is_no_unit(text: str) -> None:
+    assert unit(text) is None
