@@ -282,6 +282,19 @@ async def test_companions_that_are_pulled_are_asked_for_again_when_names_change(
         assert not [p for p in told.named(PUBLISH) if p["uri"] == file.as_uri()]
 
 
+async def test_companions_that_nobody_pulls_are_pushed_again_when_names_change(
+    tmp_path: Path,
+) -> None:
+    companion = (tmp_path / "kindsl.toml").as_uri()
+    with session_with(pulling(is_told=True)) as (session, told):
+        opened(session, companion, "[parameters]\nlength = 1.0\n")
+        await published(told, companion)
+        opened(session, URI, UNBOUND)
+        await published(told, companion, 2)
+        await settled(session)
+        assert told.named("workspace_diagnostic_refresh") == []
+
+
 async def test_of_a_companion_only_the_version_that_is_shown_is_told(tmp_path: Path) -> None:
     uri = (tmp_path / "kindsl.toml").as_uri()
     with session_with() as (session, told):
