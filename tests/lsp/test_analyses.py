@@ -151,6 +151,7 @@ async def test_findings_under_way_are_abandoned_and_those_that_are_left_made_lat
     rule = Rule("KD999", "slow", Severity.ERROR, check_document=slow, reads=reads)
     later = Rule("KD999", "later", Severity.ERROR, check_document=slow)
     monkeypatch.setattr(analysis, "checking_rules", lambda: (rule, later))
+    monkeypatch.setattr(analysis, "running_rules", analysis.running_rules.__wrapped__)
     waiting = asyncio.ensure_future(analyses.findings(shown))
     await asyncio.to_thread(begun.wait)
     waiting.cancel()
@@ -175,6 +176,7 @@ async def test_a_rule_that_fails_is_logged(
     shown = document("untitled:r", 1, TEXT, "utf-16")
     expected = (await analyses.of(shown)).findings
     monkeypatch.setattr(analysis, "checking_rules", lambda: (rule, *checking_rules()))
+    monkeypatch.setattr(analysis, "running_rules", analysis.running_rules.__wrapped__)
     again = document("untitled:r", 2, TEXT, "utf-16")
     assert await analyses.findings(again) == expected != ()
     assert "KD999 failed: KeyError: 'oh'" in caplog.text

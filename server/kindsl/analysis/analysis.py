@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import cached_property, partial
+from functools import cached_property, lru_cache, partial
 from typing import TYPE_CHECKING
 
 from kindsl.analysis.check_run import (
@@ -28,7 +28,6 @@ from kindsl.syntax.document import SyntaxDocument, parse, paused_collector
 from kindsl.syntax.readings import as_read_for
 from kindsl.text.display import html_of
 from kindsl.text.edits import TextEdit
-from kindsl.text.facts import Fact
 from kindsl.text.phrases import counted
 
 if TYPE_CHECKING:
@@ -36,7 +35,6 @@ if TYPE_CHECKING:
     from kindsl.mechanism.skeleton import Skeleton
 
 _NO_SETTINGS = Settings()
-_ENABLED = Fact[tuple[object, RunningRules]]("rules that run")
 
 
 class Analysis:
@@ -206,12 +204,8 @@ class Analysis:
         return [self._resolve(rule, finding) for rule, finding in found]
 
     def _run(self, checkpoint: Checkpoint, *, is_without_twins: bool = False) -> CheckRun:
-        """Return a run of the rules, chosen once for all versions under the same settings."""
-
-        def enabled() -> RunningRules:
-            return by_sight(rule for rule in checking_rules() if is_enabled(rule, self.settings))
-
-        rules = self.syntax.versions.made_of(_ENABLED, self.settings, enabled)
+        settings = self.settings
+        rules = running_rules(settings.targets, settings.select, settings.ignore)
         return CheckRun(
             checkpoint, self.model, self.context, rules, is_without_twins=is_without_twins
         )
@@ -232,6 +226,15 @@ class Analysis:
         """Return the codes of the rules that a run has, those of the syntax and of comments too."""
         rules = [rule for rule in all_rules() if is_enabled(rule, self.settings)]
         return [r.code for r in rules if not (run.is_without_twins and r.reads_twins)]
+
+
+@lru_cache(maxsize=64)
+def running_rules(
+    targets: frozenset[str], select: tuple[str, ...], ignore: tuple[str, ...]
+) -> RunningRules:
+    """Return the rules that run under some settings."""
+    settings = Settings(targets=targets, select=select, ignore=ignore)
+    return by_sight(rule for rule in checking_rules() if is_enabled(rule, settings))
 
 
 # Its name in public is `kindsl.Document`.
