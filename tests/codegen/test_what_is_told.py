@@ -90,7 +90,8 @@ def test_names_that_are_others_in_code_are_listed() -> None:
 
 
 @pytest.mark.parametrize(
-    ("choice", "inputs"), [("unbound", []), ("n", ["n"]), ("m, n", ["m", "n"]), ("all", ["m", "n"])]
+    ("choice", "inputs"),
+    [("unbound", []), ("n", ["n"]), ("m, n,", ["m", "n"]), ("all", ["m", "n"])],
 )
 def test_chosen_parameters_stay_inputs(choice: str, inputs: list[str]) -> None:
     readme = files(replace(OPTIONS, parameters=choice), BOUND).get("README.md", "")
