@@ -3,8 +3,10 @@
 import asyncio
 import gc
 import math
+import threading
 from array import array
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -16,6 +18,8 @@ from tests.lsp.sessions import REFUSAL, folder_of, of_versions, opened, session_
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.diagnostics import RelatedPlace
+from kindsl.config import configuration_reading
+from kindsl.config.configuration_reading import text_of
 from kindsl.config.editor_settings import editor_settings
 from kindsl.lsp.session import disk_watch, memory, previews, progress, symbols
 from kindsl.lsp.session import state as session_state
@@ -509,6 +513,15 @@ async def test_a_session_answers_about_robots_only_and_counts_its_questions() ->
             assert await ask(handler, "untitled:absent", 3) is None
 
 
+@pytest.mark.parametrize("length, is_here", [(199_999, True), (200_000, False)])
+async def test_long_documents_are_asked_in_the_worker(length: int, is_here: bool) -> None:
+    with session_with() as (session, _):
+        here, asked = threading.current_thread(), []
+        view: Any = SimpleNamespace(document=document(URI, 1, " " * length, "utf-16"))
+        await session._read(view, lambda: asked.append(threading.current_thread()))
+        assert [thread is here for thread in asked] == [is_here]
+
+
 async def test_quiet_comes_with_the_last_answer_or_after_a_moment(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -619,3 +632,22 @@ async def test_only_closed_configuration_files_are_looked_at(tmp_path: Path) -> 
         await configurations.look()
         assert told == [closed, closed]
         assert not configurations.is_anything_told
+
+
+async def test_a_file_that_goes_away_while_it_is_read_has_no_problems(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    told: list[Any] = []
+    file = tmp_path / "kindsl.toml"
+    file.write_text("mistaken = 1\n")
+
+    def going(path: str) -> str:
+        Path(path).unlink()
+        return text_of(path)
+
+    with session_with() as (session, _):
+        configurations = ClosedConfigurations(session, lambda *news: told.append(news))
+        await configurations.look([file.as_uri()])
+        monkeypatch.setattr(configuration_reading, "text_of", going)
+        await configurations.look()
+        assert [problems == [] for _, problems in told] == [False, True]

@@ -77,6 +77,8 @@ class ClosedConfigurations:
             text = text_of(str(path))
             read_baseline(configuration_of(str(path), text))
         except ConfigurationError as error:
+            if not is_configuration(str(path)):
+                return []  # It went away while it was being read.
             shown = document(uri, None, text, self._state.documents.encoding)
             return shown_problems(shown, error.problems)
         return []
