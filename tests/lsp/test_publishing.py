@@ -10,15 +10,17 @@ from lsprotocol import types
 from tests.cli.samples import GOOD, INTEGER, UNBOUND, arm
 from tests.lsp.sessions import Told, folder_of, opened, session_with
 
+from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.analysis.twins import compared_twins
 from kindsl.cli import main
 from kindsl.lsp.handlers.diagnostics import pull
 from kindsl.lsp.session import calm, publishing
+from kindsl.lsp.session.analyses import Analyses
 from kindsl.lsp.session.disk_watch import watch_disk
 from kindsl.lsp.session.findings import diagnostics
 from kindsl.lsp.session.publishing import Publisher
 from kindsl.lsp.session.session import Session
-from kindsl.lsp.text.document import Document
+from kindsl.lsp.text.document import Document, document
 
 PUBLISH = "textDocument/publishDiagnostics"
 URI = "untitled:arm"
@@ -133,7 +135,10 @@ async def test_who_listens_hears_what_was_found() -> None:
         assert heard == [(3, 1)]
 
 
-async def test_many_findings_are_made_ready_in_the_worker(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("number, is_here", [(199, True), (200, False)])
+async def test_many_findings_are_made_ready_in_the_worker(
+    monkeypatch: pytest.MonkeyPatch, number: int, is_here: bool
+) -> None:
     threads: set[threading.Thread] = set()
 
     def noted(*arguments: Any) -> Any:
@@ -141,14 +146,28 @@ async def test_many_findings_are_made_ready_in_the_worker(monkeypatch: pytest.Mo
         return diagnostics(*arguments)
 
     monkeypatch.setattr(publishing, "diagnostics", noted)
-    for many, is_here in ((1, False), (2, True)):
-        threads.clear()
-        monkeypatch.setattr(publishing, "_MANY", many)
-        with session_with() as (session, told):
-            opened(session, URI, INTEGER, 1)
-            (found,) = await published(told, URI)
-            assert codes(found) == ["KD005"]
+    with session_with() as (session, _):
+        (found,) = analyse(INTEGER).findings
+        shown = document(URI, 1, INTEGER, "utf-16")
+        await session.publisher._encoded(shown, (found,) * number)
         assert [thread is threading.current_thread() for thread in threads] == [is_here]
+
+
+@pytest.mark.parametrize("length, is_long", [(50_000, False), (50_001, True)])
+async def test_a_long_document_is_read_before_it_is_checked(
+    monkeypatch: pytest.MonkeyPatch, length: int, is_long: bool
+) -> None:
+    with session_with() as (session, _):
+        shown = document("untitled:r", 1, GOOD.ljust(length), "utf-16")
+        read: list[Document] = []
+
+        async def of(_: Analyses, which: Document) -> Analysis:
+            read.append(which)
+            return analyse(GOOD)
+
+        monkeypatch.setattr(Analyses, "of", of)
+        await session.publisher._findings_without_twins(shown)
+        assert read == [shown] * is_long
 
 
 async def test_what_is_pulled_is_cleared_once_and_pushed_no_more() -> None:

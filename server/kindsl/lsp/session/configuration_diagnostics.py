@@ -5,6 +5,7 @@ words in them.
 """
 
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -87,7 +88,8 @@ async def _unused_bindings(state: State, document: Document) -> "list[Diagnostic
         for path in robots_below(file.parent):
             state.worker.checkpoint()
             if str(path) not in used:
-                yield str(path), words_of(_text(path))
+                with suppress(OSError):
+                    yield str(path), words_of(path.read_text("utf-8", "replace"))
 
     def check() -> "list[Diagnostic]":
         from kindsl.config.unused_bindings import unused_bindings
@@ -111,10 +113,3 @@ async def _names_in_open(state: State, folder: Path) -> "dict[str, Names]":
         if path is not None and robot.is_robot and path.is_relative_to(folder):
             found[str(path)] = names_in(await state.analyses.of(robot))
     return found
-
-
-def _text(path: Path) -> str:
-    try:
-        return path.read_text("utf-8", "replace")
-    except OSError:
-        return ""

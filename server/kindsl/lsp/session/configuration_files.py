@@ -100,8 +100,8 @@ def _document_links(document: Document) -> Iterator[types.DocumentLink]:
         place = configuration.places.get((*configuration.root, "document", number, "path"))
         target = path.parent / table.pattern
         if place and not _GLOB & set(table.pattern) and target.is_file():
-            text = document.text
-            start = text.find(table.pattern, place[1])
-            if start != -1:
-                span = document.range(start, start + len(table.pattern))
+            before, found, _ = document.text[place[1] :].partition(table.pattern)
+            start = place[1] + len(before)
+            if found:
+                span = document.range(start, start + len(found))
                 yield types.DocumentLink(span, uris.uri(target))
