@@ -83,6 +83,19 @@ async def test_a_cancelled_waiter_leaves_the_analysis_to_the_others(
     assert (await second).syntax.text == TEXT
 
 
+async def test_what_a_check_has_made_is_there_while_the_worker_is_busy(
+    analyses: Analyses, worker: Worker
+) -> None:
+    shown = document("untitled:r", 1, TEXT, "utf-16")
+    await analyses.findings(shown)
+    release = busy(worker)
+    try:
+        known = await asyncio.wait_for(analyses.of(shown), 20)
+    finally:
+        release()
+    assert known.syntax.text == TEXT
+
+
 async def test_what_nobody_waits_for_any_more_is_not_begun(
     analyses: Analyses, worker: Worker
 ) -> None:

@@ -326,6 +326,8 @@ class TestBesides:
 
     @pytest.mark.parametrize("command", ["kindsl.preview", "kindsl.compute", "kindsl.exportUrdf"])
     def test_a_command_on_nothing_is_refused(self, client: RawClient, command: str) -> None:
+        for number in range(2):  # Of one alone it would be clear which is meant.
+            client.open(f"untitled:{command}{number}", ROBOT)
         for arguments, code in (([], -32602), (["untitled:nothing"], -32803)):
             params = {"command": command, "arguments": arguments}
             assert client.refusal("workspace/executeCommand", params)["code"] == code
