@@ -114,6 +114,19 @@ class TestConfigurationFiles:
         targets = ["https://example.org", uris.uri(folder / "robot.kindsl")]
         assert [link["target"] for link in links] == targets
 
+    def test_a_file_without_a_path_names_addresses_only(self, client: RawClient) -> None:
+        uri = "untitled:new/kindsl.toml"
+        client.open(uri, '# https://example.org.\n[[document]]\npath = "robot.kindsl"\n')
+        links = client.request("textDocument/documentLink", {"textDocument": {"uri": uri}})
+        assert [link["target"] for link in links] == ["https://example.org"]
+
+    def test_another_tools_file_has_nothing_to_tell(self, client: RawClient, folder: Path) -> None:
+        uri = uris.uri(folder / "pyproject.toml")
+        client.open(uri, '[tool.other]\npath = "robot.kindsl"\n')
+        assert client.diagnostics(uri) == []
+        where = {"textDocument": {"uri": uri}}
+        assert client.request("textDocument/documentLink", where) == []
+
 
 class Files:
     """A folder with a robot that is open and a `kindsl.toml` that is not."""
