@@ -23,6 +23,9 @@ from kindsl.rigid.pose import RigidPose, Vector3
 
 Symmetric = tuple[float, float, float, float, float, float]
 
+# How far arithmetic may move a moment of a body, of its greatest one.
+ROUNDING_OF_MOMENTS = 1e-12
+
 _SWEEPS = 30
 _LOST = 1e-4  # of the largest second moment: a thickness that is told by rounding alone
 

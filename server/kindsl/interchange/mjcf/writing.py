@@ -15,6 +15,7 @@ from kindsl.interchange.mjcf.compiling import checked_text
 from kindsl.interchange.xml_writing import added, document_text, numbers
 from kindsl.mechanism.bodies import bodies_of
 from kindsl.mechanism.skeleton import Skeleton
+from kindsl.rigid.body import ROUNDING_OF_MOMENTS
 from kindsl.semantics.parameters import UNTOLD, JointProperties
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.inertia import point_inertia
@@ -27,8 +28,6 @@ _LEAST = 1e-15
 DUST = 1e-14
 # Where a joint ends that has one limit only, rad or m: nowhere that it gets to.
 _FAR = 1e6
-# By how much, of the greatest principal moment, rounding may break the triangle inequality.
-_ROUNDING = 1e-12
 
 
 def written_mjcf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINARY) -> WrittenRobot:
@@ -134,7 +133,7 @@ def _inertial(bodies: Bodies, body: int) -> dict[str, str]:
 def _is_impossible(bodies: Bodies, body: int) -> bool:
     """Return whether a body that moves has an inertia that MuJoCo refuses."""
     I = _about_com(bodies, body)  # noqa: E741
-    allowed = 2.0 * _LEAST + _ROUNDING * abs(np.linalg.eigvalsh(I)[2])
+    allowed = 2.0 * _LEAST + ROUNDING_OF_MOMENTS * abs(np.linalg.eigvalsh(I)[2])
     return bool(_missing(I) > allowed or bodies.masses[body] < 0.0)
 
 

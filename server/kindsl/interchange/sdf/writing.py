@@ -10,6 +10,7 @@ from kindsl.interchange.sdf.joint_properties import add_properties
 from kindsl.interchange.xml_writing import added, document_text, numbers
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.rigid.body import (
+    ROUNDING_OF_MOMENTS,
     MassDistribution,
     eigensystem,
     principal_moments,
@@ -21,8 +22,6 @@ from kindsl.semantics.parameters import UNTOLD
 
 # The first version whose poses may be quaternions, which keep every rotation exact.
 _VERSION = "1.9"
-# By how much, of the greatest principal moment, rounding may break the triangle inequality.
-_ROUNDING = 1e-12
 _WELD = ("weld", "world_fixed")  # the joint that fixes the base
 
 
@@ -144,7 +143,8 @@ def _refused_elsewhere(skeleton: Skeleton) -> Iterator[str]:
             continue
         pairs = eigensystem(second_moments_about_com(body))
         moments = principal_moments(pairs)
+        is_broken = pairs[0].value < -ROUNDING_OF_MOMENTS * moments[2]
         if body.mass == 0.0 and not any(moments):
             yield f"the link '{name}' has no mass: other tools refuse it"
-        elif body.mass <= 0.0 or moments[0] <= 0.0 or pairs[0].value < -_ROUNDING * moments[2]:
+        elif body.mass <= 0.0 or moments[0] <= 0.0 or is_broken:
             yield f"inertia of '{name}' is physically impossible: other tools refuse it"

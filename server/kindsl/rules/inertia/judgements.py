@@ -20,6 +20,7 @@ from kindsl.mechanism.body_verdicts import (
     is_plainly_dense_as_matter,
 )
 from kindsl.rigid.body import (
+    ROUNDING_OF_MOMENTS,
     Eigenpair,
     MassDistribution,
     Symmetric,
@@ -51,7 +52,6 @@ from kindsl.text.facts import Fact
 _JUDGEMENTS: "Fact[tuple[Context | None, list[Judgement]]]" = Fact("judgements")
 # The numbers of an inertia in words, as `MassDistribution` has them.
 TEN = ("mass", "x of the CoM", "y of the CoM", "z of the CoM", *MOMENTS)
-_ROUNDING_OF_ARITHMETIC = 1e-12
 _SINGULAR = 1e-9
 
 
@@ -183,7 +183,7 @@ def verdict_of(
         half: How far each number may be from what is written.
         pairs: Eigenpairs of the second moments about the CoM, ascending.
     """
-    noise = _ROUNDING_OF_ARITHMETIC * _size(body)
+    noise = ROUNDING_OF_MOMENTS * _size(body)
     if pairs[0].value > _SINGULAR * (pairs[0].value + pairs[1].value + pairs[2].value) > 0.0:
         return Verdict.POSSIBLE
     if greatest_moment(body, half, pairs[2].axis) < -noise:
@@ -203,7 +203,7 @@ def is_impossible_within(bounds: Bounds, pairs: tuple[Eigenpair, Eigenpair, Eige
         pairs: Eigenpairs of the second moments about the CoM, ascending, of a body within them.
     """
     middle, half = bounds
-    noise = _ROUNDING_OF_ARITHMETIC * (_size(middle) + _size(half))
+    noise = ROUNDING_OF_MOMENTS * (_size(middle) + _size(half))
     if greatest_moment(middle, half, pairs[2].axis) < -noise:
         return True
     return greatest_second_moment(middle, half, pairs[0].axis) < -noise
