@@ -102,7 +102,7 @@ def live(document: "Document") -> object:
     """
     from importlib import import_module
 
-    page: object = import_module("kindsl.reports.notebook").LivePage(document)
+    page: object = import_module("kindsl.preview.notebook").LivePage(document)
     return page
 
 
@@ -111,7 +111,7 @@ def _notebook_html(thing: object) -> str | None:
     from importlib import import_module
 
     try:
-        drawing = import_module("kindsl.reports.notebook")
+        drawing = import_module("kindsl.preview.notebook")
     except ModuleNotFoundError:
         return None
     html: str | None = drawing.notebook_html(thing)

@@ -201,7 +201,7 @@ def _generate(args: argparse.Namespace, source: "Source") -> int:
 
 def _write_transforms(args: argparse.Namespace, source: "Source") -> int:
     """Write the transforms document of a robot, unless there is a file already."""
-    from kindsl.features.transforms_actions import transforms_document
+    from kindsl.semantics.transforms import transforms_document
     from kindsl.text.writing import encoded, write_file
 
     path, model = args.write_transforms, source.analysis.model

@@ -22,12 +22,12 @@ from kindsl.codegen.names_in_code import command_line, file_name
 from kindsl.codegen.reference import Reference, independent_contacts, sample
 from kindsl.codegen.resistance import refuse_unresisted
 from kindsl.codegen.wanted import restricted, wanted_pairs
-from kindsl.features.transforms_actions import transforms_document
 from kindsl.interchange.generated_folder import digest, robot_record
 from kindsl.mechanism.bodies import skeleton_of_bodies
 from kindsl.mechanism.build import Mechanism
 from kindsl.mechanism.symbolic import symbolic_robot
 from kindsl.semantics.model import Model
+from kindsl.semantics.transforms import transforms_document
 from kindsl.text.nearest import hint, nearest_name
 
 

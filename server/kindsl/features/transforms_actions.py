@@ -1,12 +1,12 @@
 """Actions in a transforms document."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 from kindsl.features.actions.action import CodeAction
 from kindsl.semantics.model import Model
 from kindsl.semantics.transforms import (
-    LINK_PREFIX,
     frame_names,
+    transforms_document,
     undeclared_frames,
     unknown_frames,
 )
@@ -35,30 +35,6 @@ def transforms_actions(text: str, model: Model | None, start: int, end: int) -> 
         found += [*_replacements(text, document, model, start, end)]
         found += [*_all_frames(document, model)]
     return found
-
-
-def transforms_document(model: Model) -> str:
-    """Return the document that wants each link's and frame's pose, and the Jacobians of tips.
-
-    Tips are the frames on links without children, such as feet and tools, or such a link itself if
-    it has none. All is seen from the base; without one, from the first link.
-    """
-    frames = list(frame_names(model))
-    base, poses = frames[0], _pairs(frames[0], frames)
-    jacobians = _pairs(base, _tips(model))
-    listed = f"Frames {{\n    {', '.join(frames)}\n}}"
-    return f"Robot {model.name}\n{listed}\nTransforms {{\n{poses}}}\nJacobians {{\n{jacobians}}}\n"
-
-
-def _pairs(base: str, targets: Iterable[str]) -> str:
-    return "".join(f"    base={base}, target={name}\n" for name in targets if name != base)
-
-
-def _tips(model: Model) -> Iterator[str]:
-    for body in model.bodies:
-        if not body.children and not body.is_base:
-            own = f"{LINK_PREFIX}{body.name}"
-            yield from [str(frame.name) for frame in body.frames] or [own]
 
 
 def _whole(text: str, model: Model) -> CodeAction:

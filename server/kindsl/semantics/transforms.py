@@ -1,6 +1,6 @@
 """The meaning of names in a transforms document, and their defects."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from kindsl.semantics.model import Model
 from kindsl.syntax.transforms_text import Defect, Pair, PlacedName, TransformsDocument
@@ -76,3 +76,27 @@ def _all_words(document: TransformsDocument) -> Iterator[PlacedName]:
 
 def _both(pair: Pair) -> tuple[PlacedName, PlacedName]:
     return pair.base, pair.target
+
+
+def transforms_document(model: Model) -> str:
+    """Return the document that wants each link's and frame's pose, and the Jacobians of tips.
+
+    Tips are the frames on links without children, such as feet and tools, or such a link itself if
+    it has none. All is seen from the base; without one, from the first link.
+    """
+    frames = list(frame_names(model))
+    base, poses = frames[0], _pairs(frames[0], frames)
+    jacobians = _pairs(base, _tips(model))
+    listed = f"Frames {{\n    {', '.join(frames)}\n}}"
+    return f"Robot {model.name}\n{listed}\nTransforms {{\n{poses}}}\nJacobians {{\n{jacobians}}}\n"
+
+
+def _pairs(base: str, targets: Iterable[str]) -> str:
+    return "".join(f"    base={base}, target={name}\n" for name in targets if name != base)
+
+
+def _tips(model: Model) -> Iterator[str]:
+    for body in model.bodies:
+        if not body.children and not body.is_base:
+            own = f"{LINK_PREFIX}{body.name}"
+            yield from [str(frame.name) for frame in body.frames] or [own]

@@ -6,8 +6,9 @@ from tests.cli.samples import arm
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.settings import Settings
 from kindsl.analysis.transforms_findings import transforms_findings
-from kindsl.features.transforms_actions import transforms_actions, transforms_document
+from kindsl.features.transforms_actions import transforms_actions
 from kindsl.features.transforms_completion import transforms_completions
+from kindsl.semantics.transforms import transforms_document
 from kindsl.text.edits import apply_edits
 
 MODEL = analyse(arm()).model

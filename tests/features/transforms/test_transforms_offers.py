@@ -3,7 +3,8 @@
 import pytest
 
 from kindsl.analysis.analysis import analyse
-from kindsl.features.transforms_actions import transforms_actions, transforms_document
+from kindsl.features.transforms_actions import transforms_actions
+from kindsl.semantics.transforms import transforms_document
 from kindsl.text.edits import apply_edits
 
 LINKS = "link a { id = 1 children {} frames { tip { } } } link b { id = 2 children {} }"

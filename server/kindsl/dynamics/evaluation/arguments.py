@@ -1,6 +1,7 @@
 """Checks what callers pass in."""
 
 from collections.abc import Iterable, Mapping, Sequence
+from difflib import get_close_matches
 
 import numpy as np
 import numpy.typing as npt
@@ -9,7 +10,6 @@ from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.quantities import STANDARD_GRAVITY
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.transforms import homogeneous
-from kindsl.text.nearest import hint, nearest_name
 
 # Values of all joints in their order, or of some by their names.
 JointVector = npt.ArrayLike | Mapping[str, npt.ArrayLike]
@@ -112,4 +112,6 @@ def check_mass(bodies: Bodies) -> None:
 
 def unknown_name(kind: str, name: str, known: Iterable[str]) -> ValueError:
     """Return the error for a name that is not there, with the nearest one that is."""
-    return ValueError(f"there is no {kind} '{name}'{hint(nearest_name(name, known), after=',')}")
+    near = get_close_matches(name, known, n=1)
+    hint = f", did you mean '{near[0]}'?" if near else ""
+    return ValueError(f"there is no {kind} '{name}'{hint}")

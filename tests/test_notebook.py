@@ -14,7 +14,7 @@ from tests.reports.planted_edits import TEXT
 import kindsl
 from kindsl.analysis.diagnostics import Findings
 from kindsl.analysis.settings import Settings
-from kindsl.reports.notebook import notebook_html
+from kindsl.preview.notebook import notebook_html
 
 CELLS = (
     "import kindsl\nfrom kindsl.analysis.settings import Settings",
@@ -58,7 +58,7 @@ def test_preview_is_inlined_and_may_reach_nothing() -> None:
 
 
 def test_without_numpy_there_is_text(monkeypatch) -> None:
-    monkeypatch.setitem(sys.modules, "kindsl.reports.notebook", None)
+    monkeypatch.setitem(sys.modules, "kindsl.preview.notebook", None)
     assert document()._repr_html_() is None
 
 
