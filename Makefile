@@ -72,19 +72,19 @@ fix: $(STAMP)
 # What is generated from one source: parser tables from the grammar, rule pages from the rules, the
 # page's types from the scene's messages.
 tables: $(STAMP)
-	$(BIN)/python -m kindsl.syntax.generate
+	$(BIN)/python -m kindsl.language.syntax.generate
 
 docs: tables
-	$(BIN)/python -m kindsl.rules.pages
-	$(BIN)/python -m kindsl.preview.message_types
+	$(BIN)/python -m kindsl.judgement.rules.pages
+	$(BIN)/python -m kindsl.frontends.preview.message_types
 	$(BIN)/python -m tests.docs.rewrite
 	if [ -d ../shared/corpus ]; then $(BIN)/python docs/pictures/published_models.py; fi
 
 .PHONY: docs-check
 docs-check: $(STAMP)
-	$(BIN)/python -m kindsl.syntax.generate --check
-	$(BIN)/python -m kindsl.rules.pages --check
-	$(BIN)/python -m kindsl.preview.message_types --check
+	$(BIN)/python -m kindsl.language.syntax.generate --check
+	$(BIN)/python -m kindsl.judgement.rules.pages --check
+	$(BIN)/python -m kindsl.frontends.preview.message_types --check
 
 # The soak takes an hour and more: python benchmarks/soak.py.
 bench: $(STAMP)

@@ -7,5 +7,5 @@ export default [
   // tsc knows better which names there are.
   { rules: { "no-undef": "off", "prefer-const": "error", "no-var": "error", eqeqeq: "error" } },
   { files: ["web/src/worker.js"], languageOptions: { sourceType: "script" } },
-  { ignores: ["**/node_modules/", "**/build/", "dist/", "docs/", "vscode-extension/", ".venv/", "**/*.ts", "benchmarks/", "server/kindsl/preview/vendored/", "tests/vscode/", "tests/web/", "tests/typist/"] },
+  { ignores: ["**/node_modules/", "**/build/", "dist/", "docs/", "vscode-extension/", ".venv/", "**/*.ts", "benchmarks/", "server/kindsl/frontends/preview/vendored/", "tests/vscode/", "tests/web/", "tests/typist/"] },
 ];

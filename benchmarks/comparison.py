@@ -25,9 +25,9 @@ from tests.comparison.trials import (
 )
 from tests.comparison.variants import links_of, urdf_of, variant
 
-from kindsl.analysis.analysis import analyse
-from kindsl.comparison.mechanical import compared_mechanics
-from kindsl.comparison.quantities import INERTIA, POSE
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.robots.comparison.mechanical import compared_mechanics
+from kindsl.robots.comparison.quantities import INERTIA, POSE
 
 QUADRUPED = Path(__file__).resolve().parents[1] / "examples" / "quadruped.kindsl"
 _ROUNDS = 15

@@ -26,15 +26,15 @@ import pinocchio as pin
 from benchmarks.dynamics_models import arm, chain, quadruped
 from tests.dynamics.pinocchio_model import PinocchioModel
 
-from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.spatial.arrays import Array
+from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanics.spatial.arrays import Array
 
 ROOT = Path(__file__).resolve().parents[1]
 EVEN_SIZES = (1, 10, 20, 40, 60, 80, 100, 150, 200, 300, 500, 1000, 2000, 5000)
 FIRST_ANSWER = """
 from benchmarks.dynamics_models import quadruped
-from kindsl.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 import numpy as np, time
 bodies = quadruped()
 start = time.perf_counter()
@@ -241,9 +241,9 @@ def _print_robot_model_tools(rounds: int) -> None:
 
 
 def _mechanics_of(path: Path) -> Mechanics:
-    from kindsl.mechanism.build import mechanism_of
-    from kindsl.semantics.model import Model
-    from kindsl.syntax.document import parse
+    from kindsl.language.semantics.model import Model
+    from kindsl.language.syntax.document import parse
+    from kindsl.robots.mechanism.build import mechanism_of
 
     model = Model(parse(path.read_text()))
     return mechanism_of(model, {str(parameter.name): 0.1 for parameter in model.parameters})

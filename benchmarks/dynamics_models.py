@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from kindsl.dynamics.bodies import Bodies
-from kindsl.spatial.arrays import Array
-from kindsl.spatial.inertia import point_inertia
-from kindsl.spatial.transforms import rotation_from_intrinsic_xyz
+from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.spatial.arrays import Array
+from kindsl.mechanics.spatial.inertia import point_inertia
+from kindsl.mechanics.spatial.transforms import rotation_from_intrinsic_xyz
 
 RIGHT = np.pi / 2
 

@@ -30,9 +30,9 @@ import pinocchio as pin
 from benchmarks.dynamics_models import arm, pendulum, quadruped
 from tests.dynamics.pinocchio_model import PinocchioModel
 
-from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.evaluation.compiled import CompiledMechanics
-from kindsl.spatial.arrays import Array
+from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.dynamics.evaluation.compiled import CompiledMechanics
+from kindsl.mechanics.spatial.arrays import Array
 
 ROUNDS = 41
 BATCH = 10_000

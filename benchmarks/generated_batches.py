@@ -24,8 +24,8 @@ sys.path.insert(0, str(ROOT))
 from tests.codegen.loaded import Loaded  # noqa: E402
 
 import kindsl  # noqa: E402
-from kindsl.codegen.generating import Source, generate  # noqa: E402
-from kindsl.codegen.library import Library, Options  # noqa: E402
+from kindsl.products.codegen.generating import Source, generate  # noqa: E402
+from kindsl.products.codegen.library import Library, Options  # noqa: E402
 
 SHARED = ROOT.parent / "shared/robcogen_interface"
 DOCUMENTS = (

@@ -32,19 +32,19 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from tests.codegen.loaded import Loaded
 from tests.codegen.robots import ALL, bodies_of_seed, library
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.codegen.c_test_program import parameter_values
-from kindsl.codegen.generating import Source, generate
-from kindsl.codegen.language import language_named
-from kindsl.codegen.library import GenerationError, Library, Options
-from kindsl.codegen.reference import Reference, sample
-from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.evaluation import readable_form
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.dynamics.evaluation.request import Request
-from kindsl.dynamics.generation.function import Function
-from kindsl.mechanism.errors import ModelError
-from kindsl.spatial.arrays import Array
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.dynamics.evaluation import readable_form
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanics.dynamics.evaluation.request import Request
+from kindsl.mechanics.dynamics.generation.function import Function
+from kindsl.mechanics.spatial.arrays import Array
+from kindsl.products.codegen.c_test_program import parameter_values
+from kindsl.products.codegen.generating import Source, generate
+from kindsl.products.codegen.language import language_named
+from kindsl.products.codegen.library import GenerationError, Library, Options
+from kindsl.products.codegen.reference import Reference, sample
+from kindsl.robots.mechanism.errors import ModelError
 
 ROOT = Path(__file__).resolve().parents[1]
 KEYWORDS = {"v0": "base_velocity", "a0": "base_acceleration", "g": "gravity"}

@@ -13,8 +13,8 @@ import tempfile
 from pathlib import Path
 
 import kindsl
-from kindsl.codegen.generating import Source, generate
-from kindsl.codegen.library import Options
+from kindsl.products.codegen.generating import Source, generate
+from kindsl.products.codegen.library import Options
 
 ROOT = Path(__file__).resolve().parents[1]
 ROBOTS = ("docs/guide/reacher", "examples/industrial_arm", "examples/quadruped")

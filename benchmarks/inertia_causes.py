@@ -29,10 +29,10 @@ from tests.support.bodies import (
     tilted_rotation,
 )
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.rigid.body import MassDistribution, shifted
-from kindsl.text.edits import apply_edits
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.text.edits import apply_edits
+from kindsl.mechanics.rigid.body import MassDistribution, shifted
 
 PAGE = Path(__file__).parents[1] / "docs" / "inertia_causes.md"
 CAUSES = ("KD306", "KD307", "KD308", "KD310", "KD314")

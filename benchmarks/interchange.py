@@ -26,13 +26,13 @@ from tests.interchange.round_trips import gaps, mechanism_of, written, written_a
 from tests.support.published import CORPUS
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.interchange.format import Format, FormatError
-from kindsl.interchange.kindsl_writing import kindsl_text
-from kindsl.interchange.registry import format_named
-from kindsl.mechanism.errors import ModelError, UnboundParameterError
-from kindsl.semantics.parameters import Binding
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.robots.interchange.format import Format, FormatError
+from kindsl.robots.interchange.kindsl_writing import kindsl_text
+from kindsl.robots.interchange.registry import format_named
+from kindsl.robots.mechanism.errors import ModelError, UnboundParameterError
 
 # Of unbound parameters by what their names say: a body that exists.
 STAND_INS = (("mass", 50.0), ("_Ix$|_Iy$|_Iz$", 10.0), ("", 0.05))
@@ -131,7 +131,7 @@ def against_pinocchio(path: Path) -> Gap:
 
 def _like(name: str, ours: Mechanics) -> int:
     """Return the index of the joint whose name a URDF's joint has got."""
-    from kindsl.interchange.portable_names import valid_name
+    from kindsl.robots.interchange.portable_names import valid_name
 
     wanted = valid_name(name)
     return next(i for i, own in enumerate(ours.joint_names) if own in (wanted, f"{wanted}_joint"))

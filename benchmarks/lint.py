@@ -24,8 +24,8 @@ sys.path.insert(0, str(ROOT))
 from benchmarks.parsing import edit_growth, faster_than_textx  # noqa: E402
 from tests.support.models import Style, random_model  # noqa: E402
 
-from kindsl.analysis.analysis import Analysis, analyse  # noqa: E402
-from kindsl.syntax.document import parse  # noqa: E402
+from kindsl.judgement.analysis.analysis import Analysis, analyse  # noqa: E402
+from kindsl.language.syntax.document import parse  # noqa: E402
 
 PLAIN = Style(has_comments=False, has_expressions=False)
 LOAD = "import sys; from rmt.rmt import getmodels; getmodels(sys.argv[1])"

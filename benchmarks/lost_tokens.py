@@ -16,7 +16,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from tests.support.models import LAYOUTS, Style, random_model
 from tests.support.mutants import Mutant, lumps
 
-from kindsl.analysis.analysis import analyse
+from kindsl.judgement.analysis.analysis import analyse
 
 ROOT = Path(__file__).resolve().parents[1]
 MOST_SHOWN = 10

@@ -23,8 +23,8 @@ sys.path.insert(0, str(ROOT))
 
 from tests.support.models import Style, random_model  # noqa: E402
 
-from kindsl.syntax.document import SyntaxDocument, parse  # noqa: E402
-from kindsl.text.edits import TextEdit  # noqa: E402
+from kindsl.language.syntax.document import SyntaxDocument, parse  # noqa: E402
+from kindsl.language.text.edits import TextEdit  # noqa: E402
 
 LEAST_FASTER = 100.0
 MOST_EDIT_GROWTH = 2.0
@@ -90,7 +90,9 @@ def typed(document: SyntaxDocument, place: int, digit: str) -> SyntaxDocument:
 
 def start() -> tuple[str, float, bool]:
     """Return how much longer a process takes that parses a model of 12 links than an empty one."""
-    command = "import sys; from kindsl.syntax.document import parse; parse(sys.stdin.read())"
+    command = (
+        "import sys; from kindsl.language.syntax.document import parse; parse(sys.stdin.read())"
+    )
     ours, plain = process(command), process("pass")
     print(f"process: empty {plain * 1e3:.1f} ms, with a parsed model {ours * 1e3:.1f} ms")
     ratio = ours / plain

@@ -15,15 +15,15 @@ from typing import NamedTuple
 
 from planted_slips import Robot, edited, run
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.analysis.text_fix import TextFix
-from kindsl.rigid.body import MassDistribution, shifted
-from kindsl.semantics.declarations import Inertia, Link
-from kindsl.semantics.expressions import Expression
-from kindsl.semantics.numbers import mass_distribution
-from kindsl.syntax.vocabulary import MOMENTS
-from kindsl.text.edits import apply_edits
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.analysis.text_fix import TextFix
+from kindsl.language.semantics.declarations import Inertia, Link
+from kindsl.language.semantics.expressions import Expression
+from kindsl.language.semantics.numbers import mass_distribution
+from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.language.text.edits import apply_edits
+from kindsl.mechanics.rigid.body import MassDistribution, shifted
 
 HEADING = "## Slips in bodies\n"
 SIGNIFICANT = 0.03

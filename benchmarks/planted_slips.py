@@ -17,19 +17,19 @@ from pathlib import Path
 from typing import NamedTuple
 from zlib import crc32
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.interchange.format import AS_WRITTEN, FormatError
-from kindsl.interchange.kindsl_writing import written_kindsl
-from kindsl.interchange.registry import format_named
-from kindsl.limbs.comparison import LimbComparison
-from kindsl.limbs.limb import limbs_of, matched
-from kindsl.limbs.names import label_of
-from kindsl.semantics.declarations import Vector
-from kindsl.semantics.kinematic_tree import Edge
-from kindsl.semantics.numbers import mass_distribution, written_pose
-from kindsl.semantics.places import Located, Place
-from kindsl.text.edits import TextEdit, apply_edits
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.language.semantics.declarations import Vector
+from kindsl.language.semantics.kinematic_tree import Edge
+from kindsl.language.semantics.numbers import mass_distribution, written_pose
+from kindsl.language.semantics.places import Located, Place
+from kindsl.language.text.edits import TextEdit, apply_edits
+from kindsl.robots.interchange.format import AS_WRITTEN, FormatError
+from kindsl.robots.interchange.kindsl_writing import written_kindsl
+from kindsl.robots.interchange.registry import format_named
+from kindsl.robots.limbs.comparison import LimbComparison
+from kindsl.robots.limbs.limb import limbs_of, matched
+from kindsl.robots.limbs.names import label_of
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs" / "seeded_defects.md"

@@ -24,7 +24,7 @@ sys.path.insert(0, str(ROOT))
 from tests.preview.browser import ARGUMENTS  # noqa: E402
 from tests.support.models import Style, random_model  # noqa: E402
 
-from kindsl.preview.screenshot import find_browser  # noqa: E402
+from kindsl.frontends.preview.screenshot import find_browser  # noqa: E402
 
 SIZE = {"width": 1280, "height": 800}
 MOST_CALLS = 25
@@ -62,7 +62,7 @@ IS_DRAWN = """() => typeof kindsl !== "undefined" && kindsl.scene.poses.robot
   && kindsl.scene.poses.robot.links.size > 0
   && [...document.querySelectorAll(".label")].some((label) => label.style.visibility === "visible")
   && performance.now()"""
-EXPORT = "import sys; from kindsl.cli.main import main; sys.exit(main(sys.argv[1:]))"
+EXPORT = "import sys; from kindsl.frontends.cli.main import main; sys.exit(main(sys.argv[1:]))"
 
 
 class Picture(NamedTuple):

@@ -17,9 +17,9 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from tests.support.bodies import body_of, inertia_text, significant, tilted_rotation
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.rigid.body import MassDistribution, shifted
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.mechanics.rigid.body import MassDistribution, shifted
 
 BODIES = 1000
 PAGE = Path(__file__).parents[1] / "docs" / "seeded_defects.md"

@@ -22,7 +22,7 @@ from tests.typist.squiggles import passing_squiggles
 from tests.typist.typist import Hand, lines_to_type, type_document
 from tests.vscode.browser import chromium
 
-from kindsl.analysis.analysis import analyse
+from kindsl.judgement.analysis.analysis import analyse
 
 ROOT = Path(__file__).resolve().parents[1]
 PUBLISHED = ROOT.parent / "shared" / "corpus"

@@ -21,9 +21,9 @@ from tests.interchange.random_robots import random_robot
 from tests.support.urdf_mutants import mutant
 
 import kindsl
-from kindsl.interchange.kindsl_writing import kindsl_text
-from kindsl.interchange.urdf.urdf_reading import UrdfError, read_urdf
-from kindsl.interchange.urdf.writing import written_urdf
+from kindsl.robots.interchange.kindsl_writing import kindsl_text
+from kindsl.robots.interchange.urdf.urdf_reading import UrdfError, read_urdf
+from kindsl.robots.interchange.urdf.writing import written_urdf
 
 NO_NUMBER = re.compile(r"[=(,] *-?(nan|inf)\b")
 SLOW, NOTICEABLE = 10.0, 0.05

@@ -12,12 +12,12 @@ from tests.cli.samples import GOOD, INTEGER, arm
 from tests.reports.planted_edits import TEXT
 
 import kindsl
-from kindsl.analysis.diagnostics import Findings
-from kindsl.analysis.settings import Settings
-from kindsl.preview.notebook import notebook_html
+from kindsl.frontends.preview.notebook import notebook_html
+from kindsl.judgement.analysis.diagnostics import Findings
+from kindsl.judgement.analysis.settings import Settings
 
 CELLS = (
-    "import kindsl\nfrom kindsl.analysis.settings import Settings",
+    "import kindsl\nfrom kindsl.judgement.analysis.settings import Settings",
     f"document = kindsl.parse({TEXT.replace('mass = 3.3', 'mass = -3.3')!r}, Settings())\ndocument",
     "document.findings",
     "document.mechanism()",
@@ -58,7 +58,7 @@ def test_preview_is_inlined_and_may_reach_nothing() -> None:
 
 
 def test_without_numpy_there_is_text(monkeypatch) -> None:
-    monkeypatch.setitem(sys.modules, "kindsl.preview.notebook", None)
+    monkeypatch.setitem(sys.modules, "kindsl.frontends.preview.notebook", None)
     assert document()._repr_html_() is None
 
 

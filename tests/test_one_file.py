@@ -9,18 +9,19 @@ import pytest
 from lsprotocol import types
 from tests.cli.samples import GOOD
 
-from kindsl import cli, interchange
-from kindsl.cli.commands import command_module, command_summaries, runs_long
-from kindsl.cli.main import main
-from kindsl.codegen import languages
-from kindsl.dynamics.generation import emitters
-from kindsl.interchange.registry import all_formats
-from kindsl.lsp import handlers
-from kindsl.lsp.server import KindslLanguageServer
-from kindsl.mcp import tools
-from kindsl.mcp.folder import Folder
-from kindsl.mcp.tool import all_tools, answer
-from kindsl.text.modules import module_names
+from kindsl.frontends import cli
+from kindsl.frontends.cli.commands import command_module, command_summaries, runs_long
+from kindsl.frontends.cli.main import main
+from kindsl.frontends.lsp import handlers
+from kindsl.frontends.lsp.server import KindslLanguageServer
+from kindsl.frontends.mcp import tools
+from kindsl.frontends.mcp.folder import Folder
+from kindsl.frontends.mcp.tool import all_tools, answer
+from kindsl.language.text.modules import module_names
+from kindsl.mechanics.dynamics.generation import emitters
+from kindsl.products.codegen import languages
+from kindsl.robots import interchange
+from kindsl.robots.interchange.registry import all_formats
 
 Add = Callable[[ModuleType, str, str], None]
 
@@ -98,7 +99,7 @@ FORMAT = '''\
 Must not know what they are made of.
 """
 
-from kindsl.interchange.format import Format, WrittenRobot
+from kindsl.robots.interchange.format import Format, WrittenRobot
 
 
 def _write(name, skeleton, choices):
@@ -123,7 +124,7 @@ def test_a_format(add: Add, tmp_path: Path, capfd: pytest.CaptureFixture[str]) -
 HANDLER = '''\
 """The length of a document, by a command."""
 
-from kindsl.lsp.handlers.table import Handlers
+from kindsl.frontends.lsp.handlers.table import Handlers
 
 handlers = Handlers()
 
@@ -147,7 +148,7 @@ async def test_a_handler(add: Add) -> None:
 EMITTER = '''\
 """Writes a value in prefix notation."""
 
-from kindsl.dynamics.generation.terms import Term
+from kindsl.mechanics.dynamics.generation.terms import Term
 
 
 def prefix_notation(graph, value):
@@ -165,8 +166,8 @@ def prefix_notation(graph, value):
 LANGUAGE = '''\
 """Lists in prefix notation."""
 
-from kindsl.codegen.language import Language
-from kindsl.dynamics.generation.emitters.prefix import prefix_notation
+from kindsl.products.codegen.language import Language
+from kindsl.mechanics.dynamics.generation.emitters.prefix import prefix_notation
 
 
 def _files(library, reference, parameters):
@@ -210,7 +211,7 @@ def test_a_language_and_its_emitter(
 TOOL = '''\
 """Greet a robot."""
 
-from kindsl.mcp.tool import Arguments, text
+from kindsl.frontends.mcp.tool import Arguments, text
 
 
 def run(arguments: Arguments, folder):

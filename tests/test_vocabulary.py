@@ -1,4 +1,4 @@
-"""The grammar is spelt in one place: who needs its words asks `kindsl.syntax.vocabulary`."""
+"""The grammar is spelt in one place: who needs its words asks `syntax.vocabulary`."""
 
 import ast
 import re
@@ -9,28 +9,28 @@ from typing import TypeGuard
 import pytest
 
 import kindsl
-from kindsl.syntax.tables import FORMS, KEYWORDS, KINDS, PATTERNS
+from kindsl.language.syntax.tables import FORMS, KEYWORDS, KINDS, PATTERNS
 
 HOUSE = Path(kindsl.__file__).parent
 SYMBOLS = {*KEYWORDS, *KEYWORDS.values(), *KINDS, *PATTERNS, *FORMS}
 MOST = 2
-_READS_SYNTAX = re.compile(r"kindsl\.syntax\.(?!vocabulary)|\.node\b|\.nodes\(")
+_READS_SYNTAX = re.compile(r"kindsl\.language\.syntax\.(?!vocabulary)|\.node\b|\.nodes\(")
 _MEANING = "says what each construct means, one by one"
 _PLACE = "has something of its own to offer at each of these"
 EXCEPTIONS: dict[str, str] = {
-    "analysis/contents.py": _MEANING,
-    "features/completion/completion.py": _PLACE,
-    "features/completion/keywords.py": _PLACE,
-    "features/hover/keyword.py": _MEANING,
-    "features/manipulation/carrier.py": _MEANING,
-    "features/signature_help.py": _MEANING,
-    "features/symbol_at.py": "says which names are declared and used in each construct",
-    "features/value_place.py": _MEANING,
-    "formatting/layout.py": "robot, constants and signs are laid out otherwise than the rest",
-    "rules/robcogen2_loading.py": "computes as Python does, form by form",
-    "semantics/expressions.py": _MEANING,
-    "semantics/lowering.py": _MEANING,
-    "semantics/ranges.py": _MEANING,
+    "judgement/analysis/contents.py": _MEANING,
+    "frontends/features/completion/completion.py": _PLACE,
+    "frontends/features/completion/keywords.py": _PLACE,
+    "frontends/features/hover/keyword.py": _MEANING,
+    "frontends/features/manipulation/carrier.py": _MEANING,
+    "frontends/features/signature_help.py": _MEANING,
+    "frontends/features/symbol_at.py": "says which names are declared and used in each construct",
+    "frontends/features/value_place.py": _MEANING,
+    "language/formatting/layout.py": "robot, constants and signs have a layout of their own",
+    "judgement/rules/robcogen2_loading.py": "computes as Python does, form by form",
+    "language/semantics/expressions.py": _MEANING,
+    "language/semantics/lowering.py": _MEANING,
+    "language/semantics/ranges.py": _MEANING,
 }
 
 
@@ -83,7 +83,7 @@ def _symbols(node: ast.AST) -> Iterator[str]:
 def files() -> Iterator[tuple[str, str]]:
     for path in sorted(HOUSE.rglob("*.py")):
         name = path.relative_to(HOUSE).as_posix()
-        if not name.startswith("syntax/"):
+        if not name.startswith("language/syntax/"):
             yield name, path.read_text(encoding="utf-8")
 
 
@@ -98,8 +98,8 @@ def files() -> Iterator[tuple[str, str]]:
         ('"""What mass and link mean."""\nprint("mass", "link", "joint")', 0),
         ('pair = ("mass", "link")', 0),
         ('fields = ("mass", "link", "joint")', 0),
-        ('from kindsl.syntax.tree import Node\nfields = ("mass", "link", "joint")', 3),
-        ('from kindsl.syntax.tree import Node\n__slots__ = ("mass", "link", "joint")', 0),
+        ('from kindsl.language.syntax.tree import Node\nfields = ("mass", "link", "joint")', 3),
+        ('from kindsl.language.syntax.tree import Node\n__slots__ = ("mass", "link", "joint")', 0),
     ],
 )
 def test_spelling_is_seen(source: str, expected: int) -> None:
@@ -108,7 +108,7 @@ def test_spelling_is_seen(source: str, expected: int) -> None:
 
 def test_nobody_else_spells_the_grammar() -> None:
     found = {name for name, source in files() if len(spelt(source)) > MOST}
-    assert found - EXCEPTIONS.keys() == set(), "ask kindsl.syntax.vocabulary"
+    assert found - EXCEPTIONS.keys() == set(), "ask kindsl.language.syntax.vocabulary"
 
 
 def test_each_exception_is_one() -> None:

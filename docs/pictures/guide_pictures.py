@@ -15,7 +15,7 @@ from tempfile import TemporaryDirectory
 from PIL import Image
 from playwright.sync_api import Browser, sync_playwright
 
-from kindsl.preview.screenshot import find_browser
+from kindsl.frontends.preview.screenshot import find_browser
 
 DOCS = Path(__file__).parents[1]
 FLAGS = ("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic")

@@ -122,7 +122,7 @@ def _page_of_folder(folder: Path) -> Path:
 
 def command_line_page() -> str:
     """Return the help of every command."""
-    from kindsl.cli.commands import command_module, command_summaries
+    from kindsl.frontends.cli.commands import command_module, command_summaries
 
     parts = ["# Command line\n", "`kindsl COMMAND ...`; `kdsl-lint` is `kindsl lint`.\n"]
     for name, what in command_summaries().items():

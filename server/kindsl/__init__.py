@@ -9,13 +9,17 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     import os
 
-    from kindsl.analysis.analysis import Analysis as Document
-    from kindsl.analysis.settings import Settings
-    from kindsl.cad.properties import MassProperties
-    from kindsl.cad.report import ReportError
-    from kindsl.dynamics.evaluation.compiler import CompileError
-    from kindsl.mechanism.build import Mechanism
-    from kindsl.mechanism.errors import ModelError, ParameterValueError, UnboundParameterError
+    from kindsl.judgement.analysis.analysis import Analysis as Document
+    from kindsl.judgement.analysis.settings import Settings
+    from kindsl.mechanics.dynamics.evaluation.compiler import CompileError
+    from kindsl.robots.cad.properties import MassProperties
+    from kindsl.robots.cad.report import ReportError
+    from kindsl.robots.mechanism.build import Mechanism
+    from kindsl.robots.mechanism.errors import (
+        ModelError,
+        ParameterValueError,
+        UnboundParameterError,
+    )
 
 __all__ = [
     "CompileError",
@@ -36,14 +40,14 @@ __all__ = [
 __version__ = "0.1.0"
 
 _PLACES = {
-    "CompileError": ("kindsl.dynamics.evaluation.compiler", "CompileError"),
-    "Document": ("kindsl.analysis.analysis", "Analysis"),
-    "MassProperties": ("kindsl.cad.properties", "MassProperties"),
-    "Mechanism": ("kindsl.mechanism.build", "Mechanism"),
-    "ModelError": ("kindsl.mechanism.errors", "ModelError"),
-    "ParameterValueError": ("kindsl.mechanism.errors", "ParameterValueError"),
-    "ReportError": ("kindsl.cad.report", "ReportError"),
-    "UnboundParameterError": ("kindsl.mechanism.errors", "UnboundParameterError"),
+    "CompileError": ("kindsl.mechanics.dynamics.evaluation.compiler", "CompileError"),
+    "Document": ("kindsl.judgement.analysis.analysis", "Analysis"),
+    "MassProperties": ("kindsl.robots.cad.properties", "MassProperties"),
+    "Mechanism": ("kindsl.robots.mechanism.build", "Mechanism"),
+    "ModelError": ("kindsl.robots.mechanism.errors", "ModelError"),
+    "ParameterValueError": ("kindsl.robots.mechanism.errors", "ParameterValueError"),
+    "ReportError": ("kindsl.robots.cad.report", "ReportError"),
+    "UnboundParameterError": ("kindsl.robots.mechanism.errors", "UnboundParameterError"),
 }
 
 
@@ -56,7 +60,7 @@ def load(path: "str | os.PathLike[str]", settings: "Settings | None" = None) -> 
 
     Raises:
         OSError: The file cannot be read.
-        kindsl.config.configuration.ConfigurationError: The kindsl.toml is wrong.
+        kindsl.judgement.config.configuration.ConfigurationError: The kindsl.toml is wrong.
     """
     with open(path, "rb") as file:
         text = file.read().decode("utf-8", "surrogateescape")
@@ -75,7 +79,7 @@ def mass_properties(text: str) -> "MassProperties":
         ReportError: There is no report in the text, something in it is missing, or its numbers
             contradict each other.
     """
-    from kindsl.cad.taking_over import mass_properties
+    from kindsl.robots.cad.taking_over import mass_properties
 
     return mass_properties(text)
 
@@ -87,8 +91,8 @@ def parse(text: str, settings: "Settings | None" = None) -> "Document":
         text: The source.
         settings: Rules, targets and bindings; None for the default ones.
     """
-    from kindsl.analysis.analysis import analyse
-    from kindsl.text.display import let_draw
+    from kindsl.judgement.analysis.analysis import analyse
+    from kindsl.language.text.display import let_draw
 
     let_draw(_notebook_html)
     return analyse(text) if settings is None else analyse(text, settings)
@@ -102,7 +106,7 @@ def live(document: "Document") -> object:
     """
     from importlib import import_module
 
-    page: object = import_module("kindsl.preview.notebook").LivePage(document)
+    page: object = import_module("kindsl.frontends.preview.notebook").LivePage(document)
     return page
 
 
@@ -111,7 +115,7 @@ def _notebook_html(thing: object) -> str | None:
     from importlib import import_module
 
     try:
-        drawing = import_module("kindsl.preview.notebook")
+        drawing = import_module("kindsl.frontends.preview.notebook")
     except ModuleNotFoundError:
         return None
     html: str | None = drawing.notebook_html(thing)
@@ -121,8 +125,8 @@ def _notebook_html(thing: object) -> str | None:
 def _settings_for(path: "str | os.PathLike[str]") -> "Settings":
     import os
 
-    from kindsl.analysis.settings import Settings
-    from kindsl.config.discovery import Configurations
+    from kindsl.judgement.analysis.settings import Settings
+    from kindsl.judgement.config.discovery import Configurations
 
     document = os.fspath(path)
     configuration = Configurations().above(document)

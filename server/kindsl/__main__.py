@@ -2,6 +2,6 @@
 
 import sys
 
-from kindsl.cli.main import main
+from kindsl.frontends.cli.main import main
 
 sys.exit(main())

@@ -9,10 +9,10 @@ from tests.support.amount import usually
 from tests.support.models import Style, random_model
 from tests.support.walkers import LEGS, walker
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.semantics.parameters import Binding
-from kindsl.text.edits import TextEdit
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
+from kindsl.language.text.edits import TextEdit
 
 MODEL = random_model(8, 9, Style(has_expressions=True))
 SETTINGS = Settings(

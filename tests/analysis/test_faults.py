@@ -4,10 +4,10 @@ from collections.abc import Iterator
 
 import pytest
 
-from kindsl.analysis import analysis as analyses
-from kindsl.analysis.analysis import analyse
-from kindsl.rules.base import Finding, Rule, Severity
-from kindsl.rules.registry import checking_rules
+from kindsl.judgement.analysis import analysis as analyses
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.rules.base import Finding, Rule, Severity
+from kindsl.judgement.rules.registry import checking_rules
 
 DUPLICATES = """Robot R {
 RobotBase base { inertia_params { mass = 1.0 CoM = (0.0, 0.0, 0.0) Ix = 1.0 Iy = 1.0 Iz = 1.0

@@ -14,9 +14,9 @@ from tests.support.amount import usually
 from tests.support.kept import changed_numbers, errors, lost_blocks, lost_remarks
 from tests.support.spoilt import spoilt_robot
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.fixing import fixed, is_fixable, is_safe
-from kindsl.analysis.settings import Settings
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.fixing import fixed, is_fixable, is_safe
+from kindsl.judgement.analysis.settings import Settings
 
 CASES = Path(__file__).parents[3] / "shared" / "differential" / "cases.jsonl.gz"
 SETTINGS = (Settings(), Settings(select=("KD",)))

@@ -7,15 +7,15 @@ import pytest
 from tests.support import robots
 from tests.support.kept import errors
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.analysis.fixing import Made, announced, fixed, is_fixable, is_safe, made
-from kindsl.analysis.proof import EditEffect, effect
-from kindsl.analysis.text_fix import TextFix
-from kindsl.rules.base import Severity
-from kindsl.rules.examples import joint, link, robot
-from kindsl.syntax.document import parse
-from kindsl.text.edits import TextEdit
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.analysis.fixing import Made, announced, fixed, is_fixable, is_safe, made
+from kindsl.judgement.analysis.proof import EditEffect, effect
+from kindsl.judgement.analysis.text_fix import TextFix
+from kindsl.judgement.rules.base import Severity
+from kindsl.judgement.rules.examples import joint, link, robot
+from kindsl.language.syntax.document import parse
+from kindsl.language.text.edits import TextEdit
 
 ARM = robots.ARM
 COPIED = link("upper", 1).replace(

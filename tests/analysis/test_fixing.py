@@ -13,14 +13,14 @@ from tests.support.kept import errors
 from tests.support.models import Style, random_model
 from tests.support.mutants import mutants
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.analysis.fixing import fixed, is_fixable, is_safe
-from kindsl.analysis.text_fix import TextFix
-from kindsl.rules.base import Severity
-from kindsl.syntax.document import parse
-from kindsl.syntax.scanner import comments
-from kindsl.text.edits import TextEdit
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.analysis.fixing import fixed, is_fixable, is_safe
+from kindsl.judgement.analysis.text_fix import TextFix
+from kindsl.judgement.rules.base import Severity
+from kindsl.language.syntax.document import parse
+from kindsl.language.syntax.scanner import comments
+from kindsl.language.text.edits import TextEdit
 
 OBSOLETE = robots.STUB.replace(
     "Ix=0.3 Iy=0.3 Iz=0.1 Ixy=0.0 Ixz=0.0 Iyz=0.0",

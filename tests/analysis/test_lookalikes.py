@@ -9,16 +9,16 @@ from tests.support.lookalikes import alike, number_spans
 from tests.support.models import LAYOUTS, Style, random_model
 from tests.support.syntax_checks import assert_lossless, assert_same
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.fixing import fixed, is_safe
-from kindsl.analysis.settings import Settings
-from kindsl.cli.documents.sources import is_decodable
-from kindsl.semantics.declarations import Declarations
-from kindsl.semantics.expressions import Expression, symbols
-from kindsl.semantics.lowering import declarations
-from kindsl.syntax.document import parse
-from kindsl.syntax.scanner import comments
-from kindsl.text.edits import TextEdit, apply_edits
+from kindsl.frontends.cli.documents.sources import is_decodable
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.fixing import fixed, is_safe
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.declarations import Declarations
+from kindsl.language.semantics.expressions import Expression, symbols
+from kindsl.language.semantics.lowering import declarations
+from kindsl.language.syntax.document import parse
+from kindsl.language.syntax.scanner import comments
+from kindsl.language.text.edits import TextEdit, apply_edits
 
 BOTH = Settings(targets=frozenset({"robcogen", "robcogen2"}))
 

@@ -2,13 +2,13 @@
 
 import pytest
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.interchange.format import ReadRobot
-from kindsl.interchange.kindsl_writing import kindsl_text
-from kindsl.interchange.urdf.urdf_reading import robot_of_urdf
-from kindsl.rules.examples import link, robot
-from kindsl.text.edits import apply_edits
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.rules.examples import link, robot
+from kindsl.language.text.edits import apply_edits
+from kindsl.robots.interchange.format import ReadRobot
+from kindsl.robots.interchange.kindsl_writing import kindsl_text
+from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
 
 INERTIAL = """<inertial>
   <origin xyz="0.1 0.02 -0.3" rpy="0 0 {yaw}"/>

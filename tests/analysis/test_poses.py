@@ -2,8 +2,8 @@
 
 import pytest
 
-from kindsl.analysis.poses import PoseError, pose_named
-from kindsl.analysis.settings import Settings
+from kindsl.judgement.analysis.poses import PoseError, pose_named
+from kindsl.judgement.analysis.settings import Settings
 
 SETTINGS = Settings(poses={"stand": {"hip": 0.5}, "odd": {"hip": 0.5, "tail": 1.0}})
 

@@ -6,13 +6,13 @@ import re
 import pytest
 from tests.support import robots
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.fixing import fixed, is_fixable, is_safe, made
-from kindsl.analysis.proof import EditEffect, Effect, effect
-from kindsl.analysis.text_fix import TextFix, prove
-from kindsl.rules.examples import joint, link, robot
-from kindsl.syntax.document import parse
-from kindsl.text.edits import TextEdit, apply_edits
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.fixing import fixed, is_fixable, is_safe, made
+from kindsl.judgement.analysis.proof import EditEffect, Effect, effect
+from kindsl.judgement.analysis.text_fix import TextFix, prove
+from kindsl.judgement.rules.examples import joint, link, robot
+from kindsl.language.syntax.document import parse
+from kindsl.language.text.edits import TextEdit, apply_edits
 
 KEEPS, CHANGES, CANNOT_KNOW = EditEffect
 ARM = robots.ARM

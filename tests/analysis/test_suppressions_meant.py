@@ -4,9 +4,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kindsl.analysis.analysis import analyse
-from kindsl.rules.registry import all_codes
-from kindsl.text.edits import apply_edits
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.rules.registry import all_codes
+from kindsl.language.text.edits import apply_edits
 
 TEXT = """Robot Arm {
 RobotBase ground { children { upper via shoulder } }

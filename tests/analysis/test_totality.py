@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from tests.support.finding_checks import EVERYTHING, assert_sound
 from tests.support.models import Style, random_model
 
-from kindsl.analysis.analysis import analyse
+from kindsl.judgement.analysis.analysis import analyse
 
 WORDS = (
     "Robot R {", "RobotBase b {", "RobotBase b floating {", "link l {", "link b {", "link l2 {",

@@ -2,9 +2,9 @@
 
 from tests.analysis.test_verdicts_of_targets import ARM
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.analysis.verdicts import verdicts
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.analysis.verdicts import verdicts
 
 
 def told(text: str, settings: Settings | None = None) -> list[str]:

@@ -1,7 +1,7 @@
 """Where the generators differ from what the documents look like."""
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
 
 LINK = """link %s {
     id = %d

@@ -6,8 +6,8 @@ from itertools import pairwise
 
 import pytest
 
-from kindsl.cad.mesh import mesh_properties
-from kindsl.cad.shape import BOX, ShapeError, shape_properties
+from kindsl.robots.cad.mesh import mesh_properties
+from kindsl.robots.cad.shape import BOX, ShapeError, shape_properties
 
 Point = tuple[float, float, float]
 FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))

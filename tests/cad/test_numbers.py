@@ -5,10 +5,10 @@ from fractions import Fraction
 
 import pytest
 
-from kindsl.cad.mesh import ShapeError, _check_closed
-from kindsl.cad.number_style import NumberStyle, number_styles, with_joined_groups
-from kindsl.cad.quantity import Quantity, Rounded, decimal_text
-from kindsl.cad.unit import unit
+from kindsl.robots.cad.mesh import ShapeError, _check_closed
+from kindsl.robots.cad.number_style import NumberStyle, number_styles, with_joined_groups
+from kindsl.robots.cad.quantity import Quantity, Rounded, decimal_text
+from kindsl.robots.cad.unit import unit
 
 POINT, COMMA = NumberStyle("."), NumberStyle(",", has_commas=True)
 

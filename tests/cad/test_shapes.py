@@ -5,8 +5,8 @@ from math import pi
 
 import pytest
 
-from kindsl.cad.properties import MassProperties
-from kindsl.cad.shape import (
+from kindsl.robots.cad.properties import MassProperties
+from kindsl.robots.cad.shape import (
     BOX,
     CAPSULE,
     CYLINDER,

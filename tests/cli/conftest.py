@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import pytest
 
-from kindsl.cli import lint, main
+from kindsl.frontends.cli import lint, main
 
 
 class Told(NamedTuple):

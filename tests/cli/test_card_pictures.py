@@ -6,7 +6,7 @@ from urllib.parse import unquote
 
 from tests.cli.samples import GOOD
 
-from kindsl.cli.main import main
+from kindsl.frontends.cli.main import main
 
 
 def test_a_page_in_a_file_has_its_picture_beside_it(tmp_path: Path) -> None:

@@ -8,9 +8,9 @@ import pytest
 from tests.cli.conftest import Runner
 from tests.cli.samples import INTEGER
 
-from kindsl.cli.lint import main
-from kindsl.cli.main import main as kindsl
-from kindsl.cli.output import FORMATS
+from kindsl.frontends.cli.lint import main
+from kindsl.frontends.cli.main import main as kindsl
+from kindsl.frontends.cli.output import FORMATS
 
 ROOT = Path(__file__).parents[2]
 RECIPES = {

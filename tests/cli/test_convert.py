@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from tests.support.robots import ARM, LIFT
 
-from kindsl.cli.main import main
+from kindsl.frontends.cli.main import main
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "quadruped.kindsl"
 FORCED = {"compute": (), "convert": (), "generate": ("--force",)}
@@ -79,7 +79,7 @@ def test_nothing_need_be_installed_for_formats_of_plain_numbers(suffix: str, tmp
     """Nothing is in a browser."""
     there, back = tmp_path / f"a{suffix}", tmp_path / "a.kindsl"
     code = "import sys; sys.modules.update(dict.fromkeys(('numpy', 'lxml', 'yourdfpy')));"
-    code += "from kindsl.cli.main import main; sys.exit(main(sys.argv[1:]))"
+    code += "from kindsl.frontends.cli.main import main; sys.exit(main(sys.argv[1:]))"
     convert = [sys.executable, "-c", code, "convert", "--isolated", "-q"]
     subprocess.run([*convert, str(EXAMPLE), str(there)], check=True)
     subprocess.run([*convert, "--floating-base", str(there), str(back)], check=True)

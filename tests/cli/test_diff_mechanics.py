@@ -10,7 +10,7 @@ from tests.cli.conftest import Runner
 from tests.comparison.trials import ARM, described_text, random_document
 from tests.comparison.variants import urdf_of, variant
 
-from kindsl.interchange.registry import format_of_suffix
+from kindsl.robots.interchange.registry import format_of_suffix
 
 
 @pytest.fixture

@@ -14,13 +14,13 @@ from tests.cli.samples import GOOD, INTEGER, arm
 from tests.support import robots
 from tests.support.amount import usually
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.analysis.fixing import disjoint_fixes, fixed, in_line_style, is_fixable
-from kindsl.analysis.text_fix import TextFix
-from kindsl.rules.base import Severity
-from kindsl.rules.examples import link, robot
-from kindsl.text.edits import TextEdit, apply_edits
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.analysis.fixing import disjoint_fixes, fixed, in_line_style, is_fixable
+from kindsl.judgement.analysis.text_fix import TextFix
+from kindsl.judgement.rules.base import Severity
+from kindsl.judgement.rules.examples import link, robot
+from kindsl.language.text.edits import TextEdit, apply_edits
 
 FIXED = arm(reach="1.0")
 
@@ -100,7 +100,7 @@ def test_a_failed_write_leaves_the_old_file(
 
 
 def test_a_file_that_changed_meanwhile_is_not_written(folder: Path) -> None:
-    from kindsl.cli.documents.writing import write_text
+    from kindsl.frontends.cli.documents.writing import write_text
 
     (folder / "a.kindsl").write_text("new")
     failure = write_text("a.kindsl", "a.kindsl", "old", "fixed")

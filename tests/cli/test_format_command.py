@@ -65,7 +65,7 @@ def test_strange_bytes_are_left_alone(kindsl: Runner, folder: Path) -> None:
 def test_only_what_was_written_is_called_formatted(
     kindsl: Runner, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from kindsl.text import writing
+    from kindsl.language.text import writing
 
     def full_for_b(target: str, *rest: object) -> str:
         if target.endswith("b.kindsl"):

@@ -8,8 +8,8 @@ import pytest
 from tests.cli.conftest import Runner
 from tests.cli.samples import GOOD, INTEGER, UNBOUND, arm
 
-from kindsl.cli import lint
-from kindsl.cli.lint import only_paths
+from kindsl.frontends.cli import lint
+from kindsl.frontends.cli.lint import only_paths
 
 ROOT = Path(__file__).parents[2]
 

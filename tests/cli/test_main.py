@@ -9,8 +9,8 @@ import pytest
 from tests.cli.conftest import Runner
 from tests.cli.samples import UNBOUND
 
-from kindsl.cli.commands import command_module, command_summaries
-from kindsl.cli.main import with_joined_negatives
+from kindsl.frontends.cli.commands import command_module, command_summaries
+from kindsl.frontends.cli.main import with_joined_negatives
 
 
 def test_help_lists_what_is_there(kindsl: Runner) -> None:

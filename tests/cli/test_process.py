@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from tests.cli.samples import GOOD, INTEGER, UNBOUND
 
-LINT = (sys.executable, "-c", "from kindsl.cli.lint import main; main()")
+LINT = (sys.executable, "-c", "from kindsl.frontends.cli.lint import main; main()")
 KINDSL = (sys.executable, "-m", "kindsl")
 
 
@@ -26,7 +26,7 @@ def test_status_of_the_process(folder: Path, text: str, status: int) -> None:
     (folder / "a.kindsl").write_text(text)
     assert run(*LINT, "a.kindsl").returncode == status
     assert run(*KINDSL, "lint", "a.kindsl").returncode == status
-    assert run(sys.executable, "-m", "kindsl.cli.lint", "a.kindsl").returncode == status
+    assert run(sys.executable, "-m", "kindsl.frontends.cli.lint", "a.kindsl").returncode == status
     assert run(*LINT, "missing.kindsl").returncode == 2
     assert run(*LINT, "--nonsense").returncode == 2
 
@@ -52,7 +52,9 @@ def test_jobs_give_the_same_in_the_same_order(folder: Path) -> None:
 def test_reader_that_goes_away_is_no_defect(folder: Path) -> None:
     for number in range(300):
         (folder / f"m{number}.kindsl").write_text(INTEGER)
-    command = f"{sys.executable} -c 'from kindsl.cli.lint import main; main()' -q | head -1"
+    command = (
+        f"{sys.executable} -c 'from kindsl.frontends.cli.lint import main; main()' -q | head -1"
+    )
     told = subprocess.run(command, shell=True, capture_output=True, text=True, check=False)
     assert told.stdout.startswith("m0.kindsl:21:32:")
     assert told.stderr == ""
@@ -89,7 +91,7 @@ def test_interrupted_watch_ends_quietly(folder: Path) -> None:
 
 
 def test_defect_outside_of_a_document_shows_no_traceback(folder: Path) -> None:
-    code = "import kindsl.cli.lint as lint\nlint.run = lambda args: 1 / 0\nlint.main()"
+    code = "import kindsl.frontends.cli.lint as lint\nlint.run = lambda args: 1 / 0\nlint.main()"
     told = run(sys.executable, "-c", code)
     assert told.returncode == 2
     assert told.stderr == "kindsl: error: internal error: ZeroDivisionError: division by zero\n"
@@ -105,11 +107,11 @@ def test_importing_the_package_is_light() -> None:
 def test_linting_imports_nothing_slow(folder: Path) -> None:
     (folder / "a.kindsl").write_text(GOOD)
     code = (
-        "import sys\nfrom kindsl.cli.lint import main\nmain(['a.kindsl'])\n"
+        "import sys\nfrom kindsl.frontends.cli.lint import main\nmain(['a.kindsl'])\n"
         "slow = {'numpy', 'lark', 'pygls', 'json', 'dataclasses', 'logging', 'tomllib', 'pathspec',"
         " 'importlib.metadata', 'asyncio', 'multiprocessing', 'difflib', 'tempfile', 'inspect',"
-        " 'subprocess', 'xml', 'shutil', 'tomlkit', 'kindsl.syntax.mending',"
-        " 'kindsl.rules.inertia.repairs'}\n"
+        " 'subprocess', 'xml', 'shutil', 'tomlkit', 'kindsl.language.syntax.mending',"
+        " 'kindsl.judgement.rules.inertia.repairs'}\n"
         "print(sorted(slow & set(sys.modules)))"
     )
     assert run(sys.executable, "-I", "-S", "-c", _with_path(code)).stdout == "[]\n"

@@ -14,11 +14,11 @@ from tests.cli.samples import GOOD, INTEGER, UNBOUND, arm
 from tests.support.amount import usually
 
 import kindsl
-from kindsl.analysis.diagnostics import RelatedPlace
-from kindsl.cli.outcome import Failure, LintedFile, RunOutcome
-from kindsl.cli.output import FORMATS, renderer, sarif_format
-from kindsl.rules.base import Severity
-from kindsl.rules.registry import all_rules
+from kindsl.frontends.cli.outcome import Failure, LintedFile, RunOutcome
+from kindsl.frontends.cli.output import FORMATS, renderer, sarif_format
+from kindsl.judgement.analysis.diagnostics import RelatedPlace
+from kindsl.judgement.rules.base import Severity
+from kindsl.judgement.rules.registry import all_rules
 
 SCHEMAS = Path(__file__).parent / "schemas"
 SARIF = jsonschema.Draft4Validator(json.loads((SCHEMAS / "sarif-2.1.0.json").read_text()))

@@ -7,7 +7,7 @@ from tests.cli.conftest import Runner
 from tests.comparison.trials import ARM, described_text
 from tests.comparison.variants import urdf_of, variant
 
-from kindsl.reports.review.mechanics_page import HEAVIER, MOVED
+from kindsl.products.reports.review.mechanics_page import HEAVIER, MOVED
 
 
 @pytest.fixture

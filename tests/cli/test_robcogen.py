@@ -6,8 +6,8 @@ import pytest
 from tests.cli.conftest import Runner
 from tests.support.robots import LIFT
 
-from kindsl.codegen.robcogen.files import RUNTIME
-from kindsl.syntax.transforms_text import read_transforms
+from kindsl.language.syntax.transforms_text import read_transforms
+from kindsl.products.codegen.robcogen.files import RUNTIME
 
 
 @pytest.fixture

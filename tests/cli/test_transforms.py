@@ -10,7 +10,7 @@ from tests.cli.conftest import Runner
 from tests.cli.samples import arm
 from tests.codegen.compiling import COMPILERS, build, needs_compiler, run_tests
 
-from kindsl.syntax.transforms_text import read_transforms
+from kindsl.language.syntax.transforms_text import read_transforms
 
 GRAMMAR = (Path(__file__).parents[2] / "grammar" / "dtdsl.lark").read_text(encoding="utf-8")
 GOOD = """\

@@ -173,7 +173,7 @@ def test_a_linter_with_twins_loads_no_numpy(tmp_path: Path) -> None:
     import sys
 
     program = (
-        "import sys\nfrom kindsl.cli.lint import main\n"
+        "import sys\nfrom kindsl.frontends.cli.lint import main\n"
         "main(['arm.kindsl', '--quiet'])\nassert 'numpy' not in sys.modules\n"
     )
     change_urdf('value="0.8"', 'value="0.85"')

@@ -20,12 +20,12 @@ from tests.cli.conftest import Runner
 from tests.cli.samples import GOOD, INTEGER
 
 import kindsl
-from kindsl.analysis import analysis
-from kindsl.analysis.settings import Settings
-from kindsl.cli.documents.sources import is_decodable
-from kindsl.cli.linter.one_document import FixMode, Task, check
-from kindsl.rules.base import Finding, Rule, Severity
-from kindsl.rules.registry import checking_rules
+from kindsl.frontends.cli.documents.sources import is_decodable
+from kindsl.frontends.cli.linter.one_document import FixMode, Task, check
+from kindsl.judgement.analysis import analysis
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.rules.base import Finding, Rule, Severity
+from kindsl.judgement.rules.registry import checking_rules
 
 STRANGE = {
     "utf16.kindsl": GOOD.encode("utf-16"),
@@ -250,7 +250,7 @@ def without_privileges() -> Iterator[None]:
 def test_defect_of_a_rule_does_not_stop_the_others(
     kdsl_lint: Runner, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from kindsl.cli.linter import one_document as checking
+    from kindsl.frontends.cli.linter import one_document as checking
 
     def broken(text: str, settings: object) -> object:
         if "arm" in text:

@@ -5,8 +5,8 @@ from pathlib import Path
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kindsl.cli.documents.sources import read_source
-from kindsl.cli.documents.walking import documents
+from kindsl.frontends.cli.documents.sources import read_source
+from kindsl.frontends.cli.documents.walking import documents
 
 
 def found(*paths: str) -> list[str]:

@@ -5,12 +5,12 @@ from pathlib import Path
 import pytest
 from tests.cli.samples import GOOD, INTEGER, UNBOUND
 
-from kindsl.cli.documents.choices import Choices
-from kindsl.cli.linter import watching
-from kindsl.cli.linter.one_document import FixMode
-from kindsl.cli.linter.run import LintPlan
-from kindsl.cli.outcome import RunOutcome
-from kindsl.config.discovery import Configurations
+from kindsl.frontends.cli.documents.choices import Choices
+from kindsl.frontends.cli.linter import watching
+from kindsl.frontends.cli.linter.one_document import FixMode
+from kindsl.frontends.cli.linter.run import LintPlan
+from kindsl.frontends.cli.outcome import RunOutcome
+from kindsl.judgement.config.discovery import Configurations
 
 
 def test_lints_again_when_something_changes(

@@ -3,7 +3,7 @@
 from tests.codegen.robcogen.test_classes import CRAB
 from tests.support.robots import LIFT, ONE_LINK
 
-from kindsl.semantics.parameters import JointProperties
+from kindsl.language.semantics.parameters import JointProperties
 
 _LINK = """
 link {name} {{ id = {id}

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import numpy as np
 
-from kindsl.codegen.library import Library
-from kindsl.dynamics.generation.function import Function
-from kindsl.spatial.arrays import Array
+from kindsl.mechanics.dynamics.generation.function import Function
+from kindsl.mechanics.spatial.arrays import Array
+from kindsl.products.codegen.library import Library
 
 
 class Loaded:

@@ -5,14 +5,14 @@ from pathlib import Path
 import numpy as np
 from tests.dynamics.random_bodies import random_bodies
 
-from kindsl.codegen.c_library import c_files
-from kindsl.codegen.library import Library, Options, Stamp, library_of
-from kindsl.codegen.reference import Reference, independent_contacts, sample
-from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.dynamics.generation.functions import QUANTITIES
-from kindsl.dynamics.generation.jacobians import feet
-from kindsl.dynamics.generation.robot import robot_of
+from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanics.dynamics.generation.functions import QUANTITIES
+from kindsl.mechanics.dynamics.generation.jacobians import feet
+from kindsl.mechanics.dynamics.generation.robot import robot_of
+from kindsl.products.codegen.c_library import c_files
+from kindsl.products.codegen.library import Library, Options, Stamp, library_of
+from kindsl.products.codegen.reference import Reference, independent_contacts, sample
 
 PLAIN = tuple(
     name

@@ -18,8 +18,8 @@ from tests.codegen.loaded import Loaded
 from tests.codegen.robots import CONTROL, PLAIN, bodies_of_seed, library, reference, write_c
 from tests.support.differences import worst_difference
 
-from kindsl.codegen.c_test_program import TOLERANCES
-from kindsl.codegen.reference import Reference
+from kindsl.products.codegen.c_test_program import TOLERANCES
+from kindsl.products.codegen.reference import Reference
 
 pytestmark = needs_compiler
 FEW = ("poses", "foot_jacobians", "inverse_dynamics", "forward_dynamics")
@@ -137,7 +137,7 @@ def test_the_test_program_fails_for_wrong_numbers(tmp_path: Path) -> None:
 def test_long_functions_are_cut_without_loss(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("kindsl.dynamics.generation.emitters.c.OPERATIONS_PER_PART", 7)
+    monkeypatch.setattr("kindsl.mechanics.dynamics.generation.emitters.c.OPERATIONS_PER_PART", 7)
     folder = write_c(bodies_of_seed(9, 3), tmp_path, FEW)
     assert "robot_inverse_dynamics_free_part5(" in (folder / "robot_inverse_dynamics.c").read_text()
     assert "FAILED" not in run_tests(build(COMPILERS[0], folder, [], "tests"))
@@ -146,7 +146,7 @@ def test_long_functions_are_cut_without_loss(
 def test_forces_that_add_little_are_zeros_where_there_are_none(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("kindsl.codegen.c_sources.MOST_ADDED", 9.0)
+    monkeypatch.setattr("kindsl.products.codegen.c_sources.MOST_ADDED", 9.0)
     folder = write_c(bodies_of_seed(9, 3), tmp_path, FEW)
     text = (folder / "robot_inverse_dynamics.c").read_text()
     assert "inverse_dynamics_loaded(" in text

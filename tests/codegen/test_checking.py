@@ -6,11 +6,11 @@ import pytest
 from tests.codegen.compiling import needs_compiler
 from tests.support.robots import LIFT
 
-from kindsl.analysis.analysis import analyse
-from kindsl.codegen.checking import misfit
-from kindsl.codegen.generating import Source, generate
-from kindsl.codegen.library import Options
-from kindsl.codegen.manifest import NAME
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.products.codegen.checking import misfit
+from kindsl.products.codegen.generating import Source, generate
+from kindsl.products.codegen.library import Options
+from kindsl.products.codegen.manifest import NAME
 
 OPTIONS = Options("c", ("gravity_torque",), "double", False, "unbound", "arm")
 
@@ -48,7 +48,7 @@ def test_code_fits_while_it_gives_the_numbers(
 def test_without_a_compiler_a_changed_document_does_not_fit(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("kindsl.codegen.checking._compiler", lambda: None)
+    monkeypatch.setattr("kindsl.products.codegen.checking._compiler", lambda: None)
     why = misfit(source(LIFT.replace("upper", "renamed")), folder)
     assert why == f"'arm.kindsl' has changed since '{folder}' was generated"
 

@@ -3,8 +3,8 @@
 import pytest
 from tests.codegen.robots import bodies_of_seed, library
 
-from kindsl.codegen.c_sources import _is_lightly_loaded, _is_wide
-from kindsl.dynamics.generation.function import Function, Result, argument
+from kindsl.mechanics.dynamics.generation.function import Function, Result, argument
+from kindsl.products.codegen.c_sources import _is_lightly_loaded, _is_wide
 
 MADE = library(bodies_of_seed(2), ("poses",))
 
@@ -28,7 +28,7 @@ def function(entries: int, name: str = "poses", takes: str = "q") -> Function:
 def test_neither_little_nor_very_much_is_in_lanes(
     operations: int, entries: int, is_wide: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("kindsl.codegen.c_sources.operations", lambda *_: operations)
+    monkeypatch.setattr("kindsl.products.codegen.c_sources.operations", lambda *_: operations)
     assert _is_wide(MADE, function(entries)) is is_wide
     assert not _is_wide(MADE, function(entries, "jacobian_tip"))
     assert not _is_wide(MADE, function(entries, takes="qd"))
@@ -40,5 +40,5 @@ def test_forces_are_light_if_they_add_less_than_a_twentieth(
     loaded: int, is_light: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     counts = iter([100, loaded])
-    monkeypatch.setattr("kindsl.codegen.c_sources.operations", lambda *_: next(counts))
+    monkeypatch.setattr("kindsl.products.codegen.c_sources.operations", lambda *_: next(counts))
     assert _is_lightly_loaded(MADE, function(1)) is is_light

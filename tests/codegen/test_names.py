@@ -9,7 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.codegen.robots import bodies_of_seed, library
 
-from kindsl.codegen.names_in_code import (
+from kindsl.mechanics.dynamics.bodies import BodyFrame
+from kindsl.products.codegen.names_in_code import (
     RESERVED,
     UnusableNameError,
     file_name,
@@ -17,7 +18,6 @@ from kindsl.codegen.names_in_code import (
     identifiers,
     prefix_of,
 )
-from kindsl.dynamics.bodies import BodyFrame
 
 ODD = [*sorted(RESERVED), "a.b", "a_b"]
 NAMES = st.one_of(st.text(min_size=1, max_size=6), st.sampled_from(ODD))

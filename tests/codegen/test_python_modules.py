@@ -12,11 +12,11 @@ from tests.codegen.robots import ALL, PLAIN, bodies_of_seed, library, reference
 from tests.support.differences import worst_difference
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.codegen.generating import Source, generate
-from kindsl.codegen.language import language_named
-from kindsl.codegen.library import Options
-from kindsl.codegen.reference import Reference
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.products.codegen.generating import Source, generate
+from kindsl.products.codegen.language import language_named
+from kindsl.products.codegen.library import Options
+from kindsl.products.codegen.reference import Reference
 
 ROOT = Path(__file__).parents[2]
 FEW = ("poses", "inverse_dynamics", "forward_dynamics", "gravity_torque")
@@ -144,7 +144,7 @@ def test_casadi() -> None:
 @pytest.mark.parametrize("choice", ["unbound", "l,angle", "all"])
 def test_parameters_at_run_time_are_bound_ones(choice: str) -> None:
     """With values from outside the code gives what a document with these values gives."""
-    from kindsl.semantics.parameters import Binding
+    from kindsl.language.semantics.parameters import Binding
 
     bindings = {"m": 1.0, "l": 9.0, "angle": 1.0} if choice != "unbound" else {}
     settings = Settings(bindings={name: Binding(value) for name, value in bindings.items()})

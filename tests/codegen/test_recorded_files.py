@@ -16,13 +16,13 @@ from tests.codegen.robots import ALL, STAMP
 from tests.support.recorded import assert_as_recorded
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.codegen.generating import Source, generate
-from kindsl.codegen.language import language_named, language_names
-from kindsl.codegen.library import Library, Options
-from kindsl.codegen.manifest import NAME
-from kindsl.interchange.generated_folder import digest
-from kindsl.semantics.parameters import Binding
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
+from kindsl.products.codegen.generating import Source, generate
+from kindsl.products.codegen.language import language_named, language_names
+from kindsl.products.codegen.library import Library, Options
+from kindsl.products.codegen.manifest import NAME
+from kindsl.robots.interchange.generated_folder import digest
 
 RECORDED = Path(__file__).parent / "recorded"
 # A number of so many digits that machines may not agree on the last.

@@ -8,17 +8,17 @@ from tests.codegen.robots import ALL, bodies_of_seed, library, reference
 from tests.support.differences import worst_difference
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.codegen.c_test_program import parameter_values
-from kindsl.codegen.generating import Source, generate
-from kindsl.codegen.library import Library, Options
-from kindsl.codegen.reference import Reference, sample
-from kindsl.codegen.resistance import magnification
-from kindsl.dynamics.generation.emitters.numbers import evaluate
-from kindsl.dynamics.generation.function import Function, Result
-from kindsl.dynamics.generation.terms import Term
-from kindsl.semantics.parameters import Binding
-from kindsl.spatial.arrays import Array
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
+from kindsl.mechanics.dynamics.generation.emitters.numbers import evaluate
+from kindsl.mechanics.dynamics.generation.function import Function, Result
+from kindsl.mechanics.dynamics.generation.terms import Term
+from kindsl.mechanics.spatial.arrays import Array
+from kindsl.products.codegen.c_test_program import parameter_values
+from kindsl.products.codegen.generating import Source, generate
+from kindsl.products.codegen.library import Library, Options
+from kindsl.products.codegen.reference import Reference, sample
+from kindsl.products.codegen.resistance import magnification
 
 
 def test_rounding_is_magnified_by_the_condition_of_what_is_solved() -> None:

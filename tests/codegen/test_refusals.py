@@ -13,16 +13,16 @@ from tests.codegen.robots import PLAIN, STAMP, bodies_of_seed
 from tests.support.robots import LIFT
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.codegen.checking import _compiler, misfit
-from kindsl.codegen.generating import Source, generate
-from kindsl.codegen.library import GenerationError, Options
-from kindsl.codegen.manifest import NAME, Manifest, read_manifest
-from kindsl.codegen.resistance import refuse_unresisted
-from kindsl.codegen.robcogen.robot import GeneratedRobot
-from kindsl.codegen.writing import refuse_foreign, write_files
-from kindsl.interchange.generated_folder import digest
-from kindsl.semantics.parameters import Binding, JointProperties
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding, JointProperties
+from kindsl.products.codegen.checking import _compiler, misfit
+from kindsl.products.codegen.generating import Source, generate
+from kindsl.products.codegen.library import GenerationError, Options
+from kindsl.products.codegen.manifest import NAME, Manifest, read_manifest
+from kindsl.products.codegen.resistance import refuse_unresisted
+from kindsl.products.codegen.robcogen.robot import GeneratedRobot
+from kindsl.products.codegen.writing import refuse_foreign, write_files
+from kindsl.robots.interchange.generated_folder import digest
 
 POSES = Options("c", ("poses",), "double", False, "unbound", "arm")
 FRAMES = "Robot Arm\nFrames { fr_upper, tool }\n"
@@ -91,7 +91,9 @@ def test_what_only_rounding_resists_is_refused(
 ) -> None:
     bodies = bodies_of_seed(3)
     for condition in (1e15, np.nextafter(1e15, np.inf)):
-        monkeypatch.setattr("kindsl.codegen.resistance._condition", lambda M, told=condition: told)
+        monkeypatch.setattr(
+            "kindsl.products.codegen.resistance._condition", lambda M, told=condition: told
+        )
         refuse_unresisted(("poses", "joint_space_inertia"), bodies, np.zeros(bodies.n_links))
         with (
             pytest.raises(GenerationError, match=f"'{quantity}' .* {moving}; use")
@@ -112,7 +114,7 @@ def test_the_model_of_defaults_has_their_values() -> None:
 def test_a_robot_is_large_from_one_joint_more(monkeypatch: pytest.MonkeyPatch) -> None:
     library, _ = generate(source(), POSES)
     for most, is_large in ((1, True), (2, False)):
-        monkeypatch.setattr("kindsl.codegen.robcogen.robot.MOST_JOINTS_OF_SMALL", most)
+        monkeypatch.setattr("kindsl.products.codegen.robcogen.robot.MOST_JOINTS_OF_SMALL", most)
         assert GeneratedRobot(library).is_large is is_large
 
 

@@ -9,13 +9,13 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from tests.support.robots import LIFT
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.codegen.c_text import _wrapped
-from kindsl.codegen.generating import Source, generate
-from kindsl.codegen.library import Options
-from kindsl.interchange.generated_folder import digest
-from kindsl.semantics.parameters import Binding
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
+from kindsl.products.codegen.c_text import _wrapped
+from kindsl.products.codegen.generating import Source, generate
+from kindsl.products.codegen.library import Options
+from kindsl.robots.interchange.generated_folder import digest
 
 OPTIONS = Options("c", ("poses", "inverse_dynamics"), "double", False, "unbound", "arm")
 BOUND = LIFT.replace("mass = 2.0", "mass = m").replace("mass = 1.0", "mass = n")

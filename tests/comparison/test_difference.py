@@ -6,10 +6,10 @@ from pathlib import Path
 import pytest
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.comparison.difference import Difference, difference
-from kindsl.mechanism.skeleton import Skeleton
-from kindsl.semantics.parameters import Binding
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
+from kindsl.robots.comparison.difference import Difference, difference
+from kindsl.robots.mechanism.skeleton import Skeleton
 
 ARM = (Path(__file__).parents[2] / "examples" / "industrial_arm.kindsl").read_text()
 

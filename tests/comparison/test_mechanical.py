@@ -8,12 +8,12 @@ import pytest
 from tests.comparison.trials import ARM, described_text, equal_trial, off_trial, random_document
 from tests.support.amount import usually
 
-from kindsl.comparison.mechanical import compared_mechanics
-from kindsl.comparison.null_space import n_base_parameters
-from kindsl.comparison.quantities import INERTIA
-from kindsl.comparison.sentences import told
-from kindsl.comparison.torques import torques
-from kindsl.mechanism.bodies import bodies_of
+from kindsl.robots.comparison.mechanical import compared_mechanics
+from kindsl.robots.comparison.null_space import n_base_parameters
+from kindsl.robots.comparison.quantities import INERTIA
+from kindsl.robots.comparison.sentences import told
+from kindsl.robots.comparison.torques import torques
+from kindsl.robots.mechanism.bodies import bodies_of
 
 N_TRIALS = usually(25, 500)
 

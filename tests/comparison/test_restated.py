@@ -5,9 +5,9 @@ from tests.comparison.trials import ARM, described_text, described_urdf, random_
 from tests.comparison.variants import urdf_of, variant
 from tests.support.amount import usually
 
-from kindsl.comparison.mechanical import compared_mechanics
-from kindsl.comparison.restated import restated
-from kindsl.rigid.body import lumped
+from kindsl.mechanics.rigid.body import lumped
+from kindsl.robots.comparison.mechanical import compared_mechanics
+from kindsl.robots.comparison.restated import restated
 
 
 @pytest.mark.parametrize("seed", range(usually(20, 300)))

@@ -8,19 +8,19 @@ import numpy as np
 from tests.comparison.variants import urdf_of, variant
 from tests.interchange.random_robots import random_robot
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.comparison.document_side import described_document
-from kindsl.comparison.mechanical import MechanicalComparison, compared_mechanics
-from kindsl.comparison.quantities import INERTIA, POSE
-from kindsl.comparison.torques import torques
-from kindsl.comparison.written import Described, TextPlace, WrittenNumber
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.interchange.comparable import described_robot
-from kindsl.interchange.kindsl_writing import kindsl_text
-from kindsl.interchange.urdf.numbers import numbers_of_urdf
-from kindsl.interchange.urdf.urdf_reading import robot_of_urdf
-from kindsl.mechanism.bodies import bodies_of
-from kindsl.mechanism.skeleton import Skeleton
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.robots.comparison.document_side import described_document
+from kindsl.robots.comparison.mechanical import MechanicalComparison, compared_mechanics
+from kindsl.robots.comparison.quantities import INERTIA, POSE
+from kindsl.robots.comparison.torques import torques
+from kindsl.robots.comparison.written import Described, TextPlace, WrittenNumber
+from kindsl.robots.interchange.comparable import described_robot
+from kindsl.robots.interchange.kindsl_writing import kindsl_text
+from kindsl.robots.interchange.urdf.numbers import numbers_of_urdf
+from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
+from kindsl.robots.mechanism.bodies import bodies_of
+from kindsl.robots.mechanism.skeleton import Skeleton
 
 ARM = """Robot arm {
 RobotBase base {

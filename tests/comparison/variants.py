@@ -5,16 +5,16 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from xml.etree.ElementTree import Element, SubElement, tostring
 
-from kindsl.interchange.rigid_links import RigidLink
-from kindsl.mechanism.skeleton import Skeleton
-from kindsl.rigid.body import MassDistribution, seen_from, shifted
-from kindsl.rigid.pose import (
+from kindsl.mechanics.rigid.body import MassDistribution, seen_from, shifted
+from kindsl.mechanics.rigid.pose import (
     IDENTITY,
     RigidPose,
     Vector3,
     fixed_axis_angles,
     pose_from,
 )
+from kindsl.robots.interchange.rigid_links import RigidLink
+from kindsl.robots.mechanism.skeleton import Skeleton
 
 Variant = list[RigidLink]
 _ORIGIN = (0.0, 0.0, 0.0)

@@ -3,8 +3,8 @@
 import re
 from pathlib import Path
 
-from kindsl.config.configuration_reading import configuration_of
-from kindsl.config.tables import DOCUMENT_KEYS, KEYS
+from kindsl.judgement.config.configuration_reading import configuration_of
+from kindsl.judgement.config.tables import DOCUMENT_KEYS, KEYS
 
 PAGE = (Path(__file__).parents[2] / "docs" / "configuration.md").read_text()
 

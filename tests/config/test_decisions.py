@@ -1,9 +1,9 @@
 """Decisions put over decisions."""
 
-from kindsl.analysis.settings import Settings
-from kindsl.config.decisions import Decisions, overridden
-from kindsl.rules.base import Severity
-from kindsl.semantics.parameters import Binding, JointProperties
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.config.decisions import Decisions, overridden
+from kindsl.judgement.rules.base import Severity
+from kindsl.language.semantics.parameters import Binding, JointProperties
 
 
 def test_what_a_table_decides_wins_and_the_rest_stays() -> None:

@@ -4,9 +4,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kindsl.config.configuration_reading import configuration_of
-from kindsl.config.document_tables import with_joints, with_pose
-from kindsl.semantics.parameters import JointProperties
+from kindsl.judgement.config.configuration_reading import configuration_of
+from kindsl.judgement.config.document_tables import with_joints, with_pose
+from kindsl.language.semantics.parameters import JointProperties
 
 ELBOW = JointProperties(minimum=-1.0, maximum=2.0)
 

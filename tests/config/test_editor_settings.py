@@ -4,10 +4,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kindsl.analysis.settings import Settings
-from kindsl.config.editor_settings import editor_settings, merged
-from kindsl.rules.base import Severity
-from kindsl.semantics.parameters import Binding, JointProperties
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.config.editor_settings import editor_settings, merged
+from kindsl.judgement.rules.base import Severity
+from kindsl.language.semantics.parameters import Binding, JointProperties
 
 steady = settings(deadline=None, derandomize=True)
 

@@ -7,7 +7,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from pathspec import GitIgnoreSpec
 
-from kindsl.config.patterns import can_match, is_match, linear, spec_of
+from kindsl.judgement.config.patterns import can_match, is_match, linear, spec_of
 
 NAMES = st.text("ab.", min_size=1, max_size=6)
 PATHS = st.lists(NAMES, min_size=1, max_size=6).map("/".join)

@@ -9,17 +9,21 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kindsl.comparison.twins import TwinFile
-from kindsl.config.configuration_reading import (
+from kindsl.judgement.config.configuration_reading import (
     configuration_of,
     read_configuration,
     read_parameters,
 )
-from kindsl.config.discovery import Configurations, has_python_table, nearest_configuration
-from kindsl.config.errors import ConfigurationError
-from kindsl.config.toml_places import toml_places
-from kindsl.rules.base import Severity
-from kindsl.semantics.parameters import Binding
+from kindsl.judgement.config.discovery import (
+    Configurations,
+    has_python_table,
+    nearest_configuration,
+)
+from kindsl.judgement.config.errors import ConfigurationError
+from kindsl.judgement.config.toml_places import toml_places
+from kindsl.judgement.rules.base import Severity
+from kindsl.language.semantics.parameters import Binding
+from kindsl.robots.comparison.twins import TwinFile
 
 EVERYTHING = """\
 target = ["robcogen"]

@@ -7,8 +7,8 @@ from tempfile import TemporaryDirectory
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kindsl.cli.documents.walking import documents
-from kindsl.config.robots import TOOLS_FOLDERS, Obstacle, is_robot, robots_below, walked
+from kindsl.frontends.cli.documents.walking import documents
+from kindsl.judgement.config.robots import TOOLS_FOLDERS, Obstacle, is_robot, robots_below, walked
 
 
 def test_documents_are_found_at_any_depth(tmp_path: Path) -> None:

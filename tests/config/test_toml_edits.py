@@ -9,11 +9,11 @@ from hypothesis import assume, event, given, settings
 from hypothesis import strategies as st
 from tests.config.toml_layouts import DOCUMENT, NAMES, Layout, layouts
 
-from kindsl.config.configuration import Configuration
-from kindsl.config.configuration_reading import configuration_of
-from kindsl.config.errors import ConfigurationError
-from kindsl.config.toml_edits import _is_same, binding_edit, renaming_edits
-from kindsl.text.edits import apply_edits
+from kindsl.judgement.config.configuration import Configuration
+from kindsl.judgement.config.configuration_reading import configuration_of
+from kindsl.judgement.config.errors import ConfigurationError
+from kindsl.judgement.config.toml_edits import _is_same, binding_edit, renaming_edits
+from kindsl.language.text.edits import apply_edits
 
 FOLDER = Path("/project")
 ARM = str(FOLDER / DOCUMENT)

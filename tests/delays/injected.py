@@ -53,13 +53,13 @@ def inject() -> None:
     """Make this process late, if it is the one that shall be."""
     generator = random.Random(SEED)
     if WHO == "server":
-        from kindsl.lsp.wire.protocol import KindslProtocol
-        from kindsl.preview.documents import DocumentPreviews
+        from kindsl.frontends.lsp.wire.protocol import KindslProtocol
+        from kindsl.frontends.preview.documents import DocumentPreviews
 
         _delay(KindslProtocol, "receive", generator)
         _delay(DocumentPreviews, "receive", generator)
     elif WHO == "worker":
-        from kindsl.lsp.session.worker import Worker
+        from kindsl.frontends.lsp.session.worker import Worker
 
         _delay(Worker, "_do_next", generator)
 

@@ -7,7 +7,7 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 
 from tests.delays.injected import inject
 
-from kindsl.cli.language_server import main
+from kindsl.frontends.cli.language_server import main
 
 inject()
 main()

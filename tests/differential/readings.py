@@ -5,11 +5,11 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.settings import Settings
-from kindsl.semantics.declarations import Pose, Vector
-from kindsl.semantics.expressions import Expression
-from kindsl.syntax.vocabulary import MOMENTS
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.declarations import Pose, Vector
+from kindsl.language.semantics.expressions import Expression
+from kindsl.language.syntax.vocabulary import MOMENTS
 
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _FORM = re.compile(rf"(?:({_NUMBER})\*)?(-?)(?:({_NUMBER})\*)?(\S+?)(?:/({_NUMBER}))?")

@@ -13,8 +13,8 @@ from tests.differential.verdicts import is_read
 from tests.support.amount import usually
 from tests.support.published import published
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.verdicts import verdicts
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.verdicts import verdicts
 
 pytest.importorskip("robmodel", reason="robot-model-tools is not installed")
 SEED = 20

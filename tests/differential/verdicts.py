@@ -1,7 +1,7 @@
 """What these tools say of a document for a target, to be held against the generator itself."""
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
 
 # Rules that speak of loading; others are errors too, of robots that cannot be.
 LOADING = ("KD0", "KD105", "KD106", "KD107", "KD108", "KD6")

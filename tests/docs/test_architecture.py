@@ -6,7 +6,11 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "ARCHITECTURE.md").read_text(encoding="utf-8")
-PLACES = (ROOT, ROOT / "server" / "kindsl", ROOT / "server" / "kindsl" / "lsp" / "text")
+PLACES = (
+    ROOT,
+    ROOT / "server" / "kindsl",
+    ROOT / "server" / "kindsl" / "frontends" / "lsp" / "text",
+)
 
 
 def named_paths():
@@ -30,5 +34,9 @@ def test_every_path_exists():
 def test_the_layers_are_those_that_are_checked():
     settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
     contracts = settings["tool"]["importlinter"]["contracts"]
-    layers = next(c for c in contracts if c["id"] == "layers")["layers"]
-    assert "\n".join(layers) in PAGE
+    layers = {c["containers"][0]: c["layers"] for c in contracts if c["type"] == "layers"}
+    rows = re.findall(r"^(\w+) +(.+)$", PAGE.split("```")[-2], re.MULTILINE)
+    assert [name for name, _ in rows] == layers["kindsl"]
+    for name, row in rows:
+        if f"kindsl.{name}" in layers:
+            assert row == " > ".join(layers[f"kindsl.{name}"])

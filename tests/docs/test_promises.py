@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 from tests.docs.guide import GUIDE, PAGES
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
 
 ROOT = GUIDE.parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")

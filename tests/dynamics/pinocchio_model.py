@@ -3,9 +3,9 @@
 import numpy as np
 import pinocchio as pin
 
-from kindsl.dynamics.bodies import Bodies
-from kindsl.spatial.arrays import Array
-from kindsl.spatial.inertia import point_inertia
+from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.spatial.arrays import Array
+from kindsl.mechanics.spatial.inertia import point_inertia
 
 ANGULAR_FIRST = [3, 4, 5, 0, 1, 2]
 

@@ -9,9 +9,9 @@ from typing import NamedTuple
 import numpy as np
 import pinocchio as pin
 
-from kindsl.dynamics.bodies import Bodies, BodyFrame
-from kindsl.spatial.arrays import Array
-from kindsl.spatial.inertia import point_inertia
+from kindsl.mechanics.dynamics.bodies import Bodies, BodyFrame
+from kindsl.mechanics.spatial.arrays import Array
+from kindsl.mechanics.spatial.inertia import point_inertia
 
 ANGLES = {"0.0": 0.0, "PI": math.pi, "PI/2.0": math.pi / 2, "-PI/2.0": -math.pi / 2}
 ANGLES |= {"-PI/4.0": -math.pi / 4, "2.0 PI": 2 * math.pi}

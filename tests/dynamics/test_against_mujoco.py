@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from tests.dynamics.random_bodies import tree_of_seed
 
-from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.spatial.arrays import Array
-from kindsl.spatial.inertia import point_inertia
+from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanics.spatial.arrays import Array
+from kindsl.mechanics.spatial.inertia import point_inertia
 
 # MuJoCo stores inertia by principal axes, which costs a few digits; orders of magnitude remain.
 TOLERANCE = 1e-8

@@ -13,11 +13,11 @@ from tests.dynamics.random_bodies import tree_of_seed
 from tests.support.amount import usually
 from tests.support.differences import assert_close
 
-from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.evaluation import readable_form as readable
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.dynamics.evaluation.request import Request
-from kindsl.dynamics.quantities import JOINT_VECTORS, Quantity
+from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.dynamics.evaluation import readable_form as readable
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanics.dynamics.evaluation.request import Request
+from kindsl.mechanics.dynamics.quantities import JOINT_VECTORS, Quantity
 
 TREES_PER_BLOCK = 30
 # Of the trees that are compiled, which takes nearly all of the time.

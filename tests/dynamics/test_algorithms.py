@@ -6,23 +6,23 @@ import numpy as np
 import pytest
 from tests.dynamics.random_bodies import random_bodies
 
-from kindsl.dynamics.bias_torque import bias_torque, gravity_torque
-from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.center_of_mass import center_of_mass, center_of_mass_jacobian
-from kindsl.dynamics.energy import kinetic_energy, potential_energy
-from kindsl.dynamics.forward_dynamics import forward_dynamics
-from kindsl.dynamics.forward_dynamics_derivatives import forward_dynamics_derivatives
-from kindsl.dynamics.forward_kinematics import body_poses, frame_poses, joint_poses
-from kindsl.dynamics.inverse_dynamics import (
+from kindsl.mechanics.dynamics.bias_torque import bias_torque, gravity_torque
+from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.dynamics.center_of_mass import center_of_mass, center_of_mass_jacobian
+from kindsl.mechanics.dynamics.energy import kinetic_energy, potential_energy
+from kindsl.mechanics.dynamics.forward_dynamics import forward_dynamics
+from kindsl.mechanics.dynamics.forward_dynamics_derivatives import forward_dynamics_derivatives
+from kindsl.mechanics.dynamics.forward_kinematics import body_poses, frame_poses, joint_poses
+from kindsl.mechanics.dynamics.inverse_dynamics import (
     floating_base_inverse_dynamics,
     inverse_dynamics,
     newton_euler,
 )
-from kindsl.dynamics.inverse_dynamics_derivatives import inverse_dynamics_derivatives
-from kindsl.dynamics.jacobian import jacobian
-from kindsl.dynamics.joint_space_inertia import joint_space_inertia
-from kindsl.dynamics.regressor import regressor
-from kindsl.spatial.arrays import Array
+from kindsl.mechanics.dynamics.inverse_dynamics_derivatives import inverse_dynamics_derivatives
+from kindsl.mechanics.dynamics.jacobian import jacobian
+from kindsl.mechanics.dynamics.joint_space_inertia import joint_space_inertia
+from kindsl.mechanics.dynamics.regressor import regressor
+from kindsl.mechanics.spatial.arrays import Array
 
 FIXED, FLOATING = (
     random_bodies(np.random.default_rng(seed), 4, is_floating)

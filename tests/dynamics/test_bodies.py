@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from tests.dynamics.random_bodies import random_bodies
 
-from kindsl.dynamics.bodies import BodyFrame
+from kindsl.mechanics.dynamics.bodies import BodyFrame
 
 GOOD = random_bodies(np.random.default_rng(0), 3, is_floating=True)
 MIRROR = np.diag([1.0, 1.0, -1.0])

@@ -4,15 +4,15 @@ import re
 
 import pytest
 
-from kindsl.dynamics.generation.emitters import c
-from kindsl.dynamics.generation.emitters.c import (
+from kindsl.mechanics.dynamics.generation.emitters import c
+from kindsl.mechanics.dynamics.generation.emitters.c import (
     SHORTEST_LOOP,
     CArray,
     CBody,
     Dialect,
     c_definition,
 )
-from kindsl.dynamics.generation.terms import Graph, Scalar
+from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar
 
 DOUBLE = Dialect("double", "")
 FUNCTION = re.compile(r"void (\w+)\((.*)\)\n\{\n((?: {4}.*\n)*)\}")

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from kindsl.dynamics.evaluation.chunks import BODIES_AT_A_TIME, evaluate_in_chunks
-from kindsl.dynamics.evaluation.request import Request
-from kindsl.dynamics.generation.emitters.numpy_rows import BatchFunction, run_in_chunks
-from kindsl.spatial.arrays import Array
+from kindsl.mechanics.dynamics.evaluation.chunks import BODIES_AT_A_TIME, evaluate_in_chunks
+from kindsl.mechanics.dynamics.evaluation.request import Request
+from kindsl.mechanics.dynamics.generation.emitters.numpy_rows import BatchFunction, run_in_chunks
+from kindsl.mechanics.spatial.arrays import Array
 
 
 def _request(shape: tuple[int, ...]) -> Request:

@@ -10,10 +10,10 @@ from tests.codegen.compiling import needs_compiler
 from tests.codegen.robots import bodies_of_seed
 
 import kindsl
-from kindsl.dynamics.evaluation.compiled import CompiledMechanics
-from kindsl.dynamics.evaluation.compiling import CompileError
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.dynamics.quantities import SingularInertiaError
+from kindsl.mechanics.dynamics.evaluation.compiled import CompiledMechanics
+from kindsl.mechanics.dynamics.evaluation.compiling import CompileError
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanics.dynamics.quantities import SingularInertiaError
 
 pytestmark = needs_compiler
 EXTREMES = (0.0, 1e-308, 1e4, 1e6, 1e12, 1e300, np.inf, np.nan)
@@ -227,7 +227,7 @@ def test_documents_are_compiled(monkeypatch: pytest.MonkeyPatch, tmp_path: Path)
 def test_a_second_time_nothing_is_compiled(
     pair: tuple[CompiledMechanics, Mechanics], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("kindsl.dynamics.evaluation.compiling._compile", None)
+    monkeypatch.setattr("kindsl.mechanics.dynamics.evaluation.compiling._compile", None)
     again, q = CompiledMechanics(pair[1].bodies), np.zeros(pair[1].n_joints)
     np.testing.assert_array_equal(again.gravity_torque(q), pair[0].gravity_torque(q))
 
@@ -238,7 +238,7 @@ def test_derivatives_are_compiled_once(monkeypatch: pytest.MonkeyPatch, tmp_path
     compiled = CompiledMechanics(bodies_of_seed(4, 2))
     method, q = compiled.regressor, np.zeros(compiled.n_joints)
     first = method(q, q, q)
-    monkeypatch.setattr("kindsl.dynamics.evaluation.extension.kernels_of", None)
+    monkeypatch.setattr("kindsl.mechanics.dynamics.evaluation.extension.kernels_of", None)
     np.testing.assert_array_equal(method(q, q, q), first)
     assert len(list(tmp_path.iterdir())) == 2
 

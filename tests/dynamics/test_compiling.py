@@ -14,9 +14,13 @@ import pytest
 from tests.codegen.compiling import needs_compiler
 
 import kindsl
-from kindsl.dynamics.evaluation import compiling
-from kindsl.dynamics.evaluation.compiler import require_compiler
-from kindsl.dynamics.evaluation.compiling import CompileError, cache_folder, compiled_module
+from kindsl.mechanics.dynamics.evaluation import compiling
+from kindsl.mechanics.dynamics.evaluation.compiler import require_compiler
+from kindsl.mechanics.dynamics.evaluation.compiling import (
+    CompileError,
+    cache_folder,
+    compiled_module,
+)
 
 SOURCE = """
 #include <Python.h>

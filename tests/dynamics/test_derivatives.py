@@ -8,13 +8,13 @@ from tests.dynamics.pinocchio_model import PinocchioModel
 from tests.dynamics.random_bodies import random_bodies
 from tests.support.differences import worst_difference
 
-from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.dynamics.generation.emitters.numbers import evaluate
-from kindsl.dynamics.generation.emitters.straight_line import operations
-from kindsl.dynamics.generation.functions import QUANTITIES
-from kindsl.dynamics.quantities import SingularInertiaError
-from kindsl.spatial.arrays import Array
+from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanics.dynamics.generation.emitters.numbers import evaluate
+from kindsl.mechanics.dynamics.generation.emitters.straight_line import operations
+from kindsl.mechanics.dynamics.generation.functions import QUANTITIES
+from kindsl.mechanics.dynamics.quantities import SingularInertiaError
+from kindsl.mechanics.spatial.arrays import Array
 
 DERIVATIVES = tuple(name for name, quantity in QUANTITIES.items() if quantity.is_derivative)
 STEP = 1e-30

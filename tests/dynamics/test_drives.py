@@ -17,13 +17,13 @@ from tests.dynamics.test_whole_body import _check_generated, _pairs
 from tests.support.amount import usually
 from tests.support.differences import assert_close
 
-from kindsl.dynamics.bodies import Bodies, Drives
-from kindsl.dynamics.evaluation import readable_form
-from kindsl.dynamics.evaluation.compiled import CompiledMechanics
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.dynamics.evaluation.path_form import PathForm
-from kindsl.dynamics.evaluation.request import Request
-from kindsl.dynamics.quantities import JOINT_VECTORS
+from kindsl.mechanics.dynamics.bodies import Bodies, Drives
+from kindsl.mechanics.dynamics.evaluation import readable_form
+from kindsl.mechanics.dynamics.evaluation.compiled import CompiledMechanics
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanics.dynamics.evaluation.path_form import PathForm
+from kindsl.mechanics.dynamics.evaluation.request import Request
+from kindsl.mechanics.dynamics.quantities import JOINT_VECTORS
 
 SEEDS = range(0, 300, usually(15, thoroughly=1))
 

@@ -6,19 +6,19 @@ import numpy as np
 import pytest
 from tests.dynamics.random_bodies import random_bodies
 
-from kindsl.dynamics.evaluation import generated_form as generated
-from kindsl.dynamics.evaluation import readable_form as readable
-from kindsl.dynamics.evaluation.choice_of_form import (
+from kindsl.mechanics.dynamics.evaluation import generated_form as generated
+from kindsl.mechanics.dynamics.evaluation import readable_form as readable
+from kindsl.mechanics.dynamics.evaluation.choice_of_form import (
     MOST_LINKS_TO_GENERATE_FOR,
     WORTH_GENERATING,
     WORTH_READABLE,
     Forms,
 )
-from kindsl.dynamics.evaluation.generated_form import CHUNK, SMALLEST_BATCH, GeneratedForm
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.dynamics.evaluation.path_form import PathForm
-from kindsl.dynamics.evaluation.request import Request
-from kindsl.dynamics.quantities import JOINT_VECTORS, STANDARD_GRAVITY, Quantity
+from kindsl.mechanics.dynamics.evaluation.generated_form import CHUNK, SMALLEST_BATCH, GeneratedForm
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanics.dynamics.evaluation.path_form import PathForm
+from kindsl.mechanics.dynamics.evaluation.request import Request
+from kindsl.mechanics.dynamics.quantities import JOINT_VECTORS, STANDARD_GRAVITY, Quantity
 
 # Rounding only; forward dynamics loses the digits of the inertia's condition.
 TOLERANCE = 1e-10

@@ -9,16 +9,19 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.dynamics.random_bodies import random_bodies, random_inertia, random_rotation
 
-from kindsl.dynamics.generation.emitters.numpy_rows import batch_function, run_in_chunks
-from kindsl.dynamics.generation.emitters.scalar_python import scalar_function, scalar_source
-from kindsl.dynamics.generation.emitters.straight_line import computed
-from kindsl.dynamics.generation.factorization import solve_symmetric
-from kindsl.dynamics.generation.mass_moments import MassMoments
-from kindsl.dynamics.generation.terms import Graph, Term, cosine_and_sine
-from kindsl.dynamics.generation.trace import Trace, trace
-from kindsl.dynamics.generation.tree import tree_of
-from kindsl.dynamics.quantities import SingularInertiaError
-from kindsl.spatial.inertia import pseudo_inertia
+from kindsl.mechanics.dynamics.generation.emitters.numpy_rows import batch_function, run_in_chunks
+from kindsl.mechanics.dynamics.generation.emitters.scalar_python import (
+    scalar_function,
+    scalar_source,
+)
+from kindsl.mechanics.dynamics.generation.emitters.straight_line import computed
+from kindsl.mechanics.dynamics.generation.factorization import solve_symmetric
+from kindsl.mechanics.dynamics.generation.mass_moments import MassMoments
+from kindsl.mechanics.dynamics.generation.terms import Graph, Term, cosine_and_sine
+from kindsl.mechanics.dynamics.generation.trace import Trace, trace
+from kindsl.mechanics.dynamics.generation.tree import tree_of
+from kindsl.mechanics.dynamics.quantities import SingularInertiaError
+from kindsl.mechanics.spatial.inertia import pseudo_inertia
 
 numbers = st.one_of(
     st.sampled_from([0.0, 1.0, -1.0, 2.0]), st.floats(-3.0, 3.0, allow_subnormal=False)

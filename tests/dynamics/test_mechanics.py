@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from tests.dynamics.random_bodies import random_bodies
 
-from kindsl.dynamics.bodies import BodyFrame
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.dynamics.quantities import SingularInertiaError
+from kindsl.mechanics.dynamics.bodies import BodyFrame
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanics.dynamics.quantities import SingularInertiaError
 
 FIXED = Mechanics(random_bodies(np.random.default_rng(1), 4, is_floating=False))
 FLOATING = Mechanics(random_bodies(np.random.default_rng(2), 4, is_floating=True))

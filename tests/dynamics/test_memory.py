@@ -10,7 +10,7 @@ LIMIT = 2 * 1024**3
 PROGRAM = """
 import resource
 import numpy as np
-from kindsl.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from tests.dynamics.random_bodies import random_bodies
 bodies = random_bodies(np.random.default_rng(0), 7, is_floating=False, frames_per_link=0.0)
 poses = Mechanics(bodies).forward_kinematics(np.zeros((1_000_000, 7)))

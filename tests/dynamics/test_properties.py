@@ -8,10 +8,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.dynamics.random_bodies import random_bodies, random_inertia, random_rotation
 
-from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.spatial.arrays import Array
-from kindsl.spatial.inertia import move_inertia
+from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanics.spatial.arrays import Array
+from kindsl.mechanics.spatial.inertia import move_inertia
 
 trees = st.builds(
     lambda seed, n_links, is_floating: random_bodies(

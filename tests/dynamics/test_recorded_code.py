@@ -14,15 +14,15 @@ import numpy as np
 from tests.codegen.robots import bodies_of_seed
 from tests.support.recorded import assert_as_recorded
 
-from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.generation.emitters.scalar_python import scalar_function
-from kindsl.dynamics.generation.function import Function, Result, inputs_of
-from kindsl.dynamics.generation.functions import QUANTITIES, QuantityCode
-from kindsl.dynamics.generation.robot import robot_of
-from kindsl.dynamics.generation.terms import Graph, Scalar, Term
-from kindsl.dynamics.generation.trace import Conditions, Trace, trace
-from kindsl.dynamics.generation.tree import tree_of
-from kindsl.dynamics.quantities import Quantity
+from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.dynamics.generation.emitters.scalar_python import scalar_function
+from kindsl.mechanics.dynamics.generation.function import Function, Result, inputs_of
+from kindsl.mechanics.dynamics.generation.functions import QUANTITIES, QuantityCode
+from kindsl.mechanics.dynamics.generation.robot import robot_of
+from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar, Term
+from kindsl.mechanics.dynamics.generation.trace import Conditions, Trace, trace
+from kindsl.mechanics.dynamics.generation.tree import tree_of
+from kindsl.mechanics.dynamics.quantities import Quantity
 
 RECORDED = Path(__file__).parent / "recorded" / "code.txt"
 # A fixed and a floating base, both with branches and both kinds of joints.

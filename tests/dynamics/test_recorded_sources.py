@@ -9,19 +9,25 @@ from pathlib import Path
 import pytest
 from tests.support.recorded import assert_as_recorded
 
-from kindsl.dynamics.generation.emitters import c
-from kindsl.dynamics.generation.emitters.c import CArray, CBody, Dialect, c_definition, literal
-from kindsl.dynamics.generation.emitters.numpy_rows import batch_source
-from kindsl.dynamics.generation.emitters.python_lines import python_function
-from kindsl.dynamics.generation.emitters.scalar_python import scalar_source
-from kindsl.dynamics.generation.emitters.straight_line import (
+from kindsl.mechanics.dynamics.generation.emitters import c
+from kindsl.mechanics.dynamics.generation.emitters.c import (
+    CArray,
+    CBody,
+    Dialect,
+    c_definition,
+    literal,
+)
+from kindsl.mechanics.dynamics.generation.emitters.numpy_rows import batch_source
+from kindsl.mechanics.dynamics.generation.emitters.python_lines import python_function
+from kindsl.mechanics.dynamics.generation.emitters.scalar_python import scalar_source
+from kindsl.mechanics.dynamics.generation.emitters.straight_line import (
     computed,
     cut,
     operations,
     setup_nodes,
 )
-from kindsl.dynamics.generation.terms import Graph, Scalar, cosine_and_sine
-from kindsl.dynamics.generation.trace import Trace
+from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar, cosine_and_sine
+from kindsl.mechanics.dynamics.generation.trace import Trace
 
 RECORDED = Path(__file__).parent / "recorded" / "sources.txt"
 DOUBLE, FLOAT = Dialect("double", ""), Dialect("float", "f", "NOINLINE ", "wide({})")

@@ -10,8 +10,8 @@ from tests.support.documents import REFERENCE
 from tests.support.published import CORPUS, published
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.dynamics.evaluation.mechanics import Mechanics
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 
 # The reference was computed in double precision, RobCoGen's code in single.
 TOLERANCE = 1e-9

@@ -6,19 +6,19 @@ import numpy as np
 import pytest
 from tests.codegen.robots import bodies_of_seed
 
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.dynamics.generation.emitters.numbers import evaluate
-from kindsl.dynamics.generation.function import Function, Inputs, inputs_of
-from kindsl.dynamics.generation.jacobians import body_poses as recorded_poses
-from kindsl.dynamics.generation.jacobians import feet, jacobian_relative_to_base
-from kindsl.dynamics.generation.relative_frames import (
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanics.dynamics.generation.emitters.numbers import evaluate
+from kindsl.mechanics.dynamics.generation.function import Function, Inputs, inputs_of
+from kindsl.mechanics.dynamics.generation.jacobians import body_poses as recorded_poses
+from kindsl.mechanics.dynamics.generation.jacobians import feet, jacobian_relative_to_base
+from kindsl.mechanics.dynamics.generation.relative_frames import (
     between,
     relative_jacobians,
     relative_poses,
 )
-from kindsl.dynamics.generation.robot import PlacedFrame, Robot, robot_of
-from kindsl.dynamics.generation.terms import Term, needed
-from kindsl.spatial.arrays import Array
+from kindsl.mechanics.dynamics.generation.robot import PlacedFrame, Robot, robot_of
+from kindsl.mechanics.dynamics.generation.terms import Term, needed
+from kindsl.mechanics.spatial.arrays import Array
 
 STEP = 1e-6
 SEEDS = (4, 7, 12, 31)

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from tests.dynamics.random_bodies import random_bodies
 
-from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.dynamics.evaluation.singular import singular_inertia
-from kindsl.dynamics.quantities import SingularInertiaError
-from kindsl.rigid.joint_kind import JointKind
-from kindsl.spatial.arrays import Array
+from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanics.dynamics.evaluation.singular import singular_inertia
+from kindsl.mechanics.dynamics.quantities import SingularInertiaError
+from kindsl.mechanics.rigid.joint_kind import JointKind
+from kindsl.mechanics.spatial.arrays import Array
 
 METHODS = ("inverse_dynamics", "forward_dynamics", "forward_dynamics_derivatives")
 

@@ -6,20 +6,20 @@ import numpy as np
 import pytest
 from tests.dynamics.random_bodies import random_bodies
 
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.dynamics.generation.emitters.numbers import evaluate
-from kindsl.dynamics.generation.inverse_dynamics import actuated_base_inverse_dynamics
-from kindsl.dynamics.generation.mass_moments import MassMoments
-from kindsl.dynamics.generation.terms import Graph, Term
-from kindsl.dynamics.generation.tree import (
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanics.dynamics.generation.emitters.numbers import evaluate
+from kindsl.mechanics.dynamics.generation.inverse_dynamics import actuated_base_inverse_dynamics
+from kindsl.mechanics.dynamics.generation.mass_moments import MassMoments
+from kindsl.mechanics.dynamics.generation.terms import Graph, Term
+from kindsl.mechanics.dynamics.generation.tree import (
     ROUNDING,
     Tree,
     mass_distributions,
     masses_near_base,
     tree_of,
 )
-from kindsl.dynamics.generation.vectors import EYE
-from kindsl.rigid.joint_kind import JointKind
+from kindsl.mechanics.dynamics.generation.vectors import EYE
+from kindsl.mechanics.rigid.joint_kind import JointKind
 
 NEAR = 0.5 * ROUNDING
 

@@ -14,15 +14,15 @@ from tests.dynamics.random_bodies import tree_of_seed
 from tests.support.amount import usually
 from tests.support.differences import assert_close
 
-from kindsl.codegen.reference import Reference, independent_contacts, sample
-from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.dynamics.generation.emitters.numbers import evaluate
-from kindsl.dynamics.generation.function import inputs_of
-from kindsl.dynamics.generation.functions import QUANTITIES
-from kindsl.dynamics.generation.jacobians import feet
-from kindsl.dynamics.generation.robot import robot_of
-from kindsl.spatial.arrays import Array
+from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanics.dynamics.generation.emitters.numbers import evaluate
+from kindsl.mechanics.dynamics.generation.function import inputs_of
+from kindsl.mechanics.dynamics.generation.functions import QUANTITIES
+from kindsl.mechanics.dynamics.generation.jacobians import feet
+from kindsl.mechanics.dynamics.generation.robot import robot_of
+from kindsl.mechanics.spatial.arrays import Array
+from kindsl.products.codegen.reference import Reference, independent_contacts, sample
 
 SEEDS = range(0, 300, usually(5, thoroughly=1))
 # Code for long trees takes long to record.

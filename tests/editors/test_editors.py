@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 from tests.editors.terminal import running
 
-from kindsl.syntax.tables import KEYWORDS
+from kindsl.language.syntax.tables import KEYWORDS
 
 HERE = Path(__file__).parent
 EDITORS = HERE.parents[1] / "editors"
@@ -93,7 +93,9 @@ def prepared(folder: Path) -> dict[str, str]:
     (folder / "typed").write_text(TYPED)
     server = folder / "bin" / "kindsl-language-server"
     server.parent.mkdir()
-    server.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m kindsl.cli.language_server "$@"\n')
+    server.write_text(
+        f'#!/bin/sh\nexec "{sys.executable}" -m kindsl.frontends.cli.language_server "$@"\n'
+    )
     server.chmod(0o755)
     return {
         **os.environ,

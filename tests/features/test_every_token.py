@@ -5,12 +5,12 @@ from collections.abc import Iterator
 import pytest
 from tests.features.samples import ARM, BROKEN, PARAMETRIC
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.features.actions.code_actions import code_actions
-from kindsl.features.hover.hover import hover
-from kindsl.features.hover.keyword import keyword_hover
-from kindsl.features.symbol_at import named_places, symbol_at
-from kindsl.syntax.tree import Token
+from kindsl.frontends.features.actions.code_actions import code_actions
+from kindsl.frontends.features.hover.hover import hover
+from kindsl.frontends.features.hover.keyword import keyword_hover
+from kindsl.frontends.features.symbol_at import named_places, symbol_at
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.language.syntax.tree import Token
 
 SAMPLES = {"arm": ARM, "parametric": PARAMETRIC, "broken": BROKEN}
 

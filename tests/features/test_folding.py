@@ -3,8 +3,8 @@
 import pytest
 from tests.features.samples import ARM
 
-from kindsl.analysis.analysis import analyse
-from kindsl.features.folding import folds
+from kindsl.frontends.features.folding import folds
+from kindsl.judgement.analysis.analysis import analyse
 
 
 def folded(text, kind):

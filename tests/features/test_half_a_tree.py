@@ -1,8 +1,8 @@
 """What of a robot is in its tree and in the search, when the text is not whole."""
 
-from kindsl.analysis.analysis import analyse
-from kindsl.features.kinematic_outline import kinematic_outline
-from kindsl.features.workspace_symbols import workspace_symbols
+from kindsl.frontends.features.kinematic_outline import kinematic_outline
+from kindsl.frontends.features.workspace_symbols import workspace_symbols
+from kindsl.judgement.analysis.analysis import analyse
 
 
 def tree(text):

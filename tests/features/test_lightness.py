@@ -5,8 +5,9 @@ import sys
 
 SCRIPT = """
 import pkgutil, sys
-import kindsl.features
-found = [m.name for m in pkgutil.walk_packages(kindsl.features.__path__, "kindsl.features.")]
+import kindsl.frontends.features
+features = kindsl.frontends.features
+found = [m.name for m in pkgutil.walk_packages(features.__path__, f"{features.__name__}.")]
 for name in found:
     __import__(name)
 heavy = [m for m in ("numpy", "lark", "pygls", "lsprotocol", "tornado") if m in sys.modules]

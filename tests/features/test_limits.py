@@ -5,12 +5,12 @@ from math import pi
 import pytest
 from tests.support.cursor import at_cursor
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.features.completion.completion import completions
-from kindsl.features.document_symbols import DocumentSymbol
-from kindsl.features.hover.hover import hover
-from kindsl.features.kinematic_outline import kinematic_outline
-from kindsl.features.manipulation.written_value import fraction_of_pi
+from kindsl.frontends.features.completion.completion import completions
+from kindsl.frontends.features.document_symbols import DocumentSymbol
+from kindsl.frontends.features.hover.hover import hover
+from kindsl.frontends.features.kinematic_outline import kinematic_outline
+from kindsl.frontends.features.manipulation.written_value import fraction_of_pi
+from kindsl.judgement.analysis.analysis import Analysis, analyse
 
 
 def chain(n_links: int) -> Analysis:

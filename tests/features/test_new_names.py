@@ -4,16 +4,22 @@ import pytest
 from tests.features.samples import ARM, PARAMETRIC
 from tests.support.cursor import at_cursor
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.features.definition import bound_parameter, definitions
-from kindsl.features.linked_editing import linked_ranges
-from kindsl.features.references import references, uses
-from kindsl.features.rename import RenameRefusal, Renaming, objection, rename, rename_range
-from kindsl.features.symbol_at import EntityKind
-from kindsl.features.workspace_symbols import is_match, workspace_symbols
-from kindsl.semantics.parameters import Binding
-from kindsl.text.edits import apply_edits
+from kindsl.frontends.features.definition import bound_parameter, definitions
+from kindsl.frontends.features.linked_editing import linked_ranges
+from kindsl.frontends.features.references import references, uses
+from kindsl.frontends.features.rename import (
+    RenameRefusal,
+    Renaming,
+    objection,
+    rename,
+    rename_range,
+)
+from kindsl.frontends.features.symbol_at import EntityKind
+from kindsl.frontends.features.workspace_symbols import is_match, workspace_symbols
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
+from kindsl.language.text.edits import apply_edits
 
 VALUES = "r_joint j {{ ref_frame {{ translation = ({}) rotation = (0.0, 0.0, 0.0) }} }}"
 NONE: frozenset[str] = frozenset()

@@ -1,14 +1,14 @@
 from tests.features.samples import ARM, BROKEN, COMMENTED
 from tests.support.cursor import at_cursor
 
-from kindsl.analysis.analysis import analyse
-from kindsl.features.call_hierarchy import hierarchy_items, predecessors, successors
-from kindsl.features.document_links import document_links, links_in_text
-from kindsl.features.document_symbols import document_symbols
-from kindsl.features.folding import folds
-from kindsl.features.kinematic_outline import kinematic_outline
-from kindsl.features.selection_range import selection_ranges
-from kindsl.features.workspace_symbols import workspace_symbols
+from kindsl.frontends.features.call_hierarchy import hierarchy_items, predecessors, successors
+from kindsl.frontends.features.document_links import document_links, links_in_text
+from kindsl.frontends.features.document_symbols import document_symbols
+from kindsl.frontends.features.folding import folds
+from kindsl.frontends.features.kinematic_outline import kinematic_outline
+from kindsl.frontends.features.selection_range import selection_ranges
+from kindsl.frontends.features.workspace_symbols import workspace_symbols
+from kindsl.judgement.analysis.analysis import analyse
 
 
 def outline(symbols):

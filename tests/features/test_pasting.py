@@ -6,9 +6,9 @@ from tests.cad.test_reports import EXPECTED, REPORTS
 from tests.cad.test_sentences import ON_AXIS
 
 import kindsl
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.features.pasting import Pasting, pastings
-from kindsl.text.edits import apply_edits
+from kindsl.frontends.features.pasting import Pasting, pastings
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.language.text.edits import apply_edits
 
 NEW = "link hand {\n    id = 2\n    $0\n    children {}\n}\n"
 IN_LINES = {

@@ -5,12 +5,12 @@ from tests.features.samples import ARM, PARAMETRIC
 from tests.support.cursor import at_cursor
 from tests.support.published import published_models
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.features.code_lenses import code_lenses
-from kindsl.features.inlay_hints import ALL_HINTS, InlayHintOptions, inlay_hints
-from kindsl.features.signature_help import signature_help
-from kindsl.semantics.parameters import Binding
+from kindsl.frontends.features.code_lenses import code_lenses
+from kindsl.frontends.features.inlay_hints import ALL_HINTS, InlayHintOptions, inlay_hints
+from kindsl.frontends.features.signature_help import signature_help
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
 
 
 def hints(text, options=ALL_HINTS, bindings=None):

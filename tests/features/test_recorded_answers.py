@@ -11,29 +11,29 @@ import pytest
 from tests.features.samples import ARM, BROKEN, COMMENTED, PARAMETRIC, TANGLED
 from tests.support.recorded import Teller, assert_as_recorded
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.settings import Settings
-from kindsl.features.actions.code_actions import code_actions, fix_all_action
-from kindsl.features.call_hierarchy import hierarchy_items, predecessors, successors
-from kindsl.features.code_lenses import code_lenses
-from kindsl.features.completion.completion import completions, narrowed, suggestions
-from kindsl.features.definition import bound_parameter, definitions
-from kindsl.features.document_links import document_links
-from kindsl.features.document_symbols import document_symbols
-from kindsl.features.folding import folds
-from kindsl.features.highlight import highlights
-from kindsl.features.hover.hover import hover
-from kindsl.features.inlay_hints import ALL_HINTS, inlay_hints
-from kindsl.features.kinematic_outline import kinematic_outline
-from kindsl.features.linked_editing import linked_ranges
-from kindsl.features.references import references
-from kindsl.features.rename import rename, rename_range
-from kindsl.features.selection_range import selection_ranges
-from kindsl.features.semantic_tokens import semantic_tokens
-from kindsl.features.signature_help import signature_help
-from kindsl.features.workspace_symbols import workspace_symbols
-from kindsl.semantics.parameters import Binding
-from kindsl.text.span import Span
+from kindsl.frontends.features.actions.code_actions import code_actions, fix_all_action
+from kindsl.frontends.features.call_hierarchy import hierarchy_items, predecessors, successors
+from kindsl.frontends.features.code_lenses import code_lenses
+from kindsl.frontends.features.completion.completion import completions, narrowed, suggestions
+from kindsl.frontends.features.definition import bound_parameter, definitions
+from kindsl.frontends.features.document_links import document_links
+from kindsl.frontends.features.document_symbols import document_symbols
+from kindsl.frontends.features.folding import folds
+from kindsl.frontends.features.highlight import highlights
+from kindsl.frontends.features.hover.hover import hover
+from kindsl.frontends.features.inlay_hints import ALL_HINTS, inlay_hints
+from kindsl.frontends.features.kinematic_outline import kinematic_outline
+from kindsl.frontends.features.linked_editing import linked_ranges
+from kindsl.frontends.features.references import references
+from kindsl.frontends.features.rename import rename, rename_range
+from kindsl.frontends.features.selection_range import selection_ranges
+from kindsl.frontends.features.semantic_tokens import semantic_tokens
+from kindsl.frontends.features.signature_help import signature_help
+from kindsl.frontends.features.workspace_symbols import workspace_symbols
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
+from kindsl.language.text.span import Span
 
 FOLDER = Path(__file__).parent / "recorded"
 BOUND = Settings(

@@ -12,21 +12,21 @@ from tests.features.samples import ARM, PARAMETRIC, TANGLED
 from tests.support.recorded import Teller, assert_as_recorded
 from tests.support.robots import LIFT
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.settings import Settings
-from kindsl.features.actions.code_actions import refactorings
-from kindsl.features.completion.completion import completions, suggestions
-from kindsl.features.manipulation.add_child import add_child
-from kindsl.features.manipulation.add_frame import add_frame
-from kindsl.features.manipulation.handles import handles
-from kindsl.features.manipulation.mirror_leg import mirror_leg
-from kindsl.features.manipulation.pose_as_zero import pose_as_zero
-from kindsl.features.manipulation.set_component import ComponentChange, set_component
-from kindsl.features.manipulation.things import Thing, carrying_frame
-from kindsl.features.transforms_actions import transforms_actions
-from kindsl.features.transforms_completion import transforms_completions
-from kindsl.features.transforms_names import renamed_transforms
-from kindsl.semantics.parameters import Binding
+from kindsl.frontends.features.actions.code_actions import refactorings
+from kindsl.frontends.features.completion.completion import completions, suggestions
+from kindsl.frontends.features.manipulation.add_child import add_child
+from kindsl.frontends.features.manipulation.add_frame import add_frame
+from kindsl.frontends.features.manipulation.handles import handles
+from kindsl.frontends.features.manipulation.mirror_leg import mirror_leg
+from kindsl.frontends.features.manipulation.pose_as_zero import pose_as_zero
+from kindsl.frontends.features.manipulation.set_component import ComponentChange, set_component
+from kindsl.frontends.features.manipulation.things import Thing, carrying_frame
+from kindsl.frontends.features.transforms_actions import transforms_actions
+from kindsl.frontends.features.transforms_completion import transforms_completions
+from kindsl.frontends.features.transforms_names import renamed_transforms
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
 
 FOLDER = Path(__file__).parent / "recorded"
 INERTIA = "Ix=0.2 Iy=0.3 Iz=0.4 Ixy=0.01 Ixz=-0.02 Iyz=0.03"

@@ -2,11 +2,11 @@ import pytest
 from tests.features.samples import ARM, PARAMETRIC
 from tests.support.cursor import at_cursor
 
-from kindsl.analysis.settings import Settings
-from kindsl.features.linked_editing import linked_ranges
-from kindsl.features.rename import RenameRefusal, Renaming, rename, rename_range
-from kindsl.semantics.parameters import Binding
-from kindsl.text.edits import apply_edits
+from kindsl.frontends.features.linked_editing import linked_ranges
+from kindsl.frontends.features.rename import RenameRefusal, Renaming, rename, rename_range
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
+from kindsl.language.text.edits import apply_edits
 
 
 def renamed(marked, name, settings=None):

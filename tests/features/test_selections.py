@@ -3,11 +3,11 @@
 import pytest
 from tests.support.cursor import at_cursor
 
-from kindsl.analysis.analysis import analyse
-from kindsl.features.document_links import document_links, links_in_text
-from kindsl.features.selection_range import selection_ranges
-from kindsl.features.tree_path import is_word, token_at
-from kindsl.syntax.tree import Token
+from kindsl.frontends.features.document_links import document_links, links_in_text
+from kindsl.frontends.features.selection_range import selection_ranges
+from kindsl.frontends.features.tree_path import is_word, token_at
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.language.syntax.tree import Token
 
 TIP = "tip { translation = (1.0, -x/2.0, <k=3.0>) }"
 FRAME = f"frames {{ {TIP} }}"

@@ -3,7 +3,7 @@
 import pytest
 from tests.support.cursor import at_cursor
 
-from kindsl.features.signature_help import signature_help
+from kindsl.frontends.features.signature_help import signature_help
 
 FRAME = "link l { frames { f { "
 

@@ -7,30 +7,30 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.features.samples import ALL
 
-from kindsl.analysis.analysis import analyse
-from kindsl.features.actions.code_actions import code_actions, fix_all_action
-from kindsl.features.call_hierarchy import hierarchy_items, predecessors, successors
-from kindsl.features.code_lenses import code_lenses
-from kindsl.features.completion.completion import completions
-from kindsl.features.definition import bound_parameter, definitions
-from kindsl.features.document_links import document_links
-from kindsl.features.document_symbols import document_symbols, flat_symbols
-from kindsl.features.folding import folds
-from kindsl.features.highlight import highlights
-from kindsl.features.hover.hover import hover
-from kindsl.features.inlay_hints import ALL_HINTS, inlay_hints
-from kindsl.features.kinematic_outline import kinematic_outline
-from kindsl.features.linked_editing import linked_ranges
-from kindsl.features.references import references
-from kindsl.features.rename import Renaming, rename, rename_range
-from kindsl.features.selection_range import selection_ranges
-from kindsl.features.semantic_tokens import semantic_tokens
-from kindsl.features.signature_help import signature_help
-from kindsl.features.symbol_at import symbol_at
-from kindsl.features.tree_path import path_at, token_at
-from kindsl.features.workspace_symbols import workspace_symbols
-from kindsl.lsp.handlers.highlighting import MODIFIERS, TYPES
-from kindsl.text.edits import apply_edits
+from kindsl.frontends.features.actions.code_actions import code_actions, fix_all_action
+from kindsl.frontends.features.call_hierarchy import hierarchy_items, predecessors, successors
+from kindsl.frontends.features.code_lenses import code_lenses
+from kindsl.frontends.features.completion.completion import completions
+from kindsl.frontends.features.definition import bound_parameter, definitions
+from kindsl.frontends.features.document_links import document_links
+from kindsl.frontends.features.document_symbols import document_symbols, flat_symbols
+from kindsl.frontends.features.folding import folds
+from kindsl.frontends.features.highlight import highlights
+from kindsl.frontends.features.hover.hover import hover
+from kindsl.frontends.features.inlay_hints import ALL_HINTS, inlay_hints
+from kindsl.frontends.features.kinematic_outline import kinematic_outline
+from kindsl.frontends.features.linked_editing import linked_ranges
+from kindsl.frontends.features.references import references
+from kindsl.frontends.features.rename import Renaming, rename, rename_range
+from kindsl.frontends.features.selection_range import selection_ranges
+from kindsl.frontends.features.semantic_tokens import semantic_tokens
+from kindsl.frontends.features.signature_help import signature_help
+from kindsl.frontends.features.symbol_at import symbol_at
+from kindsl.frontends.features.tree_path import path_at, token_at
+from kindsl.frontends.features.workspace_symbols import workspace_symbols
+from kindsl.frontends.lsp.handlers.highlighting import MODIFIERS, TYPES
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.language.text.edits import apply_edits
 
 SMALL = (
     "Robot R{RobotBase b floating{inertia_params{mass=m[1.0] CoM=(0.0,<k=1.0>,-x/2.0)Ix=2.0*<k>"

@@ -7,17 +7,17 @@ from tests.support.documents import ROOT
 from tests.support.mechanisms import matrix
 from tests.support.models import Style, random_model
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.features.call_hierarchy import hierarchy_items, predecessors, successors
-from kindsl.features.code_lenses import code_lenses
-from kindsl.features.kinematic_outline import kinematic_outline
-from kindsl.features.subtree import subtree_of
-from kindsl.features.zero_configuration import body_pose, frame_pose, joint_pose, own_pose
-from kindsl.mechanism.drawable import drawable_skeleton
-from kindsl.mechanism.link_inertia import link_inertia
-from kindsl.mechanism.total_mass import Weight, own_mass
-from kindsl.rigid.body import principal_moments_about_com
-from kindsl.semantics.unknown import Unknown
+from kindsl.frontends.features.call_hierarchy import hierarchy_items, predecessors, successors
+from kindsl.frontends.features.code_lenses import code_lenses
+from kindsl.frontends.features.kinematic_outline import kinematic_outline
+from kindsl.frontends.features.subtree import subtree_of
+from kindsl.frontends.features.zero_configuration import body_pose, frame_pose, joint_pose, own_pose
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.language.semantics.unknown import Unknown
+from kindsl.mechanics.rigid.body import principal_moments_about_com
+from kindsl.robots.mechanism.drawable import drawable_skeleton
+from kindsl.robots.mechanism.link_inertia import link_inertia
+from kindsl.robots.mechanism.total_mass import Weight, own_mass
 
 QUADRUPED = (ROOT / "examples" / "quadruped.kindsl").read_text()
 MOMENTS = "Ix=1.0 Iy=2.0 Iz=3.0 Ixy=0.0 Ixz=0.0 Iyz=0.0"

@@ -15,18 +15,18 @@ from tests.support.models import LAYOUTS, Style, random_model
 from tests.support.spoilt import spoilt_robot
 from tests.support.walkers import walker
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.proof import EditEffect, effect
-from kindsl.features.actions.code_actions import refactorings
-from kindsl.features.manipulation.add_child import add_child
-from kindsl.features.manipulation.add_frame import add_frame
-from kindsl.features.manipulation.gesture import Gesture
-from kindsl.features.manipulation.mirror_leg import mirror_leg
-from kindsl.features.manipulation.pose_as_zero import pose_as_zero
-from kindsl.features.manipulation.set_component import ComponentChange, set_component
-from kindsl.features.manipulation.things import Thing
-from kindsl.formatting.format import FormattingRefusedError, format_document
-from kindsl.text.edits import TextEdit
+from kindsl.frontends.features.actions.code_actions import refactorings
+from kindsl.frontends.features.manipulation.add_child import add_child
+from kindsl.frontends.features.manipulation.add_frame import add_frame
+from kindsl.frontends.features.manipulation.gesture import Gesture
+from kindsl.frontends.features.manipulation.mirror_leg import mirror_leg
+from kindsl.frontends.features.manipulation.pose_as_zero import pose_as_zero
+from kindsl.frontends.features.manipulation.set_component import ComponentChange, set_component
+from kindsl.frontends.features.manipulation.things import Thing
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.proof import EditEffect, effect
+from kindsl.language.formatting.format import FormattingRefusedError, format_document
+from kindsl.language.text.edits import TextEdit
 
 PARTS = range(5)
 # What an action may do to numbers, by the beginning of its title: a pattern of all that changes.

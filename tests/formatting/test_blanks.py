@@ -5,7 +5,7 @@ import re
 import pytest
 from tests.formatting.test_format import FORMATTED, comments, formatted, tokens
 
-from kindsl.syntax.document import parse
+from kindsl.language.syntax.document import parse
 
 ENDS = sorted(
     start + token.end

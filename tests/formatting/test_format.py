@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 from tests.support.documents import SOUND_EXAMPLES, sound_documents
 
-from kindsl.formatting.format import FormattingRefusedError, format_document, format_range
-from kindsl.syntax.document import SyntaxDocument, parse
-from kindsl.text.edits import apply_edits
-from kindsl.text.span import Span
+from kindsl.language.formatting.format import FormattingRefusedError, format_document, format_range
+from kindsl.language.syntax.document import SyntaxDocument, parse
+from kindsl.language.text.edits import apply_edits
+from kindsl.language.text.span import Span
 
 ROOT = Path(__file__).parents[2]
 

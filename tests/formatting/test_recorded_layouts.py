@@ -10,9 +10,9 @@ from pathlib import Path
 
 from tests.support.recorded import assert_as_recorded
 
-from kindsl.formatting.format import format_document
-from kindsl.syntax.document import parse
-from kindsl.text.edits import apply_edits
+from kindsl.language.formatting.format import format_document
+from kindsl.language.syntax.document import parse
+from kindsl.language.text.edits import apply_edits
 
 RECORDED = Path(__file__).parent / "recorded" / "layouts.txt"
 PUT_BETWEEN = ("/* c */", "// c\n", "\n/* c */\n", "\n/* c */ ", "\n\n// c\n", "\n", "\n\n\n")

@@ -2,9 +2,9 @@
 
 from collections.abc import Callable
 
-from kindsl.analysis.analysis import analyse
-from kindsl.interchange.format import FormatError, ReadRobot
-from kindsl.interchange.kindsl_writing import kindsl_text
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.robots.interchange.format import FormatError, ReadRobot
+from kindsl.robots.interchange.kindsl_writing import kindsl_text
 
 
 def check_reading(read: Callable[[bool], ReadRobot]) -> None:

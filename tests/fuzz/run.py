@@ -21,14 +21,14 @@ FOUND = FOLDER.parents[1] / "artifacts" / "fuzz"
 _SERVER = FOLDER.parents[1] / "server"
 # Of quick targets, what their inputs are meant to reach: to be watched takes most time.
 _WATCHED = {
-    "document": ("kindsl.syntax.", "kindsl.rules.checks."),
-    "page": ("kindsl.preview.", "kindsl.features.manipulation."),
+    "document": ("kindsl.language.syntax.", "kindsl.judgement.rules.checks."),
+    "page": ("kindsl.preview.", "kindsl.frontends.features.manipulation."),
 }
 # Not watched: how the parser looks for a repair says little of an input, and takes most time.
 _SEARCH = (
-    "kindsl.syntax.automaton",
-    "kindsl.syntax.recovery.preferences",
-    "kindsl.syntax.recovery.repair",
+    "kindsl.language.syntax.automaton",
+    "kindsl.language.syntax.recovery.preferences",
+    "kindsl.language.syntax.recovery.repair",
 )
 _LONGEST, _MOST_BYTES = {"document": 64}, 4096
 _SECONDS_AN_INPUT = 20

@@ -3,7 +3,7 @@
 import numpy as np
 import pinocchio
 
-from kindsl.spatial.arrays import Array
+from kindsl.mechanics.spatial.arrays import Array
 
 
 def configuration(model: pinocchio.Model, values: dict[str, float]) -> Array:

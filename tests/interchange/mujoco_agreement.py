@@ -6,8 +6,8 @@ from typing import Any, NamedTuple
 import mujoco
 import numpy as np
 
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.spatial.arrays import Array
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanics.spatial.arrays import Array
 
 GRAVITY = np.array([0.0, 0.0, -9.81])
 

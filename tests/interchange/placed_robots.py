@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from kindsl.spatial.arrays import Array
+from kindsl.mechanics.spatial.arrays import Array
 
 RootKind = Literal["placed", "floating", "on joints"]
 

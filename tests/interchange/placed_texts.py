@@ -10,7 +10,7 @@ from tests.interchange.placed_robots import (
     random_pose,
 )
 
-from kindsl.spatial.arrays import Array
+from kindsl.mechanics.spatial.arrays import Array
 
 Bodies = Sequence[PlacedBody]
 WORLD = np.eye(4)

@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from kindsl.interchange.robot_description import (
+from kindsl.mechanics.rigid.body import MassDistribution
+from kindsl.mechanics.rigid.pose import RigidPose, pose_from
+from kindsl.mechanics.spatial.inertia import point_inertia
+from kindsl.robots.interchange.robot_description import (
     DescribedFrame,
     DescribedLink,
     RobotDescription,
 )
-from kindsl.rigid.body import MassDistribution
-from kindsl.rigid.pose import RigidPose, pose_from
-from kindsl.spatial.inertia import point_inertia
 
 
 def random_robot(seed: int) -> RobotDescription:

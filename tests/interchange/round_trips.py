@@ -6,11 +6,11 @@ from pathlib import Path
 import numpy as np
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.interchange.format import AS_WRITTEN, ORDINARY, Format, ReadRobot
-from kindsl.interchange.kindsl_writing import kindsl_text
-from kindsl.mechanism.bodies import skeleton_of_bodies
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.robots.interchange.format import AS_WRITTEN, ORDINARY, Format, ReadRobot
+from kindsl.robots.interchange.kindsl_writing import kindsl_text
+from kindsl.robots.mechanism.bodies import skeleton_of_bodies
 
 
 def mechanism_of(text: str) -> Mechanics:

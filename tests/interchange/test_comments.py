@@ -1,8 +1,8 @@
 """Comments of a URDF that stay with what they are on."""
 
-from kindsl.analysis.analysis import analyse
-from kindsl.interchange.kindsl_writing import kindsl_text
-from kindsl.interchange.urdf.urdf_reading import robot_of_urdf
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.robots.interchange.kindsl_writing import kindsl_text
+from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
 
 URDF = """<?xml version="1.0"?>
 <!-- ===================================== -->

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 import kindsl
-from kindsl.cli.main import main
-from kindsl.interchange.descriptions import ReadDescription, read_description, read_foreign
-from kindsl.interchange.format import FormatError
-from kindsl.interchange.registry import all_formats
-from kindsl.rigid.body import NO_BODY
+from kindsl.frontends.cli.main import main
+from kindsl.mechanics.rigid.body import NO_BODY
+from kindsl.robots.interchange.descriptions import ReadDescription, read_description, read_foreign
+from kindsl.robots.interchange.format import FormatError
+from kindsl.robots.interchange.registry import all_formats
 
 DOCUMENTS = Path(__file__).parent / "documents"
 OPEN, TELLING = ("floating.sdf", "legged.urdf"), ("fixed.xml", "floating.xml")

@@ -8,11 +8,11 @@ import pytest
 from tests.interchange.round_trips import read
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.interchange.format import ORDINARY, FormatError, WritingChoices
-from kindsl.interchange.mjcf import writing
-from kindsl.interchange.registry import format_named
-from kindsl.semantics.parameters import JointProperties
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import JointProperties
+from kindsl.robots.interchange.format import ORDINARY, FormatError, WritingChoices
+from kindsl.robots.interchange.mjcf import writing
+from kindsl.robots.interchange.registry import format_named
 
 BODY = "inertia_params { mass = 2.0 CoM = (0.0, 0.0, 0.0) Ix = 0.1 Iy = 0.2 Iz = 0.2 "
 BODY += "Ixy = 0.0 Ixz = 0.0 Iyz = 0.0 }"

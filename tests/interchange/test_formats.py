@@ -14,15 +14,15 @@ from tests.interchange.round_trips import gaps, mechanism_of, read, written, wri
 from tests.support.published import published_models
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.interchange.descriptions import read_description
-from kindsl.interchange.format import ORDINARY, Format, FormatError, WritingChoices
-from kindsl.interchange.kindsl_writing import kindsl_text
-from kindsl.interchange.registry import all_formats, format_named, format_of_suffix
-from kindsl.interchange.repairing import repaired
-from kindsl.mechanism.bodies import skeleton_of_bodies
-from kindsl.mechanism.errors import ModelError, UnboundParameterError
-from kindsl.semantics.parameters import JointProperties
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import JointProperties
+from kindsl.robots.interchange.descriptions import read_description
+from kindsl.robots.interchange.format import ORDINARY, Format, FormatError, WritingChoices
+from kindsl.robots.interchange.kindsl_writing import kindsl_text
+from kindsl.robots.interchange.registry import all_formats, format_named, format_of_suffix
+from kindsl.robots.interchange.repairing import repaired
+from kindsl.robots.mechanism.bodies import skeleton_of_bodies
+from kindsl.robots.mechanism.errors import ModelError, UnboundParameterError
 
 TOLERANCE = 1e-9
 BOTH_WAYS = [format for format in all_formats() if format.read and format.write]

@@ -6,8 +6,8 @@ import pytest
 from tests.interchange.round_trips import read
 
 import kindsl
-from kindsl.interchange.kindsl_writing import written_kindsl
-from kindsl.interchange.registry import format_named
+from kindsl.robots.interchange.kindsl_writing import written_kindsl
+from kindsl.robots.interchange.registry import format_named
 
 MJCF = """<mujoco model="m"><option/><worldbody><body name="torso"><!---->
 <inertial pos="0 0 0" mass="2" diaginertia="0.1 0.2 0.2"/>

@@ -15,12 +15,12 @@ from tests.interchange.round_trips import gaps, mechanism_of, read, written_and_
 from tests.support.amount import usually
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.interchange.kindsl_writing import kindsl_text
-from kindsl.interchange.registry import format_named
-from kindsl.interchange.robot_description import RobotDescription
-from kindsl.mechanism.bodies import skeleton_of_bodies
-from kindsl.rigid.body import MassDistribution
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.mechanics.rigid.body import MassDistribution
+from kindsl.robots.interchange.kindsl_writing import kindsl_text
+from kindsl.robots.interchange.registry import format_named
+from kindsl.robots.interchange.robot_description import RobotDescription
+from kindsl.robots.mechanism.bodies import skeleton_of_bodies
 
 TOLERANCE = 1e-9
 SEEDS = range(usually(8, 300))

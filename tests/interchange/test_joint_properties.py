@@ -6,10 +6,10 @@ import pytest
 from tests.interchange.round_trips import read
 
 import kindsl
-from kindsl.cli.main import main
-from kindsl.interchange.format import AS_WRITTEN, WritingChoices
-from kindsl.interchange.registry import format_named
-from kindsl.semantics.parameters import JointProperties
+from kindsl.frontends.cli.main import main
+from kindsl.language.semantics.parameters import JointProperties
+from kindsl.robots.interchange.format import AS_WRITTEN, WritingChoices
+from kindsl.robots.interchange.registry import format_named
 
 URDF = """<robot name="arm"><link name="base"/><link name="upper"/><link name="lower"/>
 <link name="wheel"/>

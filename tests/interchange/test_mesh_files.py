@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from kindsl.interchange import mesh_files
-from kindsl.interchange.mesh_files import MeshFile, mesh_file, package_of
-from kindsl.interchange.urdf.visuals import visuals_of_urdf
+from kindsl.robots.interchange import mesh_files
+from kindsl.robots.interchange.mesh_files import MeshFile, mesh_file, package_of
+from kindsl.robots.interchange.urdf.visuals import visuals_of_urdf
 
 
 @pytest.fixture

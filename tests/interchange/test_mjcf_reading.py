@@ -12,11 +12,11 @@ from tests.interchange.mujoco_agreement import gap
 from tests.interchange.round_trips import mechanism_of, read
 from tests.support.urdf_mutants import mutant
 
-from kindsl.interchange.format import FormatError, ReadRobot
-from kindsl.interchange.kindsl_writing import kindsl_text, written_kindsl
-from kindsl.interchange.mjcf.mjcf_reading import read_mjcf
-from kindsl.interchange.registry import format_named
-from kindsl.semantics.parameters import JointProperties
+from kindsl.language.semantics.parameters import JointProperties
+from kindsl.robots.interchange.format import FormatError, ReadRobot
+from kindsl.robots.interchange.kindsl_writing import kindsl_text, written_kindsl
+from kindsl.robots.interchange.mjcf.mjcf_reading import read_mjcf
+from kindsl.robots.interchange.registry import format_named
 
 BODY = '<inertial pos="0.1 0 0" mass="2" fullinertia="0.1 0.2 0.2 0.01 0 0"/>'
 ARM = f"""<mujoco model="arm"><worldbody><body name="base">

@@ -9,8 +9,8 @@ import pytest
 from tests.interchange.mujoco_agreement import gap_of_imported
 from tests.interchange.round_trips import mechanism_of, read
 
-from kindsl.interchange.kindsl_writing import kindsl_text
-from kindsl.interchange.registry import format_named
+from kindsl.robots.interchange.kindsl_writing import kindsl_text
+from kindsl.robots.interchange.registry import format_named
 
 ARM = """<mujoco model="arm"><compiler/><default/><asset/>
 <worldbody><geom type="box" size="1 1 1" mass="50"/><site name="mark" pos="1 2 3" euler="9 8 7"/>

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 from tests.support.urdf_mutants import mutant
 
-from kindsl.interchange.kindsl_writing import kindsl_text
-from kindsl.interchange.urdf.urdf_reading import UrdfError, read_urdf
+from kindsl.robots.interchange.kindsl_writing import kindsl_text
+from kindsl.robots.interchange.urdf.urdf_reading import UrdfError, read_urdf
 
 LINK = '<link name="{}"><inertial><mass value="1.0"/><inertia ixx="0.1" iyy="0.1" izz="0.1"'
 LINK += ' ixy="0" ixz="0" iyz="0"/></inertial></link>\n'

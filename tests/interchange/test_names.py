@@ -4,15 +4,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.interchange.format import ReadRobot
-from kindsl.interchange.kindsl_writing import kindsl_text, written_kindsl
-from kindsl.interchange.robot_description import (
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
+from kindsl.robots.interchange.format import ReadRobot
+from kindsl.robots.interchange.kindsl_writing import kindsl_text, written_kindsl
+from kindsl.robots.interchange.robot_description import (
     DescribedFrame,
     DescribedLink,
     RobotDescription,
 )
-from kindsl.rigid.pose import IDENTITY, RigidPose
 
 WORDS = ["arm", "Arm", "fr_arm", "arm_link", "arm_joint", "arm_frame", "arm_robot", "arm_2", "link"]
 WORDS += ["union", "end", "floating", "2nd", "a b", "a-b", "é", "", "_", "world", "id", "PI"]

@@ -5,10 +5,10 @@ from pathlib import Path
 import pytest
 from tests.interchange.round_trips import read
 
-from kindsl.comparison.written import TextPlace
-from kindsl.interchange.descriptions import read_description
-from kindsl.interchange.format import AS_WRITTEN
-from kindsl.interchange.registry import format_named, format_of_suffix
+from kindsl.robots.comparison.written import TextPlace
+from kindsl.robots.interchange.descriptions import read_description
+from kindsl.robots.interchange.format import AS_WRITTEN
+from kindsl.robots.interchange.registry import format_named, format_of_suffix
 
 DOCUMENTS = Path(__file__).parent / "documents"
 

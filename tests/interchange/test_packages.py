@@ -5,11 +5,11 @@ from pathlib import Path
 
 import pytest
 
-from kindsl.interchange.format import FormatError, ReadingChoices
-from kindsl.interchange.registry import format_named
-from kindsl.interchange.sdf import including
-from kindsl.interchange.xacro import packages
-from kindsl.interchange.xacro.packages import package_folder
+from kindsl.robots.interchange.format import FormatError, ReadingChoices
+from kindsl.robots.interchange.registry import format_named
+from kindsl.robots.interchange.sdf import including
+from kindsl.robots.interchange.xacro import packages
+from kindsl.robots.interchange.xacro.packages import package_folder
 
 
 def package(folder: Path, manifest: str = "<package/>") -> Path:

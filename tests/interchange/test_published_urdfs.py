@@ -9,9 +9,9 @@ import pytest
 from tests.interchange.configurations import configuration, velocity_order
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.interchange.kindsl_writing import kindsl_text
-from kindsl.interchange.urdf.urdf_reading import UrdfError, read_urdf
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.robots.interchange.kindsl_writing import kindsl_text
+from kindsl.robots.interchange.urdf.urdf_reading import UrdfError, read_urdf
 
 URDFS = sorted(
     Path(str(file.locate())) for file in files("example-robot-data") or () if file.suffix == ".urdf"

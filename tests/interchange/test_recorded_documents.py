@@ -12,14 +12,14 @@ import pytest
 from tests.support.recorded import assert_as_recorded
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.comparison.written import TextPlace, WrittenNumber
-from kindsl.interchange.descriptions import ReadDescription, read_description
-from kindsl.interchange.format import AS_WRITTEN, ORDINARY, ReadRobot, WritingChoices
-from kindsl.interchange.kindsl_writing import written_kindsl
-from kindsl.interchange.registry import format_named, format_of_suffix
-from kindsl.rigid.pose import RigidPose
-from kindsl.semantics.parameters import JointProperties
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import JointProperties
+from kindsl.mechanics.rigid.pose import RigidPose
+from kindsl.robots.comparison.written import TextPlace, WrittenNumber
+from kindsl.robots.interchange.descriptions import ReadDescription, read_description
+from kindsl.robots.interchange.format import AS_WRITTEN, ORDINARY, ReadRobot, WritingChoices
+from kindsl.robots.interchange.kindsl_writing import written_kindsl
+from kindsl.robots.interchange.registry import format_named, format_of_suffix
 
 DOCUMENTS = Path(__file__).parent / "documents"
 FORMATS = (".sdf", ".urdf", ".xml")

@@ -4,11 +4,11 @@ from math import inf, nan
 
 import pytest
 
-from kindsl.interchange.format import FormatError
-from kindsl.interchange.rigid_links import RigidLink, described
-from kindsl.interchange.robot_description import DescribedFrame
-from kindsl.rigid.body import MassDistribution
-from kindsl.rigid.pose import IDENTITY
+from kindsl.mechanics.rigid.body import MassDistribution
+from kindsl.mechanics.rigid.pose import IDENTITY
+from kindsl.robots.interchange.format import FormatError
+from kindsl.robots.interchange.rigid_links import RigidLink, described
+from kindsl.robots.interchange.robot_description import DescribedFrame
 
 MOMENTS = (1.0, 1.0, 1.0, 0.0, 0.0)
 

@@ -11,12 +11,12 @@ from tests.interchange.random_robots import random_robot
 from tests.interchange.round_trips import mechanism_of, written
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.interchange.kindsl_writing import kindsl_text
-from kindsl.interchange.registry import format_named
-from kindsl.interchange.urdf.urdf_reading import UrdfError, read_urdf
-from kindsl.spatial.arrays import Array
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanics.spatial.arrays import Array
+from kindsl.robots.interchange.kindsl_writing import kindsl_text
+from kindsl.robots.interchange.registry import format_named
+from kindsl.robots.interchange.urdf.urdf_reading import UrdfError, read_urdf
 
 TOLERANCE = 1e-9  # what the issue of a round trip promises, absolute, at dimensions near one
 SEEDS = range(200)

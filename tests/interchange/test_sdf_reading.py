@@ -9,10 +9,10 @@ import pytest
 from tests.interchange.round_trips import mechanism_of, read
 from tests.support.urdf_mutants import mutant
 
-from kindsl.interchange.format import AS_WRITTEN, FormatError, ReadingChoices, ReadRobot
-from kindsl.interchange.kindsl_writing import kindsl_text
-from kindsl.interchange.registry import format_named
-from kindsl.semantics.parameters import UNTOLD
+from kindsl.language.semantics.parameters import UNTOLD
+from kindsl.robots.interchange.format import AS_WRITTEN, FormatError, ReadingChoices, ReadRobot
+from kindsl.robots.interchange.kindsl_writing import kindsl_text
+from kindsl.robots.interchange.registry import format_named
 
 MASS = "<inertial><pose>0.1 0 0 0 0 0</pose><mass>2</mass><inertia><ixx>0.1</ixx><iyy>0.2</iyy>"
 MASS += "<izz>0.2</izz><ixy>0.01</ixy></inertia></inertial>"

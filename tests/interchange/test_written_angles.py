@@ -5,12 +5,12 @@ from math import pi
 
 import pytest
 
-from kindsl.interchange.kindsl_writing import inertia_texts, joint_text, kindsl_text
-from kindsl.interchange.robot_description import DescribedLink
-from kindsl.interchange.sdf.sdf_reading import robot_of_sdf
-from kindsl.interchange.urdf.urdf_reading import robot_of_urdf
-from kindsl.rigid.body import MassDistribution
-from kindsl.rigid.pose import pose_from
+from kindsl.mechanics.rigid.body import MassDistribution
+from kindsl.mechanics.rigid.pose import pose_from
+from kindsl.robots.interchange.kindsl_writing import inertia_texts, joint_text, kindsl_text
+from kindsl.robots.interchange.robot_description import DescribedLink
+from kindsl.robots.interchange.sdf.sdf_reading import robot_of_sdf
+from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
 
 URDF = """<robot name="arm"><link name="base"/><link name="upper"/><link name="camera"/>
 <joint name="shoulder" type="revolute"><parent link="base"/><child link="upper"/>

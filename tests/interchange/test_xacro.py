@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 from tests.interchange.round_trips import gaps, mechanism_of
 
-from kindsl.cli.main import main
-from kindsl.interchange.format import AS_WRITTEN, FormatError, ReadingChoices
-from kindsl.interchange.kindsl_writing import kindsl_text
-from kindsl.interchange.registry import format_named
-from kindsl.interchange.urdf.urdf_reading import robot_of_urdf
-from kindsl.interchange.xacro.expansion import expanded
-from kindsl.interchange.xacro.packages import package_folder
+from kindsl.frontends.cli.main import main
+from kindsl.robots.interchange.format import AS_WRITTEN, FormatError, ReadingChoices
+from kindsl.robots.interchange.kindsl_writing import kindsl_text
+from kindsl.robots.interchange.registry import format_named
+from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
+from kindsl.robots.interchange.xacro.expansion import expanded
+from kindsl.robots.interchange.xacro.packages import package_folder
 
 HEAD = '<?xml version="1.0"?>\n<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="leg">'
 MACROS = f"""{HEAD}

@@ -2,9 +2,9 @@
 
 import pytest
 
-from kindsl.interchange import xml_reading
-from kindsl.interchange.urdf.urdf_reading import UrdfError, robot_of_urdf
-from kindsl.interchange.xml_reading import XmlError, finite_number, parsed_xml
+from kindsl.robots.interchange import xml_reading
+from kindsl.robots.interchange.urdf.urdf_reading import UrdfError, robot_of_urdf
+from kindsl.robots.interchange.xml_reading import XmlError, finite_number, parsed_xml
 
 ROBOT = '<robot name="é">\n<link name="a"/><!-- a\n b --><link\n name="b"/>\n</robot>'
 

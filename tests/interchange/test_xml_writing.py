@@ -2,7 +2,7 @@
 
 import pytest
 
-from kindsl.interchange.xml_writing import numbers
+from kindsl.robots.interchange.xml_writing import numbers
 
 
 @pytest.mark.parametrize(

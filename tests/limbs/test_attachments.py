@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import pytest
 
-from kindsl.limbs.attachments import Attachment, LimbNames
+from kindsl.robots.limbs.attachments import Attachment, LimbNames
 
 LEGS = ("LF", "RF", "LH", "RH")
 

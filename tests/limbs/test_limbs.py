@@ -8,9 +8,9 @@ from tests.support.amount import usually
 from tests.support.bodies import significant
 from tests.support.legged import COPIED, REFLECTED, Legs, Walker
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.text.edits import apply_edits
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.language.text.edits import apply_edits
 
 LIMB_CODES = ("KD208", "KD209", "KD210", "KD509", "KD510")
 JOINT = re.compile(r"r_joint (\w+) \{ ref_frame \{ translation = \((.*?)\) rotation = \((.*?)\) ")

@@ -4,10 +4,10 @@ import asyncio
 import sys
 import threading
 
-from kindsl.lsp.run import serve_stdio
-from kindsl.lsp.server import KindslLanguageServer
-from kindsl.lsp.session import progress as progress_module
-from kindsl.lsp.session.progress import Progress
+from kindsl.frontends.lsp.run import serve_stdio
+from kindsl.frontends.lsp.server import KindslLanguageServer
+from kindsl.frontends.lsp.session import progress as progress_module
+from kindsl.frontends.lsp.session.progress import Progress
 
 
 class Clock:

@@ -10,10 +10,10 @@ from typing import Any
 from lsprotocol import types
 from pygls.exceptions import JsonRpcException
 
-from kindsl.lsp.server import KindslLanguageServer
-from kindsl.lsp.session.session import Session
-from kindsl.lsp.text.document import Document
-from kindsl.lsp.wire.client import Client
+from kindsl.frontends.lsp.server import KindslLanguageServer
+from kindsl.frontends.lsp.session.session import Session
+from kindsl.frontends.lsp.text.document import Document
+from kindsl.frontends.lsp.wire.client import Client
 
 
 class Told:

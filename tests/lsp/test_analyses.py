@@ -9,14 +9,14 @@ from collections.abc import Callable, Iterator
 import pytest
 from lsprotocol import types
 
-from kindsl.analysis import analysis
-from kindsl.lsp.session.analyses import Analyses
-from kindsl.lsp.session.worker import Urgency, Worker
-from kindsl.lsp.session.workspace import Workspace
-from kindsl.lsp.text.document import document
-from kindsl.rules.base import Finding, Rule, Severity
-from kindsl.rules.registry import checking_rules
-from kindsl.semantics.aspects import Aspect
+from kindsl.frontends.lsp.session.analyses import Analyses
+from kindsl.frontends.lsp.session.worker import Urgency, Worker
+from kindsl.frontends.lsp.session.workspace import Workspace
+from kindsl.frontends.lsp.text.document import document
+from kindsl.judgement.analysis import analysis
+from kindsl.judgement.rules.base import Finding, Rule, Severity
+from kindsl.judgement.rules.registry import checking_rules
+from kindsl.language.semantics.aspects import Aspect
 
 TEXT = "Robot R {\nRobotBase base { children { one via first } }\n}\n"
 

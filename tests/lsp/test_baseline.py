@@ -6,7 +6,7 @@ from tests.lsp.test_configuration_files import Files, files, told
 from tests.lsp.test_workspace import UNBOUND, client, folder, roots
 from tests.support.lsp import ready_client
 
-from kindsl.cli import lint
+from kindsl.frontends.cli import lint
 
 __all__ = ["client", "files", "folder"]
 

@@ -10,12 +10,12 @@ from lsprotocol import types
 from tests.lsp.test_workspace import ROBOT, roots
 from tests.support.lsp import RawClient, ready_client
 
-from kindsl.analysis.analysis import Analysis
-from kindsl.config.discovery import Configurations
-from kindsl.lsp.text import uris
-from kindsl.lsp.text.document import Document, document
-from kindsl.syntax.document import parse
-from kindsl.text.edits import TextEdit, apply_edits
+from kindsl.frontends.lsp.text import uris
+from kindsl.frontends.lsp.text.document import Document, document
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.judgement.config.discovery import Configurations
+from kindsl.language.syntax.document import parse
+from kindsl.language.text.edits import TextEdit, apply_edits
 
 MAKES = {
     "workspace": {"workspaceEdit": {"documentChanges": True, "resourceOperations": ["create"]}}

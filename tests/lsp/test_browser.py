@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from kindsl.analysis.analysis import analyse
-from kindsl.lsp.browser import PREVIEW_MESSAGES, PREVIEW_REQUEST, start
+from kindsl.frontends.lsp.browser import PREVIEW_MESSAGES, PREVIEW_REQUEST, start
+from kindsl.judgement.analysis.analysis import analyse
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 URI = "file:///arm.kindsl"
@@ -219,8 +219,11 @@ async def test_a_urdf_for_download_has_the_limits_of_the_configuration(client, t
 def test_it_needs_nothing_that_a_browser_lacks():
     missing = ("numpy", "lxml", "tornado", "umsgpack", "ssl")
     code = f"import sys; sys.modules.update(dict.fromkeys({missing}));"
-    code += "import kindsl.lsp.browser, kindsl.preview.posted, kindsl.scene.robot;"
-    code += "import kindsl.interchange.urdf.urdf_reading, kindsl.interchange.urdf.writing"
+    code += "import kindsl.frontends.lsp.browser, kindsl.frontends.preview.posted;"
+    code += "import kindsl.robots.scene.robot;"
+    code += (
+        "import kindsl.robots.interchange.urdf.urdf_reading, kindsl.robots.interchange.urdf.writing"
+    )
     subprocess.run([sys.executable, "-c", code], check=True)
 
 

@@ -12,9 +12,9 @@ from tests.lsp.test_publishing import PUBLISH, URI, codes, published, pulling, s
 from tests.typist.squiggles import passing_squiggles
 from tests.typist.typist import lines_to_type
 
-from kindsl.lsp.handlers.diagnostics import pull
-from kindsl.lsp.session import calm
-from kindsl.lsp.session.session import Session
+from kindsl.frontends.lsp.handlers.diagnostics import pull
+from kindsl.frontends.lsp.session import calm
+from kindsl.frontends.lsp.session.session import Session
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 AT_ONCE = {"diagnostics": {"delay": 0}}

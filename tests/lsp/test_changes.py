@@ -8,10 +8,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from lsprotocol import types
 
-from kindsl.lsp.text.changes import ContentChange, changed
-from kindsl.lsp.text.lines import Lines
-from kindsl.lsp.text.row import PlainPiece, Row
-from kindsl.text.lines import LineIndex
+from kindsl.frontends.lsp.text.changes import ContentChange, changed
+from kindsl.frontends.lsp.text.lines import Lines
+from kindsl.frontends.lsp.text.row import PlainPiece, Row
+from kindsl.language.text.lines import LineIndex
 
 steady = settings(deadline=None, derandomize=True)
 

@@ -8,7 +8,7 @@ import pytest
 from tests.lsp.test_workspace import ROBOT, UNBOUND, WATCHES, client, folder, roots, tell, whole
 from tests.support.lsp import RawClient, ready_client
 
-from kindsl.lsp.text import uris
+from kindsl.frontends.lsp.text import uris
 
 __all__ = ["client", "folder"]
 

@@ -5,8 +5,8 @@ from pathlib import Path
 from lsprotocol import types
 from tests.cli.samples import GOOD
 
-from kindsl.lsp.session.configuration_files import configuration_links
-from kindsl.lsp.text.document import document
+from kindsl.frontends.lsp.session.configuration_files import configuration_links
+from kindsl.frontends.lsp.text.document import document
 
 TEXT = """# see https://example.org/a
 [[document]]

@@ -5,8 +5,8 @@ from hypothesis import strategies as st
 from lsprotocol import types
 from tests.support import robots
 
-from kindsl.lsp.text.document import document
-from kindsl.syntax.document import parse
+from kindsl.frontends.lsp.text.document import document
+from kindsl.language.syntax.document import parse
 
 steady = settings(deadline=None, derandomize=True)
 

@@ -14,7 +14,7 @@ from lsprotocol import types
 from pytest_lsp import ClientServerConfig, LanguageClient, client_capabilities
 from tests.support import robots
 
-from kindsl.lsp.text import uris
+from kindsl.frontends.lsp.text import uris
 
 HEAD = "Robot Arm {\n"
 ARM = robots.ARM.replace(HEAD, HEAD + "// See https://example.org/arm.\n").replace("2.0", "m", 1)
@@ -39,7 +39,9 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest_lsp.fixture(
     scope="module",
     params=["visual_studio_code", "neovim", "emacs"],
-    config=ClientServerConfig(server_command=[sys.executable, "-m", "kindsl.cli.language_server"]),
+    config=ClientServerConfig(
+        server_command=[sys.executable, "-m", "kindsl.frontends.cli.language_server"]
+    ),
 )
 async def client(request: pytest.FixtureRequest, lsp_client: LanguageClient, folder: Path) -> Any:
     workspace = [types.WorkspaceFolder(uri=uris.uri(folder), name="robots")]

@@ -14,15 +14,15 @@ from tests.cli.samples import GOOD, INTEGER
 from tests.lsp.sessions import folder_of, opened, session_with
 from tests.support.lsp import RawClient
 
-from kindsl.analysis.settings import Settings
-from kindsl.comparison.twins import TwinFile
-from kindsl.lsp.handlers.diagnostics import pull_all
-from kindsl.lsp.handlers.structure import workspace_symbols
-from kindsl.lsp.session import symbols
-from kindsl.lsp.session.helper import HelperProcess
-from kindsl.lsp.session.session import Session
-from kindsl.lsp.session.symbols import read_ahead
-from kindsl.lsp.session.worker import Worker
+from kindsl.frontends.lsp.handlers.diagnostics import pull_all
+from kindsl.frontends.lsp.handlers.structure import workspace_symbols
+from kindsl.frontends.lsp.session import symbols
+from kindsl.frontends.lsp.session.helper import HelperProcess
+from kindsl.frontends.lsp.session.session import Session
+from kindsl.frontends.lsp.session.symbols import read_ahead
+from kindsl.frontends.lsp.session.worker import Worker
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.robots.comparison.twins import TwinFile
 
 
 def refuse(reason: str) -> None:

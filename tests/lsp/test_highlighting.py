@@ -6,11 +6,11 @@ from itertools import pairwise
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kindsl.analysis.analysis import analyse
-from kindsl.features import semantic_tokens
-from kindsl.lsp.handlers import highlighting
-from kindsl.lsp.session.tokens import TokenMemory
-from kindsl.lsp.text.document import document
+from kindsl.frontends.features import semantic_tokens
+from kindsl.frontends.lsp.handlers import highlighting
+from kindsl.frontends.lsp.session.tokens import TokenMemory
+from kindsl.frontends.lsp.text.document import document
+from kindsl.judgement.analysis.analysis import analyse
 
 steady = settings(deadline=None, derandomize=True)
 

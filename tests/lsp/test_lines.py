@@ -4,9 +4,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kindsl.lsp.text.lines import Lines
-from kindsl.lsp.text.row import PlainPiece, Row
-from kindsl.text.lines import LineIndex
+from kindsl.frontends.lsp.text.lines import Lines
+from kindsl.frontends.lsp.text.row import PlainPiece, Row
+from kindsl.language.text.lines import LineIndex
 
 steady = settings(deadline=None, derandomize=True)
 

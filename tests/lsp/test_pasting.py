@@ -7,7 +7,7 @@ from tests.analysis.test_pasted_urdf import ARM
 from tests.cad.test_reports import REPORTS
 from tests.support.lsp import ready_client
 
-from kindsl.lsp.text import uris
+from kindsl.frontends.lsp.text import uris
 
 LINK = "link hand {\n    id = 2\n    \n    children {}\n}\n"
 

@@ -9,13 +9,13 @@ from lsprotocol import types
 from tests.cli.samples import GOOD, UNBOUND
 from tests.lsp.sessions import REFUSAL, Told, folder_of, of_versions, opened, session_with
 
-from kindsl.config.parameter_lines import parameter_table, pose_table
-from kindsl.lsp.session.session import Session
-from kindsl.lsp.wire.protocol import RequestFailed
-from kindsl.preview.outcomes import Writing
-from kindsl.preview.requests import KeepPose, WriteParameters
-from kindsl.text.edits import TextEdit
-from kindsl.text.span import Span
+from kindsl.frontends.lsp.session.session import Session
+from kindsl.frontends.lsp.wire.protocol import RequestFailed
+from kindsl.frontends.preview.outcomes import Writing
+from kindsl.frontends.preview.requests import KeepPose, WriteParameters
+from kindsl.judgement.config.parameter_lines import parameter_table, pose_table
+from kindsl.language.text.edits import TextEdit
+from kindsl.language.text.span import Span
 
 URI = "untitled:arm"
 WANTED = WriteParameters({"length": 2.0})

@@ -8,9 +8,9 @@ from lsprotocol import types
 
 pytest.importorskip("tornado", reason="the preview needs tornado")
 
-from kindsl.lsp.server import KindslLanguageServer
-from kindsl.lsp.session.session import Session
-from kindsl.preview import server as preview_server
+from kindsl.frontends.lsp.server import KindslLanguageServer
+from kindsl.frontends.lsp.session.session import Session
+from kindsl.frontends.preview import server as preview_server
 
 URI = "untitled:typed"
 ROBOT = "Robot R {{\nRobotBase base {{ children {{ }} }}\n// {}\n}}\n"

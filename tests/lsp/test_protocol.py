@@ -335,7 +335,7 @@ def test_an_input_that_is_a_file_is_read_too(tmp_path: Path) -> None:
     file = tmp_path / "messages"
     file.write_bytes(b"Content-Length: %d\r\n\r\n%b" % (len(body), body))
     with file.open("rb") as stream:
-        command = [sys.executable, "-m", "kindsl.cli.language_server"]
+        command = [sys.executable, "-m", "kindsl.frontends.cli.language_server"]
         ended = subprocess.run(command, stdin=stream, capture_output=True, timeout=60, check=False)
     assert (ended.returncode, ended.stdout) == (1, b"")
 

@@ -10,17 +10,17 @@ from lsprotocol import types
 from tests.cli.samples import GOOD, INTEGER, UNBOUND, arm
 from tests.lsp.sessions import Told, folder_of, opened, session_with
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.twins import compared_twins
-from kindsl.cli import main
-from kindsl.lsp.handlers.diagnostics import pull
-from kindsl.lsp.session import calm, publishing
-from kindsl.lsp.session.analyses import Analyses
-from kindsl.lsp.session.disk_watch import watch_disk
-from kindsl.lsp.session.findings import diagnostics
-from kindsl.lsp.session.publishing import Publisher
-from kindsl.lsp.session.session import Session
-from kindsl.lsp.text.document import Document, document
+from kindsl.frontends.cli import main
+from kindsl.frontends.lsp.handlers.diagnostics import pull
+from kindsl.frontends.lsp.session import calm, publishing
+from kindsl.frontends.lsp.session.analyses import Analyses
+from kindsl.frontends.lsp.session.disk_watch import watch_disk
+from kindsl.frontends.lsp.session.findings import diagnostics
+from kindsl.frontends.lsp.session.publishing import Publisher
+from kindsl.frontends.lsp.session.session import Session
+from kindsl.frontends.lsp.text.document import Document, document
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.twins import compared_twins
 
 PUBLISH = "textDocument/publishDiagnostics"
 URI = "untitled:arm"
@@ -331,7 +331,7 @@ async def test_of_a_companion_only_the_version_that_is_shown_is_told(tmp_path: P
 async def test_the_disk_is_looked_at_for_files_that_decide(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("kindsl.lsp.session.disk_watch._INTERVAL", 0.001)
+    monkeypatch.setattr("kindsl.frontends.lsp.session.disk_watch._INTERVAL", 0.001)
     with session_with() as (session, told):
         opened(session, (tmp_path / "arm.kindsl").as_uri(), UNBOUND)
         await published(told, (tmp_path / "arm.kindsl").as_uri())
@@ -382,7 +382,7 @@ async def test_twins_are_compared_when_the_findings_of_the_text_are_out(
             await settled(session)
             return [(p["version"], codes(p)) for p in found]
 
-        monkeypatch.setattr("kindsl.analysis.twins.compared_twins", compared)
+        monkeypatch.setattr("kindsl.judgement.analysis.twins.compared_twins", compared)
         session.workspace.add_folders([folder_of(tmp_path)])
         session.workspace.set_editor_settings({"diagnostics": {"delay": 0}})
         opened(session, twinned, GOOD, 1)

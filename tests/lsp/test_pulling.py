@@ -12,7 +12,7 @@ import pytest
 from tests.lsp.test_workspace import ROBOT, UNBOUND, whole
 from tests.support.lsp import RawClient, raw_client
 
-from kindsl.lsp.browser import start
+from kindsl.frontends.lsp.browser import start
 
 URI = "untitled:pulling"
 PUSH = "textDocument/publishDiagnostics"

@@ -6,12 +6,12 @@ from itertools import accumulate
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kindsl.lsp.text.differences import edits_between
-from kindsl.lsp.text.lines import Lines
-from kindsl.lsp.text.row import PlainPiece, Row, in_common, n_same
-from kindsl.lsp.text.sums import Sums
-from kindsl.text.edits import apply_edits
-from kindsl.text.lines import LineIndex
+from kindsl.frontends.lsp.text.differences import edits_between
+from kindsl.frontends.lsp.text.lines import Lines
+from kindsl.frontends.lsp.text.row import PlainPiece, Row, in_common, n_same
+from kindsl.frontends.lsp.text.sums import Sums
+from kindsl.language.text.edits import apply_edits
+from kindsl.language.text.lines import LineIndex
 
 ALPHABET = "ab\r\né😀"
 rows = st.lists(st.text(ALPHABET, min_size=1, max_size=6), min_size=1, max_size=8)

@@ -16,30 +16,30 @@ from lsprotocol import types
 from tests.cli.samples import GOOD, UNBOUND, arm
 from tests.lsp.sessions import REFUSAL, folder_of, of_versions, opened, session_with
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.diagnostics import RelatedPlace
-from kindsl.config import configuration_reading
-from kindsl.config.configuration_reading import text_of
-from kindsl.config.editor_settings import editor_settings
-from kindsl.lsp.session import disk_watch, memory, previews, progress, symbols
-from kindsl.lsp.session import state as session_state
-from kindsl.lsp.session.binding import bound, posed
-from kindsl.lsp.session.closed_configurations import ClosedConfigurations
-from kindsl.lsp.session.configuration_diagnostics import configuration_problems
-from kindsl.lsp.session.configuration_files import configuration_of
-from kindsl.lsp.session.findings import diagnostics
-from kindsl.lsp.session.progress import Progress
-from kindsl.lsp.session.status import tell_status
-from kindsl.lsp.session.tokens import TokenMemory
-from kindsl.lsp.session.transforms import transforms_view
-from kindsl.lsp.session.view import plain
-from kindsl.lsp.session.worker import AbandonedError, Urgency, Worker, start_task
-from kindsl.lsp.session.workspace import Workspace
-from kindsl.lsp.session.written import written
-from kindsl.lsp.text import uris
-from kindsl.lsp.text.document import document
-from kindsl.lsp.wire.client import Client
-from kindsl.text.edits import TextEdit
+from kindsl.frontends.lsp.session import disk_watch, memory, previews, progress, symbols
+from kindsl.frontends.lsp.session import state as session_state
+from kindsl.frontends.lsp.session.binding import bound, posed
+from kindsl.frontends.lsp.session.closed_configurations import ClosedConfigurations
+from kindsl.frontends.lsp.session.configuration_diagnostics import configuration_problems
+from kindsl.frontends.lsp.session.configuration_files import configuration_of
+from kindsl.frontends.lsp.session.findings import diagnostics
+from kindsl.frontends.lsp.session.progress import Progress
+from kindsl.frontends.lsp.session.status import tell_status
+from kindsl.frontends.lsp.session.tokens import TokenMemory
+from kindsl.frontends.lsp.session.transforms import transforms_view
+from kindsl.frontends.lsp.session.view import plain
+from kindsl.frontends.lsp.session.worker import AbandonedError, Urgency, Worker, start_task
+from kindsl.frontends.lsp.session.workspace import Workspace
+from kindsl.frontends.lsp.session.written import written
+from kindsl.frontends.lsp.text import uris
+from kindsl.frontends.lsp.text.document import document
+from kindsl.frontends.lsp.wire.client import Client
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.diagnostics import RelatedPlace
+from kindsl.judgement.config import configuration_reading
+from kindsl.judgement.config.configuration_reading import text_of
+from kindsl.judgement.config.editor_settings import editor_settings
+from kindsl.language.text.edits import TextEdit
 
 URI = "untitled:arm"
 EDIT = TextEdit(6, 9, "leg")
@@ -187,7 +187,7 @@ class TestProgress:
     async def test_long_work_asks_once_for_a_token(
         self, answer: Any, monkeypatch: pytest.MonkeyPatch
     ) -> None:
-        monkeypatch.setattr("kindsl.lsp.session.progress._PATIENCE", 0.0)
+        monkeypatch.setattr("kindsl.frontends.lsp.session.progress._PATIENCE", 0.0)
         with session_with(_shows_progress()) as (session, told):
             told.answers["window_work_done_progress_create"] = answer
             async with Progress(session, "Checking", None) as progress:
@@ -205,7 +205,7 @@ class TestProgress:
     async def test_a_client_that_shows_none_is_not_asked(
         self, monkeypatch: pytest.MonkeyPatch
     ) -> None:
-        monkeypatch.setattr("kindsl.lsp.session.progress._PATIENCE", 0.0)
+        monkeypatch.setattr("kindsl.frontends.lsp.session.progress._PATIENCE", 0.0)
         with session_with() as (session, told):
             async with Progress(session, "Checking", None) as progress:
                 await progress.report(1, 2)
@@ -531,9 +531,9 @@ async def test_quiet_comes_with_the_last_answer_or_after_a_moment(
             with session.question():
                 assert not session._quiet.is_set()
             assert not session._quiet.is_set()
-            monkeypatch.setattr("kindsl.lsp.session.state._PATIENCE", 0.01)
+            monkeypatch.setattr("kindsl.frontends.lsp.session.state._PATIENCE", 0.01)
             await asyncio.wait_for(session.until_quiet(), 5)
-            monkeypatch.setattr("kindsl.lsp.session.state._PATIENCE", 60.0)
+            monkeypatch.setattr("kindsl.frontends.lsp.session.state._PATIENCE", 60.0)
             waiting = asyncio.ensure_future(session.until_quiet())
             await asyncio.sleep(0)
             assert not waiting.done()

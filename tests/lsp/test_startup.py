@@ -8,16 +8,22 @@ from pathlib import Path
 import pytest
 from tests.support.lsp import RawClient
 
-from kindsl.lsp.session.warm_up import FIRST
-from kindsl.lsp.session.warm_up import LATER as AFTERWARDS
+from kindsl.frontends.lsp.session.warm_up import FIRST
+from kindsl.frontends.lsp.session.warm_up import LATER as AFTERWARDS
 
-LATER = ("numpy", "lark", "tornado", "meshcat", "kindsl.syntax.tables", "kindsl.analysis.analysis")
+LATER = (
+    "numpy",
+    "lark",
+    "tornado",
+    "meshcat",
+    "kindsl.language.syntax.tables",
+    "kindsl.judgement.analysis.analysis",
+)
 
 
 def test_the_language_loads_after_the_answer_to_initialize() -> None:
-    code = (
-        f"import sys, kindsl.lsp.server, kindsl.lsp.run; print(set({LATER!r}) & set(sys.modules))"
-    )
+    code = "import sys, kindsl.frontends.lsp.server, kindsl.frontends.lsp.run;"
+    code += f"print(set({LATER!r}) & set(sys.modules))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "set()"
 
@@ -28,8 +34,9 @@ def test_what_is_loaded_beforehand_is_there(module: str) -> None:
 
 
 def test_what_needs_more_says_what_to_install() -> None:
-    code = "import sys; sys.modules['numpy'] = None; from kindsl.cli.language_server import main; "
-    client = RawClient([sys.executable, "-c", f"{code}main()"])
+    code = "import sys; sys.modules['numpy'] = None; "
+    code += "from kindsl.frontends.cli.language_server import main; main()"
+    client = RawClient([sys.executable, "-c", code])
     client.initialize()
     uri = "file:///quadruped.kindsl"
     client.open(uri, (Path(__file__).parents[2] / "examples" / "quadruped.kindsl").read_text())

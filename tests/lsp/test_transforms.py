@@ -7,7 +7,7 @@ import pytest
 from tests.cli.samples import arm
 from tests.support.lsp import RawClient, ready_client
 
-from kindsl.lsp.text import uris
+from kindsl.frontends.lsp.text import uris
 
 TEXT = "Robot arm\nFrames { fr_base, fr_upper }\nTransforms { base=fr_base, target=fr_upper }\n"
 

@@ -8,8 +8,8 @@ from tests.cli.test_diff_mechanics import ARM
 from tests.lsp.test_workspace import roots
 from tests.support.lsp import RawClient, ready_client
 
-from kindsl.cli import main
-from kindsl.lsp.text import uris
+from kindsl.frontends.cli import main
+from kindsl.frontends.lsp.text import uris
 
 TABLE = '[[twins]]\ndocument = "arm.kindsl"\nfile = "{}"\n'
 

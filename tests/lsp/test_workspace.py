@@ -9,8 +9,8 @@ import pytest
 from tests.support import robots
 from tests.support.lsp import RawClient, raw_client, ready_client
 
-from kindsl.cli.documents.walking import documents
-from kindsl.lsp.text import uris
+from kindsl.frontends.cli.documents.walking import documents
+from kindsl.frontends.lsp.text import uris
 
 ROBOT = robots.ONE_LINK
 UNBOUND = "KD401"

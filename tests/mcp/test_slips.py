@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 from mcp.types import TextContent
 
-from kindsl.mcp.folder import Folder
-from kindsl.mcp.tool import all_tools, answer
+from kindsl.frontends.mcp.folder import Folder
+from kindsl.frontends.mcp.tool import all_tools, answer
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 MOMENTS = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.semantics.parameters import Binding
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
 
 ARM = """Robot Arm {
 RobotBase ground { children { upper via shoulder } }

@@ -2,10 +2,10 @@
 
 import pytest
 
-from kindsl.analysis.analysis import analyse
-from kindsl.mechanism.link_inertia import link_inertia
-from kindsl.rigid.body import MassDistribution
-from kindsl.semantics.unknown import Unknown
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.language.semantics.unknown import Unknown
+from kindsl.mechanics.rigid.body import MassDistribution
+from kindsl.robots.mechanism.link_inertia import link_inertia
 
 ARM = """Robot R {
 RobotBase base { children { arm via shoulder } }

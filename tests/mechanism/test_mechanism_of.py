@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.mechanism.drawable import drawable_skeleton
-from kindsl.mechanism.strict_reading import strict_skeleton
-from kindsl.spatial.inertia import move_inertia
-from kindsl.spatial.transforms import rotation_from_intrinsic_xyz
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanics.spatial.inertia import move_inertia
+from kindsl.mechanics.spatial.transforms import rotation_from_intrinsic_xyz
+from kindsl.robots.mechanism.drawable import drawable_skeleton
+from kindsl.robots.mechanism.strict_reading import strict_skeleton
 
 ROOT = Path(__file__).parents[2]
 

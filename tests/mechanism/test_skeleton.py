@@ -10,22 +10,22 @@ from hypothesis import strategies as st
 from tests.preview.robots import ARM, PLAIN, random_model
 from tests.support.documents import EXAMPLES, all_documents
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.mechanism.drawable import drawable_skeleton
-from kindsl.mechanism.errors import ModelError
-from kindsl.mechanism.fragments import skeleton_as_far_as_known
-from kindsl.mechanism.skeleton import named_frames
-from kindsl.spatial.inertia import move_inertia
-from kindsl.spatial.transforms import rotation_from_intrinsic_xyz
-from kindsl.syntax.vocabulary import MOMENTS
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.mechanics.spatial.inertia import move_inertia
+from kindsl.mechanics.spatial.transforms import rotation_from_intrinsic_xyz
+from kindsl.robots.mechanism.drawable import drawable_skeleton
+from kindsl.robots.mechanism.errors import ModelError
+from kindsl.robots.mechanism.fragments import skeleton_as_far_as_known
+from kindsl.robots.mechanism.skeleton import named_frames
 
 WITHOUT_NUMPY = """
 import sys
 sys.modules["numpy"] = None
-from kindsl.analysis.analysis import analyse
-from kindsl.scene.encoding import encode
-from kindsl.scene.picture import picture
-from kindsl.scene.robot import robot_messages
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.robots.scene.encoding import encode
+from kindsl.robots.scene.picture import picture
+from kindsl.robots.scene.robot import robot_messages
 analysis = analyse(open(sys.argv[1]).read())
 shown = picture(analysis.model, analysis.context.values, None)
 print(sum(len(encode(m)) for m in robot_messages("robot", shown.skeleton).values()) > 1000)

@@ -8,12 +8,12 @@ from hypothesis import strategies as st
 from tests.support.models import Style, random_model
 from tests.support.robots import LIFT, ONE_LINK
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.mechanism.total_mass import Weight, missing_masses, total_mass, unknown_bodies
-from kindsl.rules.context import ROBCOGEN2
-from kindsl.semantics.unknown import Unknown
-from kindsl.text.edits import TextEdit
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.rules.context import ROBCOGEN2
+from kindsl.language.semantics.unknown import Unknown
+from kindsl.language.text.edits import TextEdit
+from kindsl.robots.mechanism.total_mass import Weight, missing_masses, total_mass, unknown_bodies
 
 FLOATING = LIFT.replace("RobotBase base {", "RobotBase base floating {")
 SECTION = LIFT[LIFT.rindex("    inertia_params") : LIFT.rindex("    children {}")]

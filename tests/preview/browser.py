@@ -9,8 +9,8 @@ from playwright.async_api import Browser, Error, Page, async_playwright
 from tests.delays import injected
 from tests.preview.robots import require
 
-from kindsl.preview.server import PreviewServer
-from kindsl.scene.encoding import as_json
+from kindsl.frontends.preview.server import PreviewServer
+from kindsl.robots.scene.encoding import as_json
 
 ARGUMENTS = (
     "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic",

@@ -3,7 +3,7 @@
 import pytest
 from tests.preview.browser import chromium
 
-from kindsl.preview.server import PreviewServer
+from kindsl.frontends.preview.server import PreviewServer
 
 
 @pytest.fixture(scope="module")

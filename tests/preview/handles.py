@@ -7,9 +7,9 @@ from typing import Any
 from playwright.async_api import Page
 from tests.preview.browser import eventually
 
-from kindsl.analysis.analysis import analyse
-from kindsl.preview.server import PreviewServer
-from kindsl.text.edits import apply_edits
+from kindsl.frontends.preview.server import PreviewServer
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.language.text.edits import apply_edits
 
 Line = list[tuple[float, float]]
 COMPONENTS = ("x", "y", "z", "rx", "ry", "rz")

@@ -9,11 +9,11 @@ import pytest
 from tests.support import robots
 from tests.support.models import Style, random_model
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.mechanism.bodies import bodies_of
-from kindsl.mechanism.drawable import drawable_skeleton
-from kindsl.mechanism.skeleton import Skeleton
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.robots.mechanism.bodies import bodies_of
+from kindsl.robots.mechanism.drawable import drawable_skeleton
+from kindsl.robots.mechanism.skeleton import Skeleton
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples"

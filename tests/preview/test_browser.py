@@ -26,14 +26,14 @@ from tests.preview.robots import (
 )
 from tests.support.documents import all_documents
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.mechanism.total_mass import unknown_bodies
-from kindsl.preview.server import PreviewServer
-from kindsl.rules.base import Severity
-from kindsl.scene.messages import ParameterMessage
-from kindsl.scene.picture import picture
-from kindsl.semantics.declarations import ValueKind
+from kindsl.frontends.preview.server import PreviewServer
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.rules.base import Severity
+from kindsl.language.semantics.declarations import ValueKind
+from kindsl.robots.mechanism.total_mass import unknown_bodies
+from kindsl.robots.scene.messages import ParameterMessage
+from kindsl.robots.scene.picture import picture
 
 LONGER_ARM = ARM.replace("(0.4, 0.0, 0.0)", "(0.6, 0.0, 0.0)")
 

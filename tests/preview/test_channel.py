@@ -8,10 +8,10 @@ from hypothesis import strategies as st
 from tests.preview.page import Page
 from tests.preview.robots import plain_robot
 
-from kindsl.preview.channel import Channel, Tab
-from kindsl.preview.document_preview import DocumentPreview
-from kindsl.scene.messages import Change, SetObject, SetTransform, ValueMessage
-from kindsl.scene.state import key_of, keyed
+from kindsl.frontends.preview.channel import Channel, Tab
+from kindsl.frontends.preview.document_preview import DocumentPreview
+from kindsl.robots.scene.messages import Change, SetObject, SetTransform, ValueMessage
+from kindsl.robots.scene.state import key_of, keyed
 
 
 class Socket:

@@ -12,12 +12,13 @@ from tests.preview.robots import ARM, BROKEN_ARM, PARAMETRIC_ARM, require
 from tests.preview.websocket import connected, first_part, whole_state
 from tests.support.ports import free_port
 
-from kindsl.analysis.analysis import analyse
-from kindsl.interchange.format import ORDINARY
-from kindsl.interchange.registry import format_named
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.robots.interchange.format import ORDINARY
+from kindsl.robots.interchange.registry import format_named
 
 DRIVER = (
-    "import argparse, sys; from kindsl.cli import preview; parser = argparse.ArgumentParser();"
+    "import argparse, sys; from kindsl.frontends.cli import preview;"
+    "parser = argparse.ArgumentParser();"
     "preview.add_arguments(parser); sys.exit(preview.run(parser.parse_args()))"
 )
 PATIENCE = 60.0

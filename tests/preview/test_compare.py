@@ -5,14 +5,14 @@ from tests.preview.browser import eventually, opened, until, until_shown
 from tests.preview.page import Page
 from tests.preview.robots import ARM
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.comparison.twins import TwinFile
-from kindsl.interchange.format import ORDINARY
-from kindsl.interchange.registry import format_named
-from kindsl.preview.comparing import LAST_SAVED, document_robot, file_robot
-from kindsl.preview.document_preview import DocumentPreview
-from kindsl.preview.requests import Compare, parse_request
+from kindsl.frontends.preview.comparing import LAST_SAVED, document_robot, file_robot
+from kindsl.frontends.preview.document_preview import DocumentPreview
+from kindsl.frontends.preview.requests import Compare, parse_request
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.robots.comparison.twins import TwinFile
+from kindsl.robots.interchange.format import ORDINARY
+from kindsl.robots.interchange.registry import format_named
 
 LONGER = ARM.replace("translation = (0.4, 0.0", "translation = (0.6, 0.0")
 HEAVIER = ARM.replace("mass = 2.0", "mass = 2.5")
@@ -40,7 +40,7 @@ def shown(text, settings=DEFAULT):
 
 
 def comparison(preview):
-    return page_of(preview).at("/kindsl/comparison").get("comparison")
+    return page_of(preview).at("/kindsl/robots/comparison").get("comparison")
 
 
 def ghost_kind(preview):

@@ -9,17 +9,17 @@ from hypothesis import strategies as st
 from tests.preview.page import Page
 from tests.preview.robots import ARM, BROKEN_ARM, PARAMETRIC_ARM
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.analysis.settings import Settings
-from kindsl.preview.comparing import document_robot
-from kindsl.preview.document_preview import DocumentPreview
-from kindsl.preview.findings import MOST_LISTED
-from kindsl.preview.requests import Reveal
-from kindsl.preview.reveal import place_of
-from kindsl.preview.server import PreviewServer
-from kindsl.rules.base import Severity
-from kindsl.semantics.parameters import Binding, JointProperties
+from kindsl.frontends.preview.comparing import document_robot
+from kindsl.frontends.preview.document_preview import DocumentPreview
+from kindsl.frontends.preview.findings import MOST_LISTED
+from kindsl.frontends.preview.requests import Reveal
+from kindsl.frontends.preview.reveal import place_of
+from kindsl.frontends.preview.server import PreviewServer
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.rules.base import Severity
+from kindsl.language.semantics.parameters import Binding, JointProperties
 
 
 def preview_of(text, settings=None, findings=()):
@@ -115,7 +115,7 @@ def test_a_page_from_before_a_restart_brings_its_values():
 
 
 def test_a_page_cannot_fill_the_memory(monkeypatch):
-    monkeypatch.setattr("kindsl.preview.document_preview.MOST_VALUES", 5)
+    monkeypatch.setattr("kindsl.frontends.preview.document_preview.MOST_VALUES", 5)
     preview = preview_of(ARM)
     for number in range(100):
         preview.set_joint(f"joint{number}", 0.1)
@@ -222,7 +222,7 @@ def test_a_finding_means_what_it_marks():
 
 
 def test_undecodable_bytes_in_a_message_can_be_sent():
-    from kindsl.scene.encoding import encode
+    from kindsl.robots.scene.encoding import encode
 
     preview = preview_of(ARM, findings=[finding("KD004", 0, 1, message="byte '\udcff'")])
     assert all(encode(message) for message in preview.channel.state)

@@ -5,13 +5,13 @@ import asyncio
 import pytest
 from tests.preview.robots import ARM
 
-from kindsl.analysis.analysis import analyse
-from kindsl.preview.channel import Tab
-from kindsl.preview.document_preview import DocumentPreview
-from kindsl.preview.dragging import Dragging
-from kindsl.preview.requests import parse_request, request_of
-from kindsl.scene.encoding import plain
-from kindsl.text.edits import apply_edits
+from kindsl.frontends.preview.channel import Tab
+from kindsl.frontends.preview.document_preview import DocumentPreview
+from kindsl.frontends.preview.dragging import Dragging
+from kindsl.frontends.preview.requests import parse_request, request_of
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.language.text.edits import apply_edits
+from kindsl.robots.scene.encoding import plain
 
 PENDULUM = """Robot pendulum {
 RobotBase base { children { rod via hinge } }

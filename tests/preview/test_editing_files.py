@@ -6,9 +6,9 @@ from tests.preview.robots import ARM
 from tests.preview.test_command import line_of, running
 from tests.preview.websocket import connected, first_part, whole_state
 
-from kindsl.cli import preview
-from kindsl.preview.outcomes import Writing
-from kindsl.text.edits import TextEdit
+from kindsl.frontends.cli import preview
+from kindsl.frontends.preview.outcomes import Writing
+from kindsl.language.text.edits import TextEdit
 
 AT = ARM.index("(0.4, 0.0") + 1
 WRITING = Writing("Set x of joint 'lift'", ARM, (TextEdit(AT, AT + 3, "0.55"),))

@@ -10,11 +10,11 @@ import umsgpack
 from tests.preview.browser import PAINTED, WORLD_POSES, opened, until, until_shown
 from tests.preview.robots import ARM, mechanics_of, plain_robot, skeleton_in, skeleton_of
 
-from kindsl.analysis.analysis import analyse
-from kindsl.preview.document_preview import DocumentPreview
-from kindsl.preview.export import exported_page
-from kindsl.scene.encoding import plain
-from kindsl.scene.formulas import formula_messages
+from kindsl.frontends.preview.document_preview import DocumentPreview
+from kindsl.frontends.preview.export import exported_page
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.robots.scene.encoding import plain
+from kindsl.robots.scene.formulas import formula_messages
 
 
 def exported(analysis):

@@ -5,9 +5,9 @@ import threading
 
 from tests.preview.robots import ARM
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.preview import command
-from kindsl.preview.watch import fingerprint
+from kindsl.frontends.preview import command
+from kindsl.frontends.preview.watch import fingerprint
+from kindsl.judgement.analysis.analysis import Analysis, analyse
 
 
 class Recorder:

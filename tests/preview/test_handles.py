@@ -15,8 +15,8 @@ from tests.preview.handles import (
 )
 from tests.preview.robots import ARM, EXAMPLES
 
-from kindsl.analysis.analysis import analyse
-from kindsl.preview.server import PreviewServer
+from kindsl.frontends.preview.server import PreviewServer
+from kindsl.judgement.analysis.analysis import analyse
 
 
 @pytest.fixture(scope="module")

@@ -15,8 +15,8 @@ from tests.preview.robots import (
     skeleton_of,
 )
 
-from kindsl.scene.encoding import plain
-from kindsl.scene.robot import NOTHING_UNKNOWN, robot_messages
+from kindsl.robots.scene.encoding import plain
+from kindsl.robots.scene.robot import NOTHING_UNKNOWN, robot_messages
 
 SCRIPT = ROOT / "server" / "kindsl" / "preview" / "page" / "picture" / "kinematics.js"
 DRIVER = """
@@ -155,7 +155,7 @@ def test_what_hangs_on_an_unknown_body_is_not_computed(number):
 
 
 def test_angles_are_the_languages(cases, answers):
-    from kindsl.spatial.transforms import rotation_from_intrinsic_xyz
+    from kindsl.mechanics.spatial.transforms import rotation_from_intrinsic_xyz
 
     for answer in answers:
         for name, angles in answer["angles"].items():

@@ -5,7 +5,7 @@ import subprocess
 import pytest
 from tests.preview.robots import require
 
-from kindsl.preview.linking import LinkingError, linked
+from kindsl.frontends.preview.linking import LinkingError, linked
 
 
 def output(modules, entry="main.js"):

@@ -2,19 +2,19 @@
 
 from tests.cli.samples import GOOD
 
-from kindsl.analysis.analysis import analyse
-from kindsl.mechanism.total_mass import Weight
-from kindsl.preview.findings import (
+from kindsl.frontends.preview.findings import (
     MOST_LISTED,
     finding_messages,
     listed,
     lost_message,
     status_message,
 )
-from kindsl.rules.base import Severity
-from kindsl.scene.encoding import plain
-from kindsl.scene.picture import Picture, PictureState
-from kindsl.semantics.unknown import Unknown
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.rules.base import Severity
+from kindsl.language.semantics.unknown import Unknown
+from kindsl.robots.mechanism.total_mass import Weight
+from kindsl.robots.scene.encoding import plain
+from kindsl.robots.scene.picture import Picture, PictureState
 
 
 class TestFindings:

@@ -8,15 +8,15 @@ from tests.preview.page import Page
 from tests.preview.robots import ARM
 from tornado.httpclient import AsyncHTTPClient
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.comparison.twins import TwinFile
-from kindsl.interchange.format import ORDINARY
-from kindsl.interchange.registry import format_named
-from kindsl.preview.document_preview import DocumentPreview
-from kindsl.preview.export import exported_page
-from kindsl.preview.meshes import MeshSource, mesh_data
-from kindsl.preview.requests import ShowMeshes, parse_request
+from kindsl.frontends.preview.document_preview import DocumentPreview
+from kindsl.frontends.preview.export import exported_page
+from kindsl.frontends.preview.meshes import MeshSource, mesh_data
+from kindsl.frontends.preview.requests import ShowMeshes, parse_request
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.robots.comparison.twins import TwinFile
+from kindsl.robots.interchange.format import ORDINARY
+from kindsl.robots.interchange.registry import format_named
 
 COLLADA = """<COLLADA version="1.4.1"><asset><unit meter="0.01"/><up_axis>Z_UP</up_axis></asset>
 <library_images><image id="i"><init_from>http://127.0.0.1:1/x.png</init_from></image></library_images>

@@ -6,8 +6,8 @@ from typing import ClassVar, Literal, get_args
 
 import pytest
 
-from kindsl.preview import message_types
-from kindsl.scene import messages
+from kindsl.frontends.preview import message_types
+from kindsl.robots.scene import messages
 
 
 def test_the_file_is_as_the_messages_want_it(monkeypatch, tmp_path, capsys):

@@ -6,9 +6,9 @@ import sys
 
 import pytest
 
-from kindsl.preview import viewer
-from kindsl.preview.viewer import PreviewUnavailableError, viewer_script
-from kindsl.scene.geometry import (
+from kindsl.frontends.preview import viewer
+from kindsl.frontends.preview.viewer import PreviewUnavailableError, viewer_script
+from kindsl.robots.scene.geometry import (
     Form,
     Shape,
     lowered,
@@ -23,14 +23,14 @@ def loaded_by(statement):
     return set(run.stdout.split())
 
 
-@pytest.mark.parametrize("module", ["kindsl.preview", "kindsl.cli.preview"])
+@pytest.mark.parametrize("module", ["kindsl.preview", "kindsl.frontends.cli.preview"])
 def test_importing_it_loads_nothing_heavy(module):
     assert not loaded_by(f"import {module}") & HEAVY
 
 
 def test_the_server_never_imports_meshcat_itself():
     loaded = loaded_by(
-        "from kindsl.preview import PreviewServer; from kindsl.scene.geometry import *;"
+        "from kindsl.preview import PreviewServer; from kindsl.robots.scene.geometry import *;"
         "lowered(Shape(Form.BALL, 0))"
     )
     assert not loaded & {"meshcat", "IPython", "zmq"}
@@ -65,7 +65,7 @@ def test_the_viewer_comes_with_meshcat_or_is_said_to_be_missing(
 
 
 def test_an_unknown_name_is_no_part_of_it():
-    import kindsl.preview
+    import kindsl.frontends.preview
 
     with pytest.raises(AttributeError, match="no attribute 'Nothing'"):
-        _ = kindsl.preview.Nothing
+        _ = kindsl.frontends.preview.Nothing

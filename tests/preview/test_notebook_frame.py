@@ -7,7 +7,7 @@ from tests.preview.browser import IS_SHOWN, TIMEOUT
 from tests.preview.robots import plain_robot
 
 import kindsl
-from kindsl.analysis.settings import Settings
+from kindsl.judgement.analysis.settings import Settings
 
 
 async def test_the_frame_draws_the_robot_and_asks_nobody(browser, tmp_path):

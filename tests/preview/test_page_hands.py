@@ -8,11 +8,11 @@ from tests.preview.browser import eventually, opened, resize, until, until_shown
 from tests.preview.handles import touch
 from tests.preview.robots import ARM, EXAMPLES, PARAMETRIC_ARM
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.preview.requests import KeepPose, WriteParameters
-from kindsl.preview.server import PreviewServer
-from kindsl.semantics.parameters import JointProperties
+from kindsl.frontends.preview.requests import KeepPose, WriteParameters
+from kindsl.frontends.preview.server import PreviewServer
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import JointProperties
 
 EYE = "kindslModules['address.js'].eyeText(kindsl.camera.state())"
 

@@ -7,7 +7,7 @@ from tests.preview.browser import opened, resize, until, until_shown
 from tests.preview.robots import ARM, EXAMPLES, plain_robot
 from tests.support.published import CORPUS, published
 
-from kindsl.analysis.analysis import analyse
+from kindsl.judgement.analysis.analysis import analyse
 
 SHOWN_LABELS = """() => {
   kindsl.viewer.render();

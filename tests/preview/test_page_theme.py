@@ -5,7 +5,7 @@ from tests.preview.browser import opened, resize, until, until_shown
 from tests.preview.robots import ARM, EXAMPLES
 from tests.support.axe import axe_script
 
-from kindsl.analysis.analysis import analyse
+from kindsl.judgement.analysis.analysis import analyse
 
 
 async def url_of(server):

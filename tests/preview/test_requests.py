@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kindsl.preview.requests import Hello, Reveal, SetJoint, SetParameters, parse_request
+from kindsl.frontends.preview.requests import Hello, Reveal, SetJoint, SetParameters, parse_request
 
 json_values = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=20),

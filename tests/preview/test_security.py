@@ -12,11 +12,11 @@ from tests.preview.websocket import connected
 from tornado.httpclient import AsyncHTTPClient, HTTPClientError, HTTPRequest
 from tornado.websocket import WebSocketClosedError, websocket_connect
 
-from kindsl.analysis.analysis import analyse
-from kindsl.preview.access import Access, new_token
-from kindsl.preview.assets import SCRIPTS, STYLES
-from kindsl.preview.budget import Budget
-from kindsl.preview.server import PreviewServer
+from kindsl.frontends.preview.access import Access, new_token
+from kindsl.frontends.preview.assets import SCRIPTS, STYLES
+from kindsl.frontends.preview.budget import Budget
+from kindsl.frontends.preview.server import PreviewServer
+from kindsl.judgement.analysis.analysis import analyse
 
 FOREIGN_HOSTS = [
     "evil.example",
@@ -195,7 +195,7 @@ async def test_refused_and_failed_requests_write_no_token(server, capfd, caplog,
     assert await status(server, "/nowhere") == 404
     assert await status(server, token="wrong") == 403
     assert (*capfd.readouterr(), caplog.text) == ("", "", "")
-    monkeypatch.setattr("kindsl.preview.handlers.live_page", lambda token: 1 / 0)
+    monkeypatch.setattr("kindsl.frontends.preview.handlers.live_page", lambda token: 1 / 0)
     assert await status(server) == 500
     out, error = capfd.readouterr()
     assert error == "internal error in the preview: ZeroDivisionError('division by zero')\n"
@@ -281,7 +281,7 @@ async def test_two_servers_have_two_tokens(server):
 
 
 async def test_a_taken_port_is_told(server):
-    from kindsl.preview.viewer import PreviewUnavailableError
+    from kindsl.frontends.preview.viewer import PreviewUnavailableError
 
     with pytest.raises(PreviewUnavailableError, match=r"cannot listen on 127\.0\.0\.1"):
         await PreviewServer(port=server.port).start()

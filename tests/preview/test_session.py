@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from kindsl.preview.session import PreviewSession, last_session, remember
+from kindsl.frontends.preview.session import PreviewSession, last_session, remember
 
 
 @pytest.fixture(autouse=True)

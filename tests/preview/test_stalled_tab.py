@@ -8,7 +8,7 @@ import socket
 from tests.preview.robots import plain_robot
 from tests.preview.websocket import connected, first_part
 
-from kindsl.preview.server import PreviewServer
+from kindsl.frontends.preview.server import PreviewServer
 
 
 async def hanging_tab(server):

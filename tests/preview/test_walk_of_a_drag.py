@@ -16,13 +16,13 @@ from typing import Any
 from tests.preview.robots import ARM
 
 import kindsl
-from kindsl.analysis.analysis import analyse
-from kindsl.preview.channel import Tab
-from kindsl.preview.document_preview import DocumentPreview
-from kindsl.preview.dragging import Dragging
-from kindsl.preview.outcomes import Writing
-from kindsl.preview.requests import request_of
-from kindsl.text.edits import apply_edits
+from kindsl.frontends.preview.channel import Tab
+from kindsl.frontends.preview.document_preview import DocumentPreview
+from kindsl.frontends.preview.dragging import Dragging
+from kindsl.frontends.preview.outcomes import Writing
+from kindsl.frontends.preview.requests import request_of
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.language.text.edits import apply_edits
 
 HOUSE = Path(kindsl.__file__).parent
 MOST_CLIMBS = 9
@@ -33,12 +33,12 @@ STORY = (
 )  # fmt: skip
 
 
-def layers() -> dict[str, int]:
-    """Return the height of each part of the house, as the import contract has it."""
+def houses() -> dict[str, int]:
+    """Return the height of each house, as the import contract has it."""
     text = (HOUSE.parents[1] / "pyproject.toml").read_text(encoding="utf-8")
     contracts = tomllib.loads(text)["tool"]["importlinter"]["contracts"]
-    (rows,) = (contract["layers"] for contract in contracts if contract["id"] == "layers")
-    return {name: -depth for depth, row in enumerate(rows) for name in row.split(" | ")}
+    (names,) = (contract["layers"] for contract in contracts if contract["id"] == "houses")
+    return {name: -depth for depth, name in enumerate(names)}
 
 
 class Walk:
@@ -74,7 +74,7 @@ class Walk:
         return bool(depth and is_small and any(self._holds(item, depth - 1) for item in items))
 
     def climbs(self) -> Iterator[tuple[str, str]]:
-        heights = layers()
+        heights = houses()
         files = [Path(file).relative_to(HOUSE) for file, _ in self.functions]
         for before, after in pairwise(files):
             if heights[after.parts[0]] > heights[before.parts[0]]:
@@ -112,8 +112,9 @@ async def test_a_drag_goes_down():
     walk = await walk_of(*STORY)
     files = {Path(file).relative_to(HOUSE).as_posix() for file, _ in walk.functions}
     assert {
-        "preview/outcomes.py", "features/manipulation/set_component.py", "analysis/analysis.py",
-        "syntax/document.py", "text/edits.py",
+        "frontends/preview/outcomes.py", "frontends/features/manipulation/set_component.py",
+        "judgement/analysis/analysis.py",
+        "language/syntax/document.py", "language/text/edits.py",
     } <= files  # fmt: skip
     climbs = list(walk.climbs())
     assert len(climbs) <= MOST_CLIMBS, climbs
@@ -121,6 +122,7 @@ async def test_a_drag_goes_down():
 
 async def test_a_climb_is_seen():
     walk = Walk()
-    files = ("preview/dragging.py", "text/edits.py", "analysis/analysis.py", "text/edits.py")
+    edits, analysis = "language/text/edits.py", "judgement/analysis/analysis.py"
+    files = ("frontends/preview/dragging.py", edits, analysis, edits)
     walk.functions = {(str(HOUSE / file), str(i)): None for i, file in enumerate(files)}
-    assert list(walk.climbs()) == [("text/edits.py", "analysis/analysis.py")]
+    assert list(walk.climbs()) == [(edits, analysis)]

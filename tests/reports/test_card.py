@@ -8,12 +8,12 @@ import pytest
 from tests.support.published import published_models
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.cli.main import main
-from kindsl.reports.card import card_page
-from kindsl.reports.drawing.shapes import Disc, Label, Line
-from kindsl.reports.page.blocks import Figure, Heading, Matrix, Table
-from kindsl.reports.page.rendering import RENDERERS, rendered
+from kindsl.frontends.cli.main import main
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.products.reports.card import card_page
+from kindsl.products.reports.drawing.shapes import Disc, Label, Line
+from kindsl.products.reports.page.blocks import Figure, Heading, Matrix, Table
+from kindsl.products.reports.page.rendering import RENDERERS, rendered
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 QUADRUPED = EXAMPLES / "quadruped.kindsl"

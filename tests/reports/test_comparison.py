@@ -3,8 +3,8 @@
 from tests.cli.samples import GOOD, arm
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.reports.comparison import compared
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.products.reports.comparison import compared
 
 
 def of(old: str, new: str):

@@ -6,11 +6,11 @@ import pytest
 from tests.cli.samples import arm
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.reports.computation import ComputationRequest, Results, compute
-from kindsl.reports.computed_text import computed_text
-from kindsl.reports.motions import Motion
-from kindsl.semantics.parameters import Binding
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
+from kindsl.products.reports.computation import ComputationRequest, Results, compute
+from kindsl.products.reports.computed_text import computed_text
+from kindsl.products.reports.motions import Motion
 
 GRAVITY = (0.0, 0.0, -9.81)
 ZERO = Motion((0.0, 0.0), (0.0, 0.0), (0.0, 0.0), (0.0, 0.0), (0.0,) * 6)

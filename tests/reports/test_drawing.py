@@ -9,7 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tests.preview.robots import ARM, skeleton_of
 
-from kindsl.reports.drawing.bodies import (
+from kindsl.mechanics.rigid.body import MassDistribution
+from kindsl.mechanics.rigid.pose import transposed, turned
+from kindsl.products.reports.drawing.bodies import (
     BODY,
     EDGE,
     JOINTS,
@@ -19,8 +21,8 @@ from kindsl.reports.drawing.bodies import (
     body_shapes,
     hatching,
 )
-from kindsl.reports.drawing.camera import HEIGHT, WIDTH, Camera, camera_for, depth
-from kindsl.reports.drawing.robot import (
+from kindsl.products.reports.drawing.camera import HEIGHT, WIDTH, Camera, camera_for, depth
+from kindsl.products.reports.drawing.robot import (
     AXIS,
     COM,
     FRAME,
@@ -30,13 +32,11 @@ from kindsl.reports.drawing.robot import (
     points_of,
     robot_drawing,
 )
-from kindsl.reports.drawing.shapes import Disc, Drawing, Label, Line, Polygon, Spot
-from kindsl.reports.drawing.svg import svg_text
-from kindsl.reports.drawing.tikz import tikz_text
-from kindsl.rigid.body import MassDistribution
-from kindsl.rigid.pose import transposed, turned
-from kindsl.scene.size import extent
-from kindsl.scene.solids import link_solids
+from kindsl.products.reports.drawing.shapes import Disc, Drawing, Label, Line, Polygon, Spot
+from kindsl.products.reports.drawing.svg import svg_text
+from kindsl.products.reports.drawing.tikz import tikz_text
+from kindsl.robots.scene.size import extent
+from kindsl.robots.scene.solids import link_solids
 
 numbers = st.floats(-5.0, 5.0).map(lambda x: round(x, 3))
 points = st.lists(st.tuples(numbers, numbers, numbers), min_size=2, max_size=8, unique=True)
@@ -196,7 +196,7 @@ def test_solids_are_left_out_where_kinematics_are_to_be_seen() -> None:
 
 def test_a_picture_of_pixels_has_each_shape_where_it_is() -> None:
     image = pytest.importorskip("PIL.Image")
-    png = pytest.importorskip("kindsl.reports.drawing.png")
+    png = pytest.importorskip("kindsl.products.reports.drawing.png")
     drawing = DRAWING._replace(shapes=DRAWING.shapes[:3])
     picture = image.open(BytesIO(png.png_bytes(drawing)))
     assert picture.size == (640, 480)

@@ -7,9 +7,9 @@ import pytest
 from tests.interchange.random_robots import random_robot
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.interchange.kindsl_writing import kindsl_text
-from kindsl.reports.joint_transforms import joint_transform
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.products.reports.joint_transforms import joint_transform
+from kindsl.robots.interchange.kindsl_writing import kindsl_text
 
 ARM = """Robot arm {{
 RobotBase base {{ children {{ a via j }} }}

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kindsl.reports.motions import (
+from kindsl.products.reports.motions import (
     BASE_KEY,
     KEYS,
     ConfigurationSpace,

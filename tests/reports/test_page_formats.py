@@ -4,10 +4,10 @@ import re
 
 import pytest
 
-from kindsl.reports.drawing.shapes import Drawing
-from kindsl.reports.drawing.svg import svg_text
-from kindsl.reports.drawing.tikz import tikz_text
-from kindsl.reports.page.blocks import (
+from kindsl.products.reports.drawing.shapes import Drawing
+from kindsl.products.reports.drawing.svg import svg_text
+from kindsl.products.reports.drawing.tikz import tikz_text
+from kindsl.products.reports.page.blocks import (
     Block,
     Figure,
     Heading,
@@ -17,11 +17,11 @@ from kindsl.reports.page.blocks import (
     SideBySide,
     Table,
 )
-from kindsl.reports.page.html import html_body, html_text
-from kindsl.reports.page.latex import latex_text
-from kindsl.reports.page.markdown import beside, embedded, markdown_text
-from kindsl.reports.page.rendering import rendered
-from kindsl.reports.review.files import review_files
+from kindsl.products.reports.page.html import html_body, html_text
+from kindsl.products.reports.page.latex import latex_text
+from kindsl.products.reports.page.markdown import beside, embedded, markdown_text
+from kindsl.products.reports.page.rendering import rendered
+from kindsl.products.reports.review.files import review_files
 
 DRAWING = Drawing(10.0, 20.0, ())
 SVG, TIKZ = svg_text(DRAWING), tikz_text(DRAWING)

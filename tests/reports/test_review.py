@@ -8,12 +8,12 @@ import pytest
 from tests.reports.planted_edits import EDITS, TEXT, planted
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.cli.main import main
-from kindsl.reports.drawing.shapes import Label, Line
-from kindsl.reports.page.blocks import Heading, Page, Paragraph, SideBySide, Table
-from kindsl.reports.review.files import review_files
-from kindsl.reports.review.page import HEAVIER, MOVED, review_page
+from kindsl.frontends.cli.main import main
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.products.reports.drawing.shapes import Label, Line
+from kindsl.products.reports.page.blocks import Heading, Page, Paragraph, SideBySide, Table
+from kindsl.products.reports.review.files import review_files
+from kindsl.products.reports.review.page import HEAVIER, MOVED, review_page
 
 
 def page(old: str, new: str) -> Page:

@@ -5,10 +5,10 @@ from tests.cli.samples import GOOD, arm
 from tests.reports.test_review import page, rows
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.reports.page.blocks import Block, Heading, Page, Paragraph, Table
-from kindsl.reports.review.page import review_page
-from kindsl.rules.base import Severity
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.rules.base import Severity
+from kindsl.products.reports.page.blocks import Block, Heading, Page, Paragraph, Table
+from kindsl.products.reports.review.page import review_page
 
 FLOATING = arm(floating=True)
 LONE = "Robot Arm {\nRobotBase base {\n    children {}\n}\n}\n"

@@ -4,18 +4,18 @@ import pytest
 from tests.cli.samples import GOOD, arm
 
 import kindsl
-from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.analysis.settings import Settings
-from kindsl.comparison.difference import Difference, difference
-from kindsl.reports.card import branches, card_page
-from kindsl.reports.columns import aligned, number
-from kindsl.reports.difference_text import change_rows
-from kindsl.reports.page.blocks import Figure, Heading, Page, Paragraph, Table
-from kindsl.reports.robot_facts import robot_facts
-from kindsl.reports.robot_health import health_facts, health_text
-from kindsl.reports.robot_text import robot_text
-from kindsl.rules.base import Severity
-from kindsl.semantics.parameters import Binding
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.rules.base import Severity
+from kindsl.language.semantics.parameters import Binding
+from kindsl.products.reports.card import branches, card_page
+from kindsl.products.reports.columns import aligned, number
+from kindsl.products.reports.difference_text import change_rows
+from kindsl.products.reports.page.blocks import Figure, Heading, Page, Paragraph, Table
+from kindsl.products.reports.robot_facts import robot_facts
+from kindsl.products.reports.robot_health import health_facts, health_text
+from kindsl.products.reports.robot_text import robot_text
+from kindsl.robots.comparison.difference import Difference, difference
 
 
 def document(text: str) -> kindsl.Document:

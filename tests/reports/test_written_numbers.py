@@ -6,9 +6,9 @@ import pytest
 from tests.cli.samples import GOOD
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.reports.review.written_numbers import Side, written_changes
-from kindsl.semantics.parameters import Binding
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
+from kindsl.products.reports.review.written_numbers import Side, written_changes
 
 _NONE: dict[str, str] = {}
 Row = tuple[str, str, str, str, str, str]

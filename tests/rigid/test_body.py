@@ -11,8 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.support.bodies import SHAPES, random_body
 
-import kindsl.rigid.body as body_module
-from kindsl.rigid.body import (
+import kindsl.mechanics.rigid.body as body_module
+from kindsl.mechanics.rigid.body import (
     NO_BODY,
     MassDistribution,
     Symmetric,
@@ -29,8 +29,8 @@ from kindsl.rigid.body import (
     seen_from,
     shifted,
 )
-from kindsl.rigid.pose import Vector3, pose_from
-from kindsl.spatial.inertia import move_inertia
+from kindsl.mechanics.rigid.pose import Vector3, pose_from
+from kindsl.mechanics.spatial.inertia import move_inertia
 
 
 def test_nothing_known_is_nothing_wherever_it_is() -> None:

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from kindsl.rigid.pose import (
+from kindsl.mechanics.rigid.pose import (
     IDENTITY,
     PLAIN,
     Rotation,
@@ -17,7 +17,7 @@ from kindsl.rigid.pose import (
     pose_from,
     pose_from_fixed_axes,
 )
-from kindsl.spatial.transforms import homogeneous, rotation_from_intrinsic_xyz
+from kindsl.mechanics.spatial.transforms import homogeneous, rotation_from_intrinsic_xyz
 
 # Rounding of sums and products of numbers up to one.
 ROUNDING = 1e-15

@@ -5,9 +5,9 @@ import random
 
 import pytest
 
-from kindsl.rigid.body import MassDistribution
-from kindsl.rigid.pose import dot
-from kindsl.rigid.solid import equivalent_solid
+from kindsl.mechanics.rigid.body import MassDistribution
+from kindsl.mechanics.rigid.pose import dot
+from kindsl.mechanics.rigid.solid import equivalent_solid
 
 SPHERE = (0.4, 0.4, 0.4)
 DISC = (0.25, 0.25, 0.5)

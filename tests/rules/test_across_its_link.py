@@ -3,9 +3,9 @@
 import pytest
 from tests.support.one_rule import found, told
 
-from kindsl.analysis.analysis import analyse
-from kindsl.rules.examples import joint, link, placed_joint, robot
-from kindsl.text.edits import apply_edits
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.rules.examples import joint, link, placed_joint, robot
+from kindsl.language.text.edits import apply_edits
 
 SECTION = "inertia_params { mass = 2.0 CoM = (%s) Ix=%s Iy=%s Iz=%s Ixy=0.0 Ixz=0.0 Iyz=0.0 }"
 MESSAGE = "inertia of 'upper' describes a rod %s m long across the link, which is 0.4 m long"

@@ -8,9 +8,9 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from tests.support.one_rule import section, told, with_base
 
-from kindsl.analysis.analysis import analyse
-from kindsl.rigid.body import MassDistribution, moments_of, shifted
-from kindsl.rules.examples import joint, link, robot
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.rules.examples import joint, link, robot
+from kindsl.mechanics.rigid.body import MassDistribution, moments_of, shifted
 
 DOCUMENT = """Robot R {{
 RobotBase base {{ children {{ upper via shoulder }} }}

@@ -3,8 +3,8 @@
 import pytest
 from tests.support.conformance import Case, accepted_cases, cases
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
 
 LOADING = ("KD0", "KD105", "KD106", "KD107", "KD108", "KD6")
 

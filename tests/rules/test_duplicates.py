@@ -1,6 +1,6 @@
 """Things that share what should tell them apart."""
 
-from kindsl.rules.duplicates import repeats
+from kindsl.judgement.rules.duplicates import repeats
 
 
 def test_things_repeat_what_the_first_of_their_kind_has() -> None:

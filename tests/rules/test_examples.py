@@ -6,12 +6,12 @@ from collections import Counter
 import pytest
 from tests.support.example_documents import bindings_of, document_of, fixed_document_of
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.analysis.settings import Settings
-from kindsl.rules.base import Example, Rule
-from kindsl.rules.registry import all_rules, page_of
-from kindsl.text.edits import apply_edits
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.rules.base import Example, Rule
+from kindsl.judgement.rules.registry import all_rules, page_of
+from kindsl.language.text.edits import apply_edits
 
 DEFAULT = ("KD0", "KD1", "KD2", "KD3", "KD4", "KD5", "KD7")
 # What they are about is in another file.

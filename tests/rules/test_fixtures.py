@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 from tests.support.markers import MarkedText, marked_files
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
 
 FOLDER = Path(__file__).parents[1] / "fixtures" / "rules"
 DOCUMENTS = [

@@ -2,10 +2,10 @@
 
 import pytest
 
-from kindsl.analysis.analysis import analyse
-from kindsl.rules.geometry import lengths, posed, rotations
-from kindsl.rules.tiny_values import is_negligible, is_tiny
-from kindsl.semantics.declarations import Declarations
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.rules.geometry import lengths, posed, rotations
+from kindsl.judgement.rules.tiny_values import is_negligible, is_tiny
+from kindsl.language.semantics.declarations import Declarations
 
 BODY = """link arm { id = 1
     inertia_params { mass = 1.0 %s Ix=0.1 Iy=0.1 Iz=0.1 Ixy=0.0 Ixz=0.0 Iyz=0.0 }

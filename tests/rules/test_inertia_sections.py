@@ -4,9 +4,9 @@ import pytest
 from tests.support.example_documents import document_of
 from tests.support.one_rule import body, found, row, section, told, with_base
 
-from kindsl.rules.examples import STEEL_BALL, link
-from kindsl.semantics.parameters import Binding
-from kindsl.text.edits import apply_edits
+from kindsl.judgement.rules.examples import STEEL_BALL, link
+from kindsl.language.semantics.parameters import Binding
+from kindsl.language.text.edits import apply_edits
 
 
 @pytest.mark.parametrize(

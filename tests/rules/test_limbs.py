@@ -8,17 +8,17 @@ import pytest
 from tests.support.one_rule import found, section, told
 from tests.support.published import CORPUS, published
 
-from kindsl.analysis.analysis import analyse
-from kindsl.limbs.limb import Limbs
-from kindsl.limbs.verdicts import ComparedLimbs, LimbVerdict, verdicts
-from kindsl.limbs.weighing import Masses
-from kindsl.mechanism.body_verdicts import BodyVerdict
-from kindsl.rules import limb_verdicts
-from kindsl.rules.examples import four_legs, link, placed_joint, robot, two_arms
-from kindsl.rules.inertia import shapes
-from kindsl.rules.inertia.shapes import shape_verdicts
-from kindsl.semantics.declarations import Link
-from kindsl.text.edits import TextEdit, apply_edits
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.rules import limb_verdicts
+from kindsl.judgement.rules.examples import four_legs, link, placed_joint, robot, two_arms
+from kindsl.judgement.rules.inertia import shapes
+from kindsl.judgement.rules.inertia.shapes import shape_verdicts
+from kindsl.language.semantics.declarations import Link
+from kindsl.language.text.edits import TextEdit, apply_edits
+from kindsl.robots.limbs.limb import Limbs
+from kindsl.robots.limbs.verdicts import ComparedLimbs, LimbVerdict, verdicts
+from kindsl.robots.limbs.weighing import Masses
+from kindsl.robots.mechanism.body_verdicts import BodyVerdict
 
 CODES = ("KD208", "KD209", "KD210", "KD509", "KD510")
 THIGH = "0.08, 0.0, 0.0"

@@ -2,13 +2,13 @@
 
 import pytest
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.fixing import fixed, is_fixable
-from kindsl.rules.base import Fix
-from kindsl.rules.examples import link, robot
-from kindsl.rules.missing_names import missing_names
-from kindsl.rules.new_blocks import new_joint, new_link
-from kindsl.semantics.model import Model
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.fixing import fixed, is_fixable
+from kindsl.judgement.rules.base import Fix
+from kindsl.judgement.rules.examples import link, robot
+from kindsl.judgement.rules.missing_names import missing_names
+from kindsl.judgement.rules.new_blocks import new_joint, new_link
+from kindsl.language.semantics.model import Model
 
 
 def model_of(base: str, joints: str) -> Model:

@@ -3,7 +3,7 @@
 import pytest
 from tests.support.one_rule import found, told, told_as
 
-from kindsl.rules.examples import STEEL_BALL, joint, link, robot
+from kindsl.judgement.rules.examples import STEEL_BALL, joint, link, robot
 
 POSE = "{ translation = (0.1, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) }"
 

@@ -10,12 +10,12 @@ import pytest
 from tests.support.models import Style, random_model
 from tests.support.mutants import lumps, mutants
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.analysis.fixing import fixed, is_fixable
-from kindsl.analysis.settings import Settings
-from kindsl.semantics.parameters import Binding
-from kindsl.syntax.document import parse
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.analysis.fixing import fixed, is_fixable
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
+from kindsl.language.syntax.document import parse
 
 MODEL = random_model(12, 3, Style(has_expressions=True))
 SETTINGS = Settings(bindings={"offset": Binding(0.1)})

@@ -2,16 +2,16 @@ from math import pi
 
 import pytest
 
-from kindsl.rules.number_writing import (
+from kindsl.judgement.rules.number_writing import (
     as_fraction_of_pi,
     decimals,
     rescaled,
     rewritten,
     significant_digits,
 )
-from kindsl.semantics.expressions import Expression
-from kindsl.syntax.document import parse
-from kindsl.syntax.tree import Node
+from kindsl.language.semantics.expressions import Expression
+from kindsl.language.syntax.document import parse
+from kindsl.language.syntax.tree import Node
 
 
 def vector(*texts: str) -> list[Expression]:

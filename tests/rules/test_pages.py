@@ -1,7 +1,7 @@
 from pathlib import Path
 
-from kindsl.rules.pages import main, pages
-from kindsl.rules.registry import all_rules
+from kindsl.judgement.rules.pages import main, pages
+from kindsl.judgement.rules.registry import all_rules
 
 DOCS = Path(__file__).parents[2] / "docs" / "rules"
 

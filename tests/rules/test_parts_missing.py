@@ -4,9 +4,9 @@ import re
 
 import pytest
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.semantics.parameters import Binding
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
 
 POSE = "{ translation = (0.1, 1.0/0.0, 0.000001) rotation = (0.1, PI/2.0, 0.1) }"
 INERTIA = """inertia_params {

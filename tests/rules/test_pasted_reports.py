@@ -5,11 +5,11 @@ from tests.cad.test_reports import EXPECTED, REPORTS
 from tests.cad.test_sentences import ON_AXIS
 
 import kindsl
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.analysis.text_fix import TextFix
-from kindsl.rules.examples import link, robot
-from kindsl.text.edits import apply_edits
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.analysis.text_fix import TextFix
+from kindsl.judgement.rules.examples import link, robot
+from kindsl.language.text.edits import apply_edits
 
 LINK = """link upper {
     id = 1

@@ -4,8 +4,8 @@ import pytest
 from tests.support.example_documents import document_of
 from tests.support.one_rule import found, told
 
-from kindsl.rules.examples import STEEL_BALL, joint, link, pitched_joint, robot
-from kindsl.text.edits import apply_edits
+from kindsl.judgement.rules.examples import STEEL_BALL, joint, link, pitched_joint, robot
+from kindsl.language.text.edits import apply_edits
 
 
 def at(translation: str, rotation: str = "0.1, 0.2, 0.3", name: str = "elbow") -> str:

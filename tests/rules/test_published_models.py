@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from tests.support.published import published, published_model, published_models
 
-from kindsl.analysis.analysis import analyse
+from kindsl.judgement.analysis.analysis import analyse
 
 CLEAN = ("urdf2kindsl__03_anymal", "robcogen2__hyq")
 

@@ -10,19 +10,19 @@ from pathlib import Path
 from tests.support.bodies import document_of_bodies, inertia_text, random_body, significant
 from tests.support.recorded import assert_as_recorded
 
-from kindsl.analysis.analysis import analyse
-from kindsl.mechanism.body_verdicts import density_of
-from kindsl.rigid.body import (
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.rules.inertia.causes import Cause, candidates
+from kindsl.judgement.rules.inertia.repairs import explanations
+from kindsl.judgement.rules.inertia.slips import Hypothesis, hypotheses
+from kindsl.judgement.rules.inertia.surroundings import surroundings
+from kindsl.judgement.rules.inertia.suspects import suspects_of
+from kindsl.mechanics.rigid.body import (
     MassDistribution,
     eigensystem,
     second_moments_about_com,
     shifted,
 )
-from kindsl.rules.inertia.causes import Cause, candidates
-from kindsl.rules.inertia.repairs import explanations
-from kindsl.rules.inertia.slips import Hypothesis, hypotheses
-from kindsl.rules.inertia.surroundings import surroundings
-from kindsl.rules.inertia.suspects import suspects_of
+from kindsl.robots.mechanism.body_verdicts import density_of
 
 RECORDED = Path(__file__).parent / "recorded" / "causes.txt"
 # Twins on two sides, each with a joint and a frame ahead.

@@ -14,12 +14,12 @@ from tests.support.markers import marked_files
 from tests.support.recorded import Teller, assert_as_recorded
 from tests.support.robots import STUB
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.analysis.settings import Settings
-from kindsl.analysis.text_fix import TextFix
-from kindsl.rules.registry import all_rules
-from kindsl.syntax.document import parse
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.analysis.text_fix import TextFix
+from kindsl.judgement.rules.registry import all_rules
+from kindsl.language.syntax.document import parse
 
 FOLDER = Path(__file__).parent / "recorded"
 FIXTURES = sorted((Path(__file__).parents[1] / "fixtures" / "rules").glob("*.kindsl"))

@@ -4,10 +4,14 @@ from typing import Any
 
 import pytest
 
-from kindsl.analysis.analysis import analyse
-from kindsl.rules.examples import link, robot
-from kindsl.rules.reference_defects import ReferenceDefects, reference_defects, suggestions
-from kindsl.semantics.kinematic_tree import Edge
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.rules.examples import link, robot
+from kindsl.judgement.rules.reference_defects import (
+    ReferenceDefects,
+    reference_defects,
+    suggestions,
+)
+from kindsl.language.semantics.kinematic_tree import Edge
 
 
 def defects(text: str) -> dict[str, list[Any]]:

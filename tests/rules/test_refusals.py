@@ -2,10 +2,10 @@
 
 import pytest
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.rules.examples import link, robot
-from kindsl.rules.refusals import load_refusal
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.rules.examples import link, robot
+from kindsl.judgement.rules.refusals import load_refusal
 
 ONE, TWO = "arm via elbow", "arm via elbow hand via wrist"
 

@@ -6,7 +6,7 @@ import zipfile
 from pathlib import Path
 
 import kindsl
-from kindsl.rules.registry import all_rules, checking_rules
+from kindsl.judgement.rules.registry import all_rules, checking_rules
 
 PACKAGE = Path(kindsl.__file__).parent
 
@@ -18,7 +18,7 @@ def test_rules_are_found_in_a_zip(tmp_path):
             site.write(file, file.relative_to(PACKAGE.parent))
     code = (
         f"import sys; sys.path.insert(0, {str(archive)!r});"
-        "from kindsl.rules import registry as r;"
+        "from kindsl.judgement.rules import registry as r;"
         "print(r.__file__, *(rule.code for rule in r.all_rules()))"
     )
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

@@ -10,11 +10,11 @@ from tests.support.amount import usually
 from tests.support.one_rule import found, told
 from tests.support.published import published_models
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.rules.examples import link, robot
-from kindsl.rules.renumbering import regular_order, renumbering
-from kindsl.text.edits import apply_edits
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.rules.examples import link, robot
+from kindsl.judgement.rules.renumbering import regular_order, renumbering
+from kindsl.language.text.edits import apply_edits
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES, FIXTURES = ROOT / "examples", ROOT / "tests" / "fixtures"

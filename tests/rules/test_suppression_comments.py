@@ -4,10 +4,10 @@ import pytest
 from tests.support.example_documents import document_of
 from tests.support.one_rule import found
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.rules.examples import link
-from kindsl.text.edits import apply_edits
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.rules.examples import link
+from kindsl.language.text.edits import apply_edits
 
 LINK = document_of(link("upper", 1, inertia=""))
 

@@ -2,9 +2,15 @@
 
 import pytest
 
-from kindsl.rules.suppression import Suppression, covered_by, directives, is_known, suppressions
-from kindsl.semantics.places import Place
-from kindsl.syntax.document import parse
+from kindsl.judgement.rules.suppression import (
+    Suppression,
+    covered_by,
+    directives,
+    is_known,
+    suppressions,
+)
+from kindsl.language.semantics.places import Place
+from kindsl.language.syntax.document import parse
 
 PLACE = Place(parse("Robot R {}").islands[0], 0, 0)
 

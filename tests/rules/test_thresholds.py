@@ -6,11 +6,11 @@ import pytest
 from tests.support.example_documents import document_of
 from tests.support.one_rule import section
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.analysis.settings import Settings
-from kindsl.rules.examples import inertia, joint, link, pitched_joint, robot
-from kindsl.semantics.parameters import Binding
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.rules.examples import inertia, joint, link, pitched_joint, robot
+from kindsl.language.semantics.parameters import Binding
 
 EVERY_RULE = Settings(select=("KD",))
 FOR_ROBCOGEN2 = EVERY_RULE._replace(targets=frozenset(("robcogen2",)))

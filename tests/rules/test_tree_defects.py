@@ -3,9 +3,9 @@
 import pytest
 from tests.support.one_rule import found
 
-from kindsl.analysis.analysis import analyse
-from kindsl.rules.examples import link, robot
-from kindsl.text.edits import apply_edits
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.rules.examples import link, robot
+from kindsl.language.text.edits import apply_edits
 
 LOOP = link("upper", 1, "lower via elbow"), link("lower", 2, "upper via wrist")
 OTHER_LOOP = link("leg", 3, "foot via knee"), link("foot", 4, "leg via ankle")

@@ -2,9 +2,9 @@
 
 import pytest
 
-from kindsl.analysis.analysis import analyse
-from kindsl.rules.examples import inertia, joint, link, robot
-from kindsl.rules.units import NumberWithUnit, numbers_with_unit
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.rules.examples import inertia, joint, link, robot
+from kindsl.judgement.rules.units import NumberWithUnit, numbers_with_unit
 
 
 def found(unit: str, text: str, *values: str) -> tuple[NumberWithUnit, ...]:

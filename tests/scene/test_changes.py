@@ -4,9 +4,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tests.preview.page import Page
 
-from kindsl.scene.changes import changes
-from kindsl.scene.messages import Delete, SetObject, SetTransform, ValueMessage
-from kindsl.scene.state import keyed, path_of
+from kindsl.robots.scene.changes import changes
+from kindsl.robots.scene.messages import Delete, SetObject, SetTransform, ValueMessage
+from kindsl.robots.scene.state import keyed, path_of
 
 
 def _value(path, number):

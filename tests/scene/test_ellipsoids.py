@@ -5,11 +5,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tests.preview.robots import ARM, skeleton_of
 
-from kindsl.rigid.body import NO_BODY, MassDistribution
-from kindsl.scene.ellipsoids import inertia_ellipsoid
-from kindsl.scene.marks import mass_marks
-from kindsl.spatial.inertia import move_inertia
-from kindsl.spatial.transforms import rotation_from_intrinsic_xyz
+from kindsl.mechanics.rigid.body import NO_BODY, MassDistribution
+from kindsl.mechanics.spatial.inertia import move_inertia
+from kindsl.mechanics.spatial.transforms import rotation_from_intrinsic_xyz
+from kindsl.robots.scene.ellipsoids import inertia_ellipsoid
+from kindsl.robots.scene.marks import mass_marks
 
 lengths = st.floats(0.02, 2.0)
 angles = st.floats(-3.0, 3.0)

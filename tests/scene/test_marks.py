@@ -5,8 +5,8 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from kindsl.scene.marks import JOINT_TURNS, body_marks
-from kindsl.scene.size import Segment
+from kindsl.robots.scene.marks import JOINT_TURNS, body_marks
+from kindsl.robots.scene.size import Segment
 
 components = st.floats(-3.0, 3.0).map(lambda number: 0.0 if abs(number) < 1e-6 else number)
 
@@ -25,7 +25,7 @@ def test_a_rod_goes_from_the_origin_to_the_end(end):
 
 
 def test_a_joint_of_another_kind_is_another_mark():
-    from kindsl.scene.marks import joint_marks
+    from kindsl.robots.scene.marks import joint_marks
 
     paths = [
         {message.path for message in joint_marks("j", kind)} for kind in ("revolute", "prismatic")

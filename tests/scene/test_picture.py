@@ -3,9 +3,9 @@
 import pytest
 from tests.preview.robots import ARM, BROKEN_ARM, PARAMETRIC_ARM
 
-from kindsl.analysis.analysis import analyse
-from kindsl.mechanism.total_mass import Weight
-from kindsl.scene.picture import PictureState, picture
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.robots.mechanism.total_mass import Weight
+from kindsl.robots.scene.picture import PictureState, picture
 
 
 def picture_of(text, given=None, last=None):

@@ -11,12 +11,12 @@ from hypothesis import strategies as st
 from tests.preview.robots import ARM, plain_robot, skeleton_in, skeleton_of
 from tests.support.documents import all_documents
 
-from kindsl.analysis.analysis import analyse
-from kindsl.scene.changes import changes
-from kindsl.scene.encoding import as_json, encode
-from kindsl.scene.messages import Change, SetTransform, ValueMessage
-from kindsl.scene.picture import picture
-from kindsl.scene.robot import ghost_messages, robot_messages
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.robots.scene.changes import changes
+from kindsl.robots.scene.encoding import as_json, encode
+from kindsl.robots.scene.messages import Change, SetTransform, ValueMessage
+from kindsl.robots.scene.picture import picture
+from kindsl.robots.scene.robot import ghost_messages, robot_messages
 
 CATEGORIES = {
     "base", "body", "axis", "link-frame", "joint-frame", "com", "robot-com", "inertia", "torque",

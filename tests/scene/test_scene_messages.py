@@ -7,14 +7,15 @@ import numpy as np
 import pytest
 from tests.preview.robots import ARM, PARAMETRIC_ARM, skeleton_of
 
-from kindsl.analysis.analysis import analyse
-from kindsl.rigid.body import MassDistribution
-from kindsl.scene.ellipsoids import inertia_ellipsoid
-from kindsl.scene.encoding import plain
-from kindsl.scene.formulas import affine_component, formula_messages
-from kindsl.scene.geometry import Form, Shape
-from kindsl.scene.guesses import NO_GUESSES, Guesses, guesses
-from kindsl.scene.marks import (
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.language.semantics.parameters import Binding, JointProperties
+from kindsl.mechanics.rigid.body import MassDistribution
+from kindsl.robots.scene.ellipsoids import inertia_ellipsoid
+from kindsl.robots.scene.encoding import plain
+from kindsl.robots.scene.formulas import affine_component, formula_messages
+from kindsl.robots.scene.geometry import Form, Shape
+from kindsl.robots.scene.guesses import NO_GUESSES, Guesses, guesses
+from kindsl.robots.scene.marks import (
     BAD_INERTIA,
     BASE,
     COM,
@@ -27,13 +28,12 @@ from kindsl.scene.marks import (
     mass_marks,
     robot_com_mark,
 )
-from kindsl.scene.messages import Affine, Part
-from kindsl.scene.parameters import parameter_messages
-from kindsl.scene.picture import Picture, PictureState, picture
-from kindsl.scene.robot import ghost_messages, robot_messages
-from kindsl.scene.size import STEP, Segment, extent
-from kindsl.scene.state import Messages
-from kindsl.semantics.parameters import Binding, JointProperties
+from kindsl.robots.scene.messages import Affine, Part
+from kindsl.robots.scene.parameters import parameter_messages
+from kindsl.robots.scene.picture import Picture, PictureState, picture
+from kindsl.robots.scene.robot import ghost_messages, robot_messages
+from kindsl.robots.scene.size import STEP, Segment, extent
+from kindsl.robots.scene.state import Messages
 
 
 def of_type(messages: Messages, kind: str) -> list[Part]:

@@ -8,16 +8,16 @@ import numpy as np
 import pytest
 import umsgpack
 
-from kindsl.scene.encoding import as_json, encode
-from kindsl.scene.geometry import (
+from kindsl.robots.scene.encoding import as_json, encode
+from kindsl.robots.scene.geometry import (
     ARROW_PROFILE,
     FORCE_PROFILE,
     Form,
     Shape,
     lowered,
 )
-from kindsl.scene.meshes import SIDES, Mesh, lathe, triad
-from kindsl.scene.messages import (
+from kindsl.robots.scene.meshes import SIDES, Mesh, lathe, triad
+from kindsl.robots.scene.messages import (
     Change,
     Delete,
     FindingMessage,
@@ -27,8 +27,8 @@ from kindsl.scene.messages import (
     SetTransform,
     StatusMessage,
 )
-from kindsl.scene.picture import PictureState
-from kindsl.scene.state import Key, keyed
+from kindsl.robots.scene.picture import PictureState
+from kindsl.robots.scene.state import Key, keyed
 
 # Radii, heights, widths: of bodies, whose radius is 1.
 SIZES = {

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.preview.robots import ARM, plain_robot, skeleton_in, skeleton_of
 
-from kindsl.scene.size import LARGEST_RADIUS, STEP, extent
+from kindsl.robots.scene.size import LARGEST_RADIUS, STEP, extent
 
 
 @given(links=st.integers(1, 12), seed=st.integers(0, 50))

@@ -7,12 +7,19 @@ import pytest
 from tests.preview.robots import ARM, EXAMPLES, plain_robot, skeleton_in, skeleton_of
 from tests.support.documents import all_documents
 
-from kindsl.analysis.analysis import analyse
-from kindsl.rigid.body import MassDistribution
-from kindsl.rules.inertia.shapes import shape_verdicts
-from kindsl.scene.picture import picture
-from kindsl.scene.size import extent
-from kindsl.scene.solids import STEP, SUNK, filling_radius, link_solids, shell_factor, usual_density
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.rules.inertia.shapes import shape_verdicts
+from kindsl.mechanics.rigid.body import MassDistribution
+from kindsl.robots.scene.picture import picture
+from kindsl.robots.scene.size import extent
+from kindsl.robots.scene.solids import (
+    STEP,
+    SUNK,
+    filling_radius,
+    link_solids,
+    shell_factor,
+    usual_density,
+)
 
 SHARES = [k / 1000 for k in range(1001)]
 QUADRUPED = (EXAMPLES / "quadruped.kindsl").read_text()

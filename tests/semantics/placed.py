@@ -1,8 +1,8 @@
 """A value as a document has it: where a joint is along x."""
 
-from kindsl.semantics.expressions import Expression
-from kindsl.semantics.lowering import declarations
-from kindsl.syntax.document import parse
+from kindsl.language.semantics.expressions import Expression
+from kindsl.language.semantics.lowering import declarations
+from kindsl.language.syntax.document import parse
 
 POSE = "r_joint j {{ ref_frame {{ translation = ({0}, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) }} }}"
 

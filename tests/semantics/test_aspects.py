@@ -3,10 +3,10 @@
 import pytest
 from tests.support.models import Style, random_model
 
-from kindsl.semantics.aspects import Aspect
-from kindsl.semantics.model import Model
-from kindsl.syntax.document import parse
-from kindsl.text.edits import TextEdit
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.model import Model
+from kindsl.language.syntax.document import parse
+from kindsl.language.text.edits import TextEdit
 
 TEXT = """Robot Arm {
 RobotBase ground { children { upper via shoulder } }

@@ -5,11 +5,11 @@ from collections.abc import Sequence
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kindsl.semantics.declarations import Joint, Link, Vector
-from kindsl.semantics.lowering import declarations
-from kindsl.semantics.model import Model
-from kindsl.syntax.document import Chunk, SyntaxDocument, parse
-from kindsl.syntax.vocabulary import MOMENTS
+from kindsl.language.semantics.declarations import Joint, Link, Vector
+from kindsl.language.semantics.lowering import declarations
+from kindsl.language.semantics.model import Model
+from kindsl.language.syntax.document import Chunk, SyntaxDocument, parse
+from kindsl.language.syntax.vocabulary import MOMENTS
 
 INERTIA = ("mass", "CoM", *MOMENTS)
 POSE = ("translation", "rotation")

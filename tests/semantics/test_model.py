@@ -6,13 +6,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kindsl.semantics.declarations import ValueKind, link_values, pose_values
-from kindsl.semantics.expressions import half_unit
-from kindsl.semantics.kinematic_tree import KinematicTree
-from kindsl.semantics.model import Model
-from kindsl.semantics.parameters import values_of
-from kindsl.semantics.transforms import frame_names
-from kindsl.syntax.document import parse
+from kindsl.language.semantics.declarations import ValueKind, link_values, pose_values
+from kindsl.language.semantics.expressions import half_unit
+from kindsl.language.semantics.kinematic_tree import KinematicTree
+from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.parameters import values_of
+from kindsl.language.semantics.transforms import frame_names
+from kindsl.language.syntax.document import parse
 
 POSE = "ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) }"
 

@@ -6,11 +6,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kindsl.rigid.pose import pose_from
-from kindsl.semantics.declarations import Inertia, Joint
-from kindsl.semantics.lowering import declarations
-from kindsl.semantics.numbers import BODIES, POSES, mass_distribution, triple, written_pose
-from kindsl.syntax.document import parse
+from kindsl.language.semantics.declarations import Inertia, Joint
+from kindsl.language.semantics.lowering import declarations
+from kindsl.language.semantics.numbers import BODIES, POSES, mass_distribution, triple, written_pose
+from kindsl.language.syntax.document import parse
+from kindsl.mechanics.rigid.pose import pose_from
 
 POSE = "r_joint j {{ ref_frame {{ translation = ({0}, 2.0, 3.0) rotation = (0.0, {1}, 0.0) }} }}"
 BODY = """link a {{ id = 1 inertia_params {{ mass = {0} CoM = (0.0, {1}, 0.3)

@@ -8,7 +8,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from tests.semantics.placed import expression
 
-from kindsl.semantics.ranges import Interval, bounds_of, degrees_of
+from kindsl.language.semantics.ranges import Interval, bounds_of, degrees_of
 
 Monomials = frozenset[tuple[int, int]]
 

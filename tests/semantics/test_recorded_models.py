@@ -11,22 +11,22 @@ from tests.features.samples import BROKEN, PARAMETRIC, TANGLED
 from tests.support.recorded import Teller, assert_as_recorded
 from tests.support.robots import STUB
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.semantics.declarations import Inertia, Joint, Link, Pose, Vector
-from kindsl.semantics.expressions import Expression, symbols
-from kindsl.semantics.numbers import mass_distribution, written_pose
-from kindsl.semantics.parameters import values_of
-from kindsl.semantics.places import Located
-from kindsl.semantics.ranges import bounds_of, degrees_of
-from kindsl.semantics.transforms import (
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.language.semantics.declarations import Inertia, Joint, Link, Pose, Vector
+from kindsl.language.semantics.expressions import Expression, symbols
+from kindsl.language.semantics.numbers import mass_distribution, written_pose
+from kindsl.language.semantics.parameters import values_of
+from kindsl.language.semantics.places import Located
+from kindsl.language.semantics.ranges import bounds_of, degrees_of
+from kindsl.language.semantics.transforms import (
     frame_names,
     other_robot,
     repetitions,
     undeclared_frames,
     unknown_frames,
 )
-from kindsl.syntax.document import parse
-from kindsl.syntax.transforms_text import read_transforms
+from kindsl.language.syntax.document import parse
+from kindsl.language.syntax.transforms_text import read_transforms
 
 FOLDER = Path(__file__).parent / "recorded"
 VALUES = (

@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.semantics.placed import expression
 
-from kindsl.semantics.expressions import half_unit
+from kindsl.language.semantics.expressions import half_unit
 
 BOUND = {"x": 1.75}
 STEP = 1e-3

@@ -5,16 +5,16 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kindsl.spatial.arrays import Array
-from kindsl.spatial.cross_products import cross, force_cross, motion_cross, skew
-from kindsl.spatial.inertia import (
+from kindsl.mechanics.spatial.arrays import Array
+from kindsl.mechanics.spatial.cross_products import cross, force_cross, motion_cross, skew
+from kindsl.mechanics.spatial.inertia import (
     move_inertia,
     point_inertia,
     pseudo_inertia,
     second_moment,
     spatial_inertia,
 )
-from kindsl.spatial.transforms import (
+from kindsl.mechanics.spatial.transforms import (
     homogeneous,
     plucker,
     rotation_about_z,

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from decimal import Decimal
 from math import cos, pi, sin, sqrt
 
-from kindsl.rigid.body import MassDistribution, moments_of
+from kindsl.mechanics.rigid.body import MassDistribution, moments_of
 
 Matrix = list[list[float]]
 Writer = Callable[[float], str]

@@ -2,8 +2,8 @@
 
 from tests.support.markers import marked
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.settings import Settings
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.settings import Settings
 
 
 def at_cursor(source: str, settings: Settings | None = None) -> tuple[Analysis, int]:

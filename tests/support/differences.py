@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from kindsl.spatial.arrays import Array
+from kindsl.mechanics.spatial.arrays import Array
 
 
 def worst_difference(found: Sequence[Array], expected: Sequence[Array]) -> float:

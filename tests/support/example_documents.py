@@ -2,9 +2,9 @@
 
 import re
 
-from kindsl.rules.base import Example
-from kindsl.rules.examples import STEEL_BALL, joint, link
-from kindsl.semantics.parameters import Binding
+from kindsl.judgement.rules.base import Example
+from kindsl.judgement.rules.examples import STEEL_BALL, joint, link
+from kindsl.language.semantics.parameters import Binding
 
 _NAME_OF_BLOCK = re.compile(r"^\s*(?:link|RobotBase|[rp]_joint)\s+(\S+)", re.MULTILINE)
 _IS_DOCUMENT = re.compile(r"Robot\s")

@@ -1,9 +1,9 @@
 """What holds of the findings in any text."""
 
-from kindsl.analysis.analysis import Analysis
-from kindsl.analysis.settings import Settings
-from kindsl.semantics.parameters import Binding
-from kindsl.text.edits import apply_edits
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
+from kindsl.language.text.edits import apply_edits
 
 EVERYTHING = Settings(
     targets=frozenset({"robcogen", "robcogen2"}),

@@ -5,12 +5,12 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple, TypeAlias
 
-from kindsl.analysis.analysis import Analysis
-from kindsl.rules.base import Severity
-from kindsl.semantics.declarations import Inertia, Link, Pose
-from kindsl.semantics.expressions import Expression
-from kindsl.syntax.scanner import comments
-from kindsl.syntax.vocabulary import MOMENTS
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.judgement.rules.base import Severity
+from kindsl.language.semantics.declarations import Inertia, Link, Pose
+from kindsl.language.semantics.expressions import Expression
+from kindsl.language.syntax.scanner import comments
+from kindsl.language.syntax.vocabulary import MOMENTS
 
 Place: TypeAlias = tuple[object, ...]
 

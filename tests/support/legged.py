@@ -6,9 +6,9 @@ from math import prod
 
 from tests.support.bodies import Writer, inertia_text, random_body, random_rotation
 
-from kindsl.mechanism.body_verdicts import density_of
-from kindsl.rigid.body import MassDistribution, eigensystem, second_moments_about_com
-from kindsl.rigid.pose import RigidPose, Vector3, angles
+from kindsl.mechanics.rigid.body import MassDistribution, eigensystem, second_moments_about_com
+from kindsl.mechanics.rigid.pose import RigidPose, Vector3, angles
+from kindsl.robots.mechanism.body_verdicts import density_of
 
 Legs = Mapping[str, tuple[Vector3, float]]
 

@@ -5,7 +5,7 @@ import re
 import sys
 import unicodedata
 
-from kindsl.syntax.scanner import comments
+from kindsl.language.syntax.scanner import comments
 
 MINUSES = "−‐‑‒–—―﹘﹣－➖⁃"
 POINTS = "·．٫‧∙⋅•。"

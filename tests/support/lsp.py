@@ -15,7 +15,10 @@ from tests.delays import injected
 from tests.support.lsp_messages import faults
 
 _LATE = str(Path(injected.__file__).with_name("server.py"))
-SERVER = (sys.executable, *((_LATE,) if injected.WHO else ("-m", "kindsl.cli.language_server")))
+SERVER = (
+    sys.executable,
+    *((_LATE,) if injected.WHO else ("-m", "kindsl.frontends.cli.language_server")),
+)
 TIMEOUT = 60.0
 
 

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from kindsl.analysis.analysis import Analysis
-from kindsl.mechanism.bodies import bodies_of
-from kindsl.mechanism.drawable import drawable_skeleton
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.robots.mechanism.bodies import bodies_of
+from kindsl.robots.mechanism.drawable import drawable_skeleton
 
 
 def mechanics_by_name(analysis: Analysis, values: dict[str, float] | None = None):

@@ -4,8 +4,8 @@ import random
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from kindsl.syntax.document import SyntaxDocument, parse
-from kindsl.syntax.tree import Node, Token
+from kindsl.language.syntax.document import SyntaxDocument, parse
+from kindsl.language.syntax.tree import Node, Token
 
 _WORDS = ["@", "#", "foo", '"x"', ";", "1.5", "-", "Link", "chidren"]
 

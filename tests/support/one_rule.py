@@ -2,11 +2,11 @@
 
 from tests.support.example_documents import document_of
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.analysis.settings import Settings
-from kindsl.rules.examples import link, robot
-from kindsl.semantics.parameters import Binding
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.rules.examples import link, robot
+from kindsl.language.semantics.parameters import Binding
 
 MOMENTS = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
 

@@ -12,10 +12,10 @@ from enum import Enum
 from pathlib import Path
 from typing import Any
 
-from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.features.wording import Hover
-from kindsl.text.edits import TextEdit
-from kindsl.text.span import Span
+from kindsl.frontends.features.wording import Hover
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.language.text.edits import TextEdit
+from kindsl.language.text.span import Span
 
 _SPANS = {"start": "end", "name_start": "name_end"}
 _ENDS = frozenset(_SPANS.values())

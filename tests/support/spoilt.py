@@ -8,7 +8,7 @@ from tests.support import robots
 from tests.support.models import LAYOUTS, Style, random_model
 from tests.support.walkers import walker
 
-from kindsl.syntax.scanner import scan
+from kindsl.language.syntax.scanner import scan
 
 _EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.kindsl"))
 _MOST = 4000

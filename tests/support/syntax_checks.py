@@ -1,8 +1,8 @@
 """What must hold of any parsed document."""
 
-from kindsl.syntax.document import SyntaxDocument
-from kindsl.syntax.tree import Edit, Island, Node, Problem
-from kindsl.text.edits import TextEdit, apply_edits
+from kindsl.language.syntax.document import SyntaxDocument
+from kindsl.language.syntax.tree import Edit, Island, Node, Problem
+from kindsl.language.text.edits import TextEdit, apply_edits
 
 
 def assert_lossless(document: SyntaxDocument, text: str) -> None:

@@ -5,8 +5,8 @@ import re
 
 from tests.support.bodies import inertia_text, random_body, significant
 
-from kindsl.rigid.body import MassDistribution, shifted
-from kindsl.rules.examples import joint, link, robot
+from kindsl.judgement.rules.examples import joint, link, robot
+from kindsl.mechanics.rigid.body import MassDistribution, shifted
 
 LEGS = ("LF", "RF", "LH", "RH")
 SLIPS = ("none", "reference", "signs", "unit", "mass", "reference and signs")

@@ -6,10 +6,10 @@ from hypothesis import strategies as st
 from tests.support.models import LAYOUTS, Style, random_model
 from tests.support.syntax_checks import assert_lossless, assert_same
 
-from kindsl.syntax.document import parse
-from kindsl.syntax.expected import expected_at
-from kindsl.syntax.portability import portability
-from kindsl.text.edits import TextEdit, apply_edits
+from kindsl.language.syntax.document import parse
+from kindsl.language.syntax.expected import expected_at
+from kindsl.language.syntax.portability import portability
+from kindsl.language.text.edits import TextEdit, apply_edits
 
 PIECES = (
     "link", "{", "}", "/*", "*/", "//", "\n", "\r", "\r\n", " ", "r_joint", "RobotBase", "Robot",

@@ -8,9 +8,9 @@ from tests.support.conformance import accepted_cases, cases
 from tests.support.mutants import messages
 from tests.support.published import published_models
 
-from kindsl.syntax.document import SyntaxDocument, parse
-from kindsl.syntax.portability import portability
-from kindsl.syntax.tree import Node, Token
+from kindsl.language.syntax.document import SyntaxDocument, parse
+from kindsl.language.syntax.portability import portability
+from kindsl.language.syntax.tree import Node, Token
 
 # robcogen2 refuses these for what the tree means, after reading it; rules above the syntax tell.
 BY_MEANING = frozenset(

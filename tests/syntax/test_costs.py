@@ -5,8 +5,8 @@ from collections.abc import Iterator
 import pytest
 from tests.support.mutants import messages
 
-from kindsl.syntax.document import parse
-from kindsl.syntax.recovery.costs import COSTS
+from kindsl.language.syntax.document import parse
+from kindsl.language.syntax.recovery.costs import COSTS
 
 ARM = """Robot arm {
 

@@ -6,8 +6,8 @@ import pytest
 from tests.support.models import random_model
 from tests.support.syntax_checks import assert_same
 
-from kindsl.syntax.document import SyntaxDocument, parse
-from kindsl.text.edits import TextEdit
+from kindsl.language.syntax.document import SyntaxDocument, parse
+from kindsl.language.text.edits import TextEdit
 
 
 def edited_islands(before: SyntaxDocument, after: SyntaxDocument) -> int:

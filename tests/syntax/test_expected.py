@@ -2,8 +2,8 @@
 
 import pytest
 
-from kindsl.syntax.document import parse
-from kindsl.syntax.expected import Expected, expected_at
+from kindsl.language.syntax.document import parse
+from kindsl.language.syntax.expected import Expected, expected_at
 
 AROUND = "Robot arm {\nRobotBase base { children { } }\n%s\n}\n"
 

@@ -4,9 +4,9 @@ import re
 
 import pytest
 
-from kindsl.syntax.habits.engine import Adapted, Habit, put_right
-from kindsl.syntax.habits.table import HABITS
-from kindsl.syntax.scanner import scan
+from kindsl.language.syntax.habits.engine import Adapted, Habit, put_right
+from kindsl.language.syntax.habits.table import HABITS
+from kindsl.language.syntax.scanner import scan
 
 LINK = """link upper {{
     id = 1

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from kindsl.analysis.analysis import analyse
+from kindsl.judgement.analysis.analysis import analyse
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 HEAD = "Robot R {\nRobotBase base {\n    children {\n        upper via turn\n    }\n}\n"

@@ -6,7 +6,7 @@ import pytest
 from tests.support.mutants import messages
 from tests.support.syntax_checks import assert_lossless
 
-from kindsl.syntax.document import parse
+from kindsl.language.syntax.document import parse
 
 NOISE = random.Random(1).randbytes(300_000)
 LARGE = {

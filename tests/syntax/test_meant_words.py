@@ -6,9 +6,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.features.actions.code_actions import quick_fixes
-from kindsl.text.edits import apply_edits
+from kindsl.frontends.features.actions.code_actions import quick_fixes
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.language.text.edits import apply_edits
 
 MOMENTS = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
 ROBOT = """Robot R {

@@ -7,7 +7,7 @@ from tests.support import robots
 from tests.support.mutants import messages
 from tests.support.syntax_checks import repaired
 
-from kindsl.syntax.document import parse
+from kindsl.language.syntax.document import parse
 
 MODEL = robots.STUB
 

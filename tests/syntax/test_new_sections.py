@@ -11,8 +11,8 @@ from typing import Any
 
 import pytest
 
-from kindsl.syntax.generate import tables
-from kindsl.syntax.grammars import grammar_text
+from kindsl.language.syntax.generate import tables
+from kindsl.language.syntax.grammars import grammar_text
 
 _SECTIONS = """
 color: "color" "=" vector                  //: only robcogen2
@@ -24,16 +24,16 @@ secret: "secret" "=" INT                   //: neither KD006
 """
 _PROCESS = """
 import json, sys, types
-module = types.ModuleType("kindsl.syntax.tables")
+module = types.ModuleType("kindsl.language.syntax.tables")
 source, text, targets = json.load(sys.stdin)
 exec(source, module.__dict__)
-sys.modules["kindsl.syntax.tables"] = module
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.features.completion.completion import completions
-from kindsl.features.completion.item import without_placeholders
-from kindsl.formatting.format import format_document
-from kindsl.text.edits import apply_edits
+sys.modules["kindsl.language.syntax.tables"] = module
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.frontends.features.completion.completion import completions
+from kindsl.frontends.features.completion.item import without_placeholders
+from kindsl.language.formatting.format import format_document
+from kindsl.language.text.edits import apply_edits
 cursor = text.find("$0")
 text = text.replace("$0", "")
 analysis = analyse(text, settings=Settings(targets=frozenset(targets)))

@@ -2,7 +2,7 @@
 
 import pytest
 
-from kindsl.syntax.passages import Foreign, foreign_passages
+from kindsl.language.syntax.passages import Foreign, foreign_passages
 
 WORDS = "inertia center of mass\n"
 LINK = '<link name="a">\n  <inertial/>\n</link>'

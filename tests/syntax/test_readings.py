@@ -3,10 +3,10 @@
 import pytest
 from tests.support.robots import STUB
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.settings import Settings
-from kindsl.mechanism.errors import UndecidedValueError
-from kindsl.text.edits import TextEdit
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.text.edits import TextEdit
+from kindsl.robots.mechanism.errors import UndecidedValueError
 
 POWER = STUB.replace("mass = 1.0", "mass = 1.5e2", 1)
 ROTATED = STUB.replace("(PI/2.0, 0.0, 0.0)", "(pi/2.0, 0.0, 2.0 - PI)", 1)

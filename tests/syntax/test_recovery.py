@@ -8,7 +8,7 @@ from tests.support.amount import usually
 from tests.support.models import LAYOUTS, Style, random_model
 from tests.support.mutants import Mutant, links_and_joints, messages, mutants
 
-from kindsl.syntax.document import SyntaxDocument, parse
+from kindsl.language.syntax.document import SyntaxDocument, parse
 
 LINKS = usually(7, thoroughly=12)
 STEP = usually(5, thoroughly=1)

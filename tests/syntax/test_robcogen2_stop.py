@@ -7,9 +7,9 @@ from hypothesis import strategies as st
 from tests.support.amount import usually
 from tests.support.models import Style, random_model
 
-from kindsl.syntax.document import parse
-from kindsl.syntax.robcogen2_stop import stop_of_robcogen2
-from kindsl.syntax.strict_robcogen2 import strict_reading
+from kindsl.language.syntax.document import parse
+from kindsl.language.syntax.robcogen2_stop import stop_of_robcogen2
+from kindsl.language.syntax.strict_robcogen2 import strict_reading
 
 MODEL = random_model(4, 3, Style(has_expressions=True))
 PIECES = (

@@ -2,8 +2,8 @@
 
 import pytest
 
-from kindsl.syntax.automaton import Stack, initial
-from kindsl.syntax.document import parse
+from kindsl.language.syntax.automaton import Stack, initial
+from kindsl.language.syntax.document import parse
 
 
 def test_a_reading_knows_what_another_found() -> None:

@@ -4,11 +4,11 @@ import pytest
 from lark import Lark, Tree
 from tests.support.models import Style, random_model
 
-from kindsl.syntax.document import parse
-from kindsl.syntax.generate import TABLES, main, starts, tables
-from kindsl.syntax.generating.annotations import AnnotationError
-from kindsl.syntax.grammars import grammar_text
-from kindsl.syntax.tree import Node
+from kindsl.language.syntax.document import parse
+from kindsl.language.syntax.generate import TABLES, main, starts, tables
+from kindsl.language.syntax.generating.annotations import AnnotationError
+from kindsl.language.syntax.grammars import grammar_text
+from kindsl.language.syntax.tree import Node
 
 
 def test_tables_fit_the_grammar() -> None:
@@ -20,7 +20,7 @@ def test_a_changed_grammar_is_noticed(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: object
 ) -> None:
     grammar = grammar_text("kindsl.lark").replace('"via"', '"by"')
-    monkeypatch.setattr("kindsl.syntax.generate.tables", lambda _: tables(grammar))
+    monkeypatch.setattr("kindsl.language.syntax.generate.tables", lambda _: tables(grammar))
     assert main(["--check"]) == 1
     assert "does not fit the grammar" in capsys.readouterr().err
 
@@ -76,7 +76,7 @@ def test_a_refused_remark_is_told(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     grammar = grammar_text("kindsl.lark") + "\nOTHER: /o/   //: perhaps\n"
-    monkeypatch.setattr("kindsl.syntax.generate.grammar_text", lambda _: grammar)
+    monkeypatch.setattr("kindsl.language.syntax.generate.grammar_text", lambda _: grammar)
     assert main([]) == 1
     assert "nobody reads '//: perhaps'" in capsys.readouterr().err
 

@@ -3,11 +3,11 @@
 import pytest
 from tests.support import robots
 
-from kindsl.syntax.document import parse
-from kindsl.syntax.portability import PortabilityNote, portability
-from kindsl.syntax.scanner import scan
-from kindsl.syntax.value_forms import accepted_by
-from kindsl.text.edits import TextEdit, apply_edits
+from kindsl.language.syntax.document import parse
+from kindsl.language.syntax.portability import PortabilityNote, portability
+from kindsl.language.syntax.scanner import scan
+from kindsl.language.syntax.value_forms import accepted_by
+from kindsl.language.text.edits import TextEdit, apply_edits
 
 BOTH, A, B, NONE = {"robcogen", "robcogen2"}, {"robcogen"}, {"robcogen2"}, set()
 ROBOT = robots.STUB.replace("(PI/2.0, 0.0, 0.0)", "(0.0, 0.0, PI)")

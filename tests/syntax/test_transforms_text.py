@@ -5,7 +5,7 @@ import random
 import pytest
 from tests.support.amount import usually
 
-from kindsl.syntax.transforms_text import read_transforms
+from kindsl.language.syntax.transforms_text import read_transforms
 
 GOOD = """\
 Robot arm

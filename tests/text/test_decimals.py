@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kindsl.text.decimals import (
+from kindsl.language.text.decimals import (
     exact_decimal,
     fixed_decimal,
     rounded_decimal,

@@ -1,6 +1,6 @@
 """Facts are found again by whoever keeps them, and by nobody else."""
 
-from kindsl.text.facts import Fact, Facts
+from kindsl.language.text.facts import Fact, Facts
 
 
 def test_each_kind_is_kept_apart() -> None:

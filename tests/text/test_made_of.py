@@ -1,6 +1,6 @@
 """What is made of a thing and of something else is made again where that has changed."""
 
-from kindsl.text.facts import Fact, Facts
+from kindsl.language.text.facts import Fact, Facts
 
 
 def test_what_is_made_is_kept_while_what_is_given_is_equal() -> None:

@@ -2,7 +2,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kindsl.text.nearest import hint, is_near, nearest_name, nearest_word, slips
+from kindsl.language.text.nearest import hint, is_near, nearest_name, nearest_word, slips
 
 NAMES = ("upper_arm", "forearm", "LF_hip", "wrist", "link3", "j1")
 

@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kindsl.text.writing import encoded, write_file, write_files, write_folder
+from kindsl.language.text.writing import encoded, write_file, write_files, write_folder
 
 OLD, NEW = b"old " * 600, b"new " * 9000
 is_superuser = hasattr(os, "geteuid") and os.geteuid() == 0
@@ -91,7 +91,7 @@ def test_an_owner_that_cannot_be_given_again_stays(
     file = tmp_path / "x"
     file.write_bytes(NEW)
     number = file.stat().st_ino
-    monkeypatch.setattr("kindsl.text.writing._make_alike", refused)
+    monkeypatch.setattr("kindsl.language.text.writing._make_alike", refused)
     write_file(str(file), OLD)
     assert (file.read_bytes(), file.stat().st_ino) == (OLD, number)
     assert names(tmp_path) == {"x"}
@@ -134,7 +134,7 @@ def test_devices_are_written_to() -> None:
 def test_what_is_appended_to_is_not_replaced(tmp_path: Path) -> None:
     file = tmp_path / "x"
     file.write_bytes(OLD)
-    code = "from kindsl.text.writing import write_file; write_file('/dev/stdout', b'new')"
+    code = "from kindsl.language.text.writing import write_file; write_file('/dev/stdout', b'new')"
     with file.open("ab") as stream:
         subprocess.run([sys.executable, "-c", code], stdout=stream, check=True)
     assert file.read_bytes() == OLD + b"new"

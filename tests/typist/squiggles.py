@@ -6,10 +6,10 @@ from typing import NamedTuple
 
 from lsprotocol import types
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.lsp.session.calm import Calm
-from kindsl.lsp.text.document import Document
-from kindsl.lsp.text.open_documents import Documents
+from kindsl.frontends.lsp.session.calm import Calm
+from kindsl.frontends.lsp.text.document import Document
+from kindsl.frontends.lsp.text.open_documents import Documents
+from kindsl.judgement.analysis.analysis import Analysis, analyse
 
 _URI = "untitled:typed"
 _PAIRS = {"{": "}", "(": ")"}

@@ -10,10 +10,10 @@ from tests.typist.monaco import QUICK_FRAMES, editor, put, settled, type_keys
 from tests.typist.typist import Hand, lines_to_type, type_document
 from tests.vscode.browser import chromium
 
-from kindsl.analysis.analysis import analyse
-from kindsl.features.completion.item import without_placeholders
-from kindsl.formatting.format import format_document
-from kindsl.text.edits import apply_edits
+from kindsl.frontends.features.completion.item import without_placeholders
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.language.formatting.format import format_document
+from kindsl.language.text.edits import apply_edits
 
 # The first test waits for what is installed for all of them.
 pytestmark = pytest.mark.timeout(900)

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from playwright.sync_api import Page
 from tests.typist.monaco import Seen, hurry, put, settled, type_keys
 
-from kindsl.syntax.tables import KEYWORDS
+from kindsl.language.syntax.tables import KEYWORDS
 
 _BRACE = re.compile(r"(\{\s*\}|\{|\})")
 _COMMENT = re.compile(r"//[^\r\n]*|/\*.*?\*/", re.DOTALL)

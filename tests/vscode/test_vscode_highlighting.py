@@ -12,8 +12,8 @@ from tests.support.published import CORPUS, published_models
 from tests.vscode.code_server import EXTENSION, ROOT
 
 import kindsl
-from kindsl.features.semantic_tokens import semantic_tokens
-from kindsl.text.lines import LineIndex
+from kindsl.frontends.features.semantic_tokens import semantic_tokens
+from kindsl.language.text.lines import LineIndex
 
 EXAMPLES = sorted((ROOT / "examples").glob("*.kindsl"))
 # The scopes whose colours VS Code gives to the server's tokens where a theme names none; those of

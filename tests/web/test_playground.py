@@ -14,11 +14,11 @@ from tests.web import site
 from tests.web.tab import PLACE_CURSOR, SIZE, Tab, fragment
 
 import kindsl
-from kindsl.interchange.format import joints_dropped
-from kindsl.interchange.kindsl_writing import written_kindsl
-from kindsl.interchange.urdf.urdf_reading import read_urdf
-from kindsl.reports.comparison import compared
-from kindsl.text.lines import LineIndex
+from kindsl.language.text.lines import LineIndex
+from kindsl.products.reports.comparison import compared
+from kindsl.robots.interchange.format import joints_dropped
+from kindsl.robots.interchange.kindsl_writing import written_kindsl
+from kindsl.robots.interchange.urdf.urdf_reading import read_urdf
 
 # The first test waits for what is built for all of them.
 pytestmark = pytest.mark.timeout(900)

@@ -6,7 +6,7 @@ The page is the one that the server shows; only its line to the server is anothe
 import sys
 from pathlib import Path
 
-from kindsl.preview.assets import SCRIPTS, STYLES, assets, page, scripts
+from kindsl.frontends.preview.assets import SCRIPTS, STYLES, assets, page, scripts
 
 
 def main(folder: Path, connection: Path) -> None:

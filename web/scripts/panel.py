@@ -7,8 +7,8 @@ server, and takes the editor's colours.
 import sys
 from pathlib import Path
 
-from kindsl.preview.assets import scripts
-from kindsl.preview.export import sealed_page
+from kindsl.frontends.preview.assets import scripts
+from kindsl.frontends.preview.export import sealed_page
 
 
 def main(file: Path, connection: Path, theme: Path) -> None:

@@ -7,7 +7,7 @@ import asyncio
 import gc
 import json
 
-from kindsl.lsp.browser import PREVIEW_REQUEST, start
+from kindsl.frontends.lsp.browser import PREVIEW_REQUEST, start
 
 answers = []
 

@@ -11,12 +11,12 @@ from tests.codegen.compiling import EIGEN
 from tests.codegen.robots import PLAIN
 
 import kindsl
-from kindsl.analysis.analysis import Analysis
-from kindsl.analysis.settings import Settings
-from kindsl.codegen.generating import Source, generate
-from kindsl.codegen.library import Library, Options
-from kindsl.semantics.parameters import Binding
-from kindsl.spatial.arrays import Array
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
+from kindsl.mechanics.spatial.arrays import Array
+from kindsl.products.codegen.generating import Source, generate
+from kindsl.products.codegen.library import Library, Options
 
 COMPILERS = [name for name in ("g++", "clang++") if shutil.which(name)]
 needs_cpp = pytest.mark.skipif(

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 from tests.codegen.robcogen.programs import COMPILERS, HEAD, built, generated, needs_cpp, printed
 
-from kindsl.codegen.library import Library
-from kindsl.codegen.robcogen import long_transforms
-from kindsl.codegen.robcogen import robot as generated_robot
-from kindsl.codegen.robcogen.robot import GeneratedRobot
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.dynamics.generation.emitters import cpp_templates
-from kindsl.spatial.arrays import Array
-from kindsl.spatial.cross_products import skew
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanics.dynamics.generation.emitters import cpp_templates
+from kindsl.mechanics.spatial.arrays import Array
+from kindsl.mechanics.spatial.cross_products import skew
+from kindsl.products.codegen.library import Library
+from kindsl.products.codegen.robcogen import long_transforms
+from kindsl.products.codegen.robcogen import robot as generated_robot
+from kindsl.products.codegen.robcogen.robot import GeneratedRobot
 
 Case = tuple[Mechanics, Library, dict[str, Array]]
 

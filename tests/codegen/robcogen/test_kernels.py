@@ -16,14 +16,14 @@ from tests.codegen.robcogen.test_classes import CRAB, VALUES, equal, wrenches
 from tests.codegen.robots import PLAIN
 
 import kindsl
-from kindsl.analysis.settings import Settings
-from kindsl.codegen.generating import Source, generate
-from kindsl.codegen.library import GenerationError, Options
-from kindsl.codegen.robcogen import long_transforms
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.semantics.parameters import Binding
-from kindsl.spatial.arrays import Array
-from kindsl.spatial.cross_products import skew
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanics.spatial.arrays import Array
+from kindsl.mechanics.spatial.cross_products import skew
+from kindsl.products.codegen.generating import Source, generate
+from kindsl.products.codegen.library import GenerationError, Options
+from kindsl.products.codegen.robcogen import long_transforms
 
 pytestmark = pytest.mark.skipif(not COMPILERS, reason="there is no C++ compiler")
 HAND = (

@@ -7,8 +7,8 @@ from tests.codegen.robcogen import test_classes
 from tests.codegen.robcogen.programs import built, generated, needs_cpp, told
 from tests.codegen.robcogen.test_classes import CRAB, VALUES, Case, program
 
-from kindsl.analysis.analysis import Analysis
-from kindsl.codegen.library import Library
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.products.codegen.library import Library
 
 # A value of each class, of those that lengths and centres share, and of all at once.
 CHANGES = {

@@ -4,10 +4,10 @@ import pytest
 from tests.support.cursor import at_cursor
 from tests.support.documents import ROOT
 
-from kindsl.analysis.analysis import analyse
-from kindsl.features.actions.add_sections import add_sections
-from kindsl.features.actions.code_actions import quick_fixes
-from kindsl.formatting.format import format_document
+from kindsl.frontends.features.actions.add_sections import add_sections
+from kindsl.frontends.features.actions.code_actions import quick_fixes
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.language.formatting.format import format_document
 
 QUADRUPED = (ROOT / "examples" / "quadruped.kindsl").read_text()
 LINK = """\

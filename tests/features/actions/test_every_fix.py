@@ -7,11 +7,11 @@ from pathlib import Path
 import pytest
 from tests.support.markers import marked_files
 
-from kindsl.analysis.analysis import analyse
-from kindsl.features.actions.code_actions import quick_fixes
-from kindsl.rules.base import Severity
-from kindsl.rules.registry import all_rules
-from kindsl.text.edits import apply_edits
+from kindsl.frontends.features.actions.code_actions import quick_fixes
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.rules.base import Severity
+from kindsl.judgement.rules.registry import all_rules
+from kindsl.language.text.edits import apply_edits
 
 FIXTURES = sorted((Path(__file__).parents[2] / "fixtures" / "rules").glob("*.kindsl"))
 EXAMPLES = [

@@ -10,9 +10,9 @@ from tests.support.cursor import at_cursor
 from tests.support.kept import errors
 from tests.support.mechanisms import assert_same_mechanism, mechanics_by_name
 
-from kindsl.analysis.analysis import analyse
-from kindsl.features.actions.code_actions import quick_fixes
-from kindsl.features.actions.move_inertia import move_inertia
+from kindsl.frontends.features.actions.code_actions import quick_fixes
+from kindsl.frontends.features.actions.move_inertia import move_inertia
+from kindsl.judgement.analysis.analysis import analyse
 
 FRAME = "{name} {{ translation = ({x}, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) }}"
 TO_COM = "Give the inertia of 'upper' about its CoM, in a new frame 'upper_com'"

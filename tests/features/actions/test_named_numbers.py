@@ -4,11 +4,11 @@ import pytest
 from tests.features.samples import ARM, PARAMETRIC
 from tests.support.cursor import at_cursor
 
-from kindsl.analysis.settings import Settings
-from kindsl.features.actions.action import CodeAction
-from kindsl.features.actions.extract_parameter import extract_parameter
-from kindsl.features.actions.inline_parameter import inline_parameter
-from kindsl.semantics.parameters import Binding
+from kindsl.frontends.features.actions.action import CodeAction
+from kindsl.frontends.features.actions.extract_parameter import extract_parameter
+from kindsl.frontends.features.actions.inline_parameter import inline_parameter
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
 
 ROBCOGEN = Settings(frozenset({"robcogen"}))
 JOINT = "r_joint j {{ ref_frame {{ translation = ({}, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) }} }}"

@@ -4,17 +4,17 @@ import pytest
 from tests.features.samples import ARM
 from tests.support.cursor import at_cursor
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.features.actions.code_actions import (
+from kindsl.frontends.features.actions.code_actions import (
     bind_parameter,
     code_actions,
     fix_all_action,
     quick_fixes,
     suppressions,
 )
-from kindsl.features.actions.fix_all import fix_all
-from kindsl.text.edits import TextEdit, apply_edits
+from kindsl.frontends.features.actions.fix_all import fix_all
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.text.edits import TextEdit, apply_edits
 
 JOINT = "r_joint j { ref_frame { translation = (x, y, 0.0) rotation = (0.0, 0.0, 0.0) } }"
 

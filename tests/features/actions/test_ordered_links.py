@@ -3,7 +3,7 @@
 import pytest
 from tests.support.cursor import at_cursor
 
-from kindsl.features.actions.sort_links import renumber_links, sort_links
+from kindsl.frontends.features.actions.sort_links import renumber_links, sort_links
 
 HEAD = "Robot R {\nRobotBase b { children { k via jk m via jm } }\n"
 LINKS = {

@@ -13,10 +13,10 @@ from tests.support.documents import SOUND_EXAMPLES, sound_documents
 from tests.support.kept import errors, remarks
 from tests.support.mechanisms import assert_same_mechanism, mechanics_by_name
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.settings import Settings
-from kindsl.features.actions.fix_all import fix_all
-from kindsl.text.edits import apply_edits
+from kindsl.frontends.features.actions.fix_all import fix_all
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.text.edits import apply_edits
 
 ALL = Settings(select=("KD",))
 OF_EACH = 3

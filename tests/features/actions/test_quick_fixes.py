@@ -5,14 +5,14 @@ from tests.features.samples import ARM
 from tests.support.cursor import at_cursor
 from tests.support.documents import ROOT
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.fixing import disjoint_fixes, is_fixable
-from kindsl.analysis.settings import Settings
-from kindsl.features.actions.code_actions import code_actions, fix_all_action, quick_fixes
-from kindsl.features.actions.fix_all import fix_all, line_edits
-from kindsl.features.actions.layout_edits import newline_of
-from kindsl.semantics.parameters import Binding
-from kindsl.text.edits import TextEdit, apply_edits
+from kindsl.frontends.features.actions.code_actions import code_actions, fix_all_action, quick_fixes
+from kindsl.frontends.features.actions.fix_all import fix_all, line_edits
+from kindsl.frontends.features.actions.layout_edits import newline_of
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.fixing import disjoint_fixes, is_fixable
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
+from kindsl.language.text.edits import TextEdit, apply_edits
 
 BAD = ARM.replace("mass = 2.0", "mass = 2").replace("(0.5, 0.0, 0.0)", "(1, 2, 3)")
 

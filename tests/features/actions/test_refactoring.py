@@ -5,13 +5,13 @@ from tests.support.documents import sound_documents
 from tests.support.kept import remarks
 from tests.support.mechanisms import assert_same_mechanism, mechanics_by_name
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.features.actions.code_actions import refactorings
-from kindsl.features.rename import rename
-from kindsl.features.symbol_at import named_places
-from kindsl.semantics.parameters import Binding
-from kindsl.text.edits import apply_edits
+from kindsl.frontends.features.actions.code_actions import refactorings
+from kindsl.frontends.features.rename import rename
+from kindsl.frontends.features.symbol_at import named_places
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
+from kindsl.language.text.edits import apply_edits
 
 
 def offered(marked, settings=None):

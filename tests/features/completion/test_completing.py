@@ -2,13 +2,13 @@ import pytest
 from tests.features.samples import ARM, PARAMETRIC
 from tests.support.cursor import at_cursor
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.features.completion.completion import completions, documentation
-from kindsl.features.completion.item import without_placeholders
-from kindsl.semantics.parameters import Binding
-from kindsl.syntax.tables import KEYWORDS
-from kindsl.text.edits import TextEdit, apply_edits
+from kindsl.frontends.features.completion.completion import completions, documentation
+from kindsl.frontends.features.completion.item import without_placeholders
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
+from kindsl.language.syntax.tables import KEYWORDS
+from kindsl.language.text.edits import TextEdit, apply_edits
 
 
 def labels(marked, settings=None):

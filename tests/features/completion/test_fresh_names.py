@@ -3,7 +3,7 @@
 import pytest
 from tests.support.cursor import at_cursor
 
-from kindsl.features.completion.completion import completions
+from kindsl.frontends.features.completion.completion import completions
 
 ROBOT = "Robot R {\nRobotBase b { children { %s via z } }\n%slink last { children { $0 } }\n}"
 

@@ -5,10 +5,10 @@ import re
 import pytest
 from tests.support.cursor import at_cursor
 
-from kindsl.analysis.settings import Settings
-from kindsl.features.completion import snippets
-from kindsl.features.completion.completion import completions
-from kindsl.semantics.parameters import Binding
+from kindsl.frontends.features.completion import snippets
+from kindsl.frontends.features.completion.completion import completions
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
 
 BASE = "Robot R {\nRobotBase b { children { l via j } }\n"
 LINK = BASE + "link l { "

@@ -7,8 +7,8 @@ from tests.features.samples import ARM, COMMENTED, PARAMETRIC
 from tests.support.cursor import at_cursor
 from tests.typist.typist import lines_to_type
 
-from kindsl.analysis.analysis import analyse
-from kindsl.features.completion.completion import completions, narrowed, suggestions
+from kindsl.frontends.features.completion.completion import completions, narrowed, suggestions
+from kindsl.judgement.analysis.analysis import analyse
 
 EXAMPLES = sorted((Path(__file__).parents[3] / "examples").glob("*.kindsl"))
 ROBOT = "Robot R {\n"

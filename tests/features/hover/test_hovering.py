@@ -2,9 +2,9 @@ import pytest
 from tests.features.samples import ARM, BROKEN, PARAMETRIC
 from tests.support.cursor import at_cursor
 
-from kindsl.analysis.settings import Settings
-from kindsl.features.hover.hover import hover
-from kindsl.semantics.parameters import Binding
+from kindsl.frontends.features.hover.hover import hover
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
 
 
 def shown(marked, settings=None):

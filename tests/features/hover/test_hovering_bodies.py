@@ -4,7 +4,7 @@ import pytest
 from tests.features.samples import ARM, PARAMETRIC
 from tests.support.cursor import at_cursor
 
-from kindsl.features.hover.hover import hover
+from kindsl.frontends.features.hover.hover import hover
 
 
 def lines(marked):

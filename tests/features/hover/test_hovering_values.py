@@ -3,10 +3,10 @@
 import pytest
 from tests.support.cursor import at_cursor
 
-from kindsl.analysis.settings import Settings
-from kindsl.features.hover.hover import hover
-from kindsl.features.symbol_at import symbol_at
-from kindsl.semantics.parameters import Binding
+from kindsl.frontends.features.hover.hover import hover
+from kindsl.frontends.features.symbol_at import symbol_at
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
 
 
 def shown(marked, **bindings):

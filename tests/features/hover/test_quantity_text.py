@@ -2,8 +2,8 @@ from math import pi
 
 import pytest
 
-from kindsl.features.quantity_text import angle, number, quantity, vector
-from kindsl.semantics.declarations import ValueKind
+from kindsl.frontends.features.quantity_text import angle, number, quantity, vector
+from kindsl.language.semantics.declarations import ValueKind
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,7 @@
 from tests.features.samples import COMMENTED, PARAMETRIC
 
-from kindsl.analysis.analysis import analyse
-from kindsl.features.semantic_tokens import semantic_tokens
+from kindsl.frontends.features.semantic_tokens import semantic_tokens
+from kindsl.judgement.analysis.analysis import analyse
 
 
 def meanings(text):

@@ -1,7 +1,7 @@
 """A document after a gesture."""
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.features.manipulation.gesture import Gesture, Refusal
+from kindsl.frontends.features.manipulation.gesture import Gesture, Refusal
+from kindsl.judgement.analysis.analysis import Analysis, analyse
 
 
 def changed(text: str, gesture: Gesture | Refusal) -> Analysis:

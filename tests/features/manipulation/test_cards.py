@@ -2,14 +2,14 @@
 
 import pytest
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.settings import Settings
-from kindsl.features.manipulation.carrier import Carrier, carrier_of
-from kindsl.features.manipulation.gesture import Refusal
-from kindsl.features.manipulation.handles import handles
-from kindsl.features.manipulation.things import Missing, Thing, carrying_frame, component
-from kindsl.semantics.expressions import Expression
-from kindsl.semantics.parameters import Binding
+from kindsl.frontends.features.manipulation.carrier import Carrier, carrier_of
+from kindsl.frontends.features.manipulation.gesture import Refusal
+from kindsl.frontends.features.manipulation.handles import handles
+from kindsl.frontends.features.manipulation.things import Missing, Thing, carrying_frame, component
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.expressions import Expression
+from kindsl.language.semantics.parameters import Binding
 
 ROBOT = """\
 Robot r {{ RobotBase base {{ children {{ a via j }} }}

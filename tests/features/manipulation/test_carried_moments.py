@@ -5,12 +5,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.features.samples import ARM
 
-from kindsl.analysis.analysis import analyse
-from kindsl.features.manipulation.carried_moments import carried_moments
-from kindsl.features.manipulation.set_component import ComponentChange, set_component
-from kindsl.features.manipulation.things import Thing
-from kindsl.mechanism.link_inertia import written_inertia
-from kindsl.rigid.body import second_moments_about_com
+from kindsl.frontends.features.manipulation.carried_moments import carried_moments
+from kindsl.frontends.features.manipulation.set_component import ComponentChange, set_component
+from kindsl.frontends.features.manipulation.things import Thing
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.mechanics.rigid.body import second_moments_about_com
+from kindsl.robots.mechanism.link_inertia import written_inertia
 
 MOVES = st.lists(st.tuples(st.sampled_from("xyz"), st.integers(-200, 200)), min_size=1, max_size=4)
 

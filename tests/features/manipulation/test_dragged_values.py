@@ -4,13 +4,13 @@ from math import pi
 
 import pytest
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.settings import Settings
-from kindsl.features.manipulation.gesture import Refusal
-from kindsl.features.manipulation.set_component import ComponentChange, set_component
-from kindsl.features.manipulation.things import Thing
-from kindsl.features.manipulation.written_value import fraction_of_pi, written_number
-from kindsl.semantics.parameters import Binding
+from kindsl.frontends.features.manipulation.gesture import Refusal
+from kindsl.frontends.features.manipulation.set_component import ComponentChange, set_component
+from kindsl.frontends.features.manipulation.things import Thing
+from kindsl.frontends.features.manipulation.written_value import fraction_of_pi, written_number
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
 
 ROBOT = """\
 Robot r {{ RobotBase base {{ children {{ a via j }} }}

@@ -8,17 +8,17 @@ import pytest
 from tests.support.amount import usually
 from tests.support.models import random_model
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.settings import Settings
-from kindsl.features.manipulation.gesture import Refusal
-from kindsl.features.manipulation.handles import handles
-from kindsl.features.manipulation.set_component import ComponentChange, set_component
-from kindsl.features.manipulation.things import Thing
-from kindsl.mechanism.skeleton import named_frames
-from kindsl.semantics.parameters import Binding
-from kindsl.syntax.scanner import scan
-from kindsl.syntax.value_forms import accepted_by
-from kindsl.text.edits import TextEdit, apply_edits
+from kindsl.frontends.features.manipulation.gesture import Refusal
+from kindsl.frontends.features.manipulation.handles import handles
+from kindsl.frontends.features.manipulation.set_component import ComponentChange, set_component
+from kindsl.frontends.features.manipulation.things import Thing
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.parameters import Binding
+from kindsl.language.syntax.scanner import scan
+from kindsl.language.syntax.value_forms import accepted_by
+from kindsl.language.text.edits import TextEdit, apply_edits
+from kindsl.robots.mechanism.skeleton import named_frames
 
 ROOT = Path(__file__).parents[3]
 N_DRAGS = usually(500, thoroughly=2000)

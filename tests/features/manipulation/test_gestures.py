@@ -9,14 +9,14 @@ from hypothesis import strategies as st
 from tests.support.mechanisms import matrix
 from tests.support.models import Style, random_model
 
-from kindsl.analysis.analysis import analyse
-from kindsl.features.manipulation.add_child import add_child
-from kindsl.features.manipulation.add_frame import add_frame
-from kindsl.features.manipulation.gesture import Gesture, Refusal
-from kindsl.features.manipulation.mirror_leg import mirror_leg
-from kindsl.features.manipulation.pose_as_zero import pose_as_zero
-from kindsl.formatting.format import format_document
-from kindsl.mechanism.drawable import drawable_skeleton
+from kindsl.frontends.features.manipulation.add_child import add_child
+from kindsl.frontends.features.manipulation.add_frame import add_frame
+from kindsl.frontends.features.manipulation.gesture import Gesture, Refusal
+from kindsl.frontends.features.manipulation.mirror_leg import mirror_leg
+from kindsl.frontends.features.manipulation.pose_as_zero import pose_as_zero
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.language.formatting.format import format_document
+from kindsl.robots.mechanism.drawable import drawable_skeleton
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 QUADRUPED = (EXAMPLES / "quadruped.kindsl").read_text()

@@ -5,9 +5,9 @@ from pathlib import Path
 import pytest
 from tests.features.manipulation.made import changed
 
-from kindsl.analysis.analysis import analyse
-from kindsl.features.manipulation.gesture import Gesture, Refusal
-from kindsl.features.manipulation.mirror_leg import can_mirror, mirror_leg
+from kindsl.frontends.features.manipulation.gesture import Gesture, Refusal
+from kindsl.frontends.features.manipulation.mirror_leg import can_mirror, mirror_leg
+from kindsl.judgement.analysis.analysis import analyse
 
 LEG = """\
 Robot R {

@@ -3,10 +3,10 @@
 import pytest
 from tests.features.manipulation.made import changed
 
-from kindsl.analysis.analysis import analyse
-from kindsl.features.manipulation.add_child import add_child
-from kindsl.features.manipulation.add_frame import add_frame
-from kindsl.features.manipulation.gesture import Refusal
+from kindsl.frontends.features.manipulation.add_child import add_child
+from kindsl.frontends.features.manipulation.add_frame import add_frame
+from kindsl.frontends.features.manipulation.gesture import Refusal
+from kindsl.judgement.analysis.analysis import analyse
 
 ROBOT = """\
 Robot R {

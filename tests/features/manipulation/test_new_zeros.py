@@ -2,9 +2,9 @@
 
 import pytest
 
-from kindsl.analysis.analysis import analyse
-from kindsl.features.manipulation.gesture import Refusal
-from kindsl.features.manipulation.pose_as_zero import pose_as_zero
+from kindsl.frontends.features.manipulation.gesture import Refusal
+from kindsl.frontends.features.manipulation.pose_as_zero import pose_as_zero
+from kindsl.judgement.analysis.analysis import analyse
 
 
 @pytest.mark.parametrize(

@@ -3,13 +3,13 @@
 import pytest
 from tests.cli.samples import arm
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.analysis.transforms_findings import transforms_findings
-from kindsl.features.transforms_actions import transforms_actions
-from kindsl.features.transforms_completion import transforms_completions
-from kindsl.semantics.transforms import transforms_document
-from kindsl.text.edits import apply_edits
+from kindsl.frontends.features.transforms_actions import transforms_actions
+from kindsl.frontends.features.transforms_completion import transforms_completions
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.analysis.transforms_findings import transforms_findings
+from kindsl.language.semantics.transforms import transforms_document
+from kindsl.language.text.edits import apply_edits
 
 MODEL = analyse(arm()).model
 LISTED = "Robot arm\nFrames { fr_base, tip }\n"

@@ -2,10 +2,10 @@
 
 import pytest
 
-from kindsl.analysis.analysis import analyse
-from kindsl.features.transforms_actions import transforms_actions
-from kindsl.semantics.transforms import transforms_document
-from kindsl.text.edits import apply_edits
+from kindsl.frontends.features.transforms_actions import transforms_actions
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.language.semantics.transforms import transforms_document
+from kindsl.language.text.edits import apply_edits
 
 LINKS = "link a { id = 1 children {} frames { tip { } } } link b { id = 2 children {} }"
 MODEL = analyse(f"Robot arm {{ RobotBase base {{ children {{ a via j }} }} {LINKS} }}").model

@@ -3,10 +3,10 @@
 import pytest
 from tests.cli.samples import arm
 
-from kindsl.analysis.analysis import analyse
-from kindsl.features.transforms_completion import transforms_completions
-from kindsl.features.transforms_names import renamed_transforms
-from kindsl.text.edits import apply_edits
+from kindsl.frontends.features.transforms_completion import transforms_completions
+from kindsl.frontends.features.transforms_names import renamed_transforms
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.language.text.edits import apply_edits
 
 ARM = arm()
 

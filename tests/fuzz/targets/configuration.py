@@ -7,9 +7,9 @@ import math
 import re
 from collections.abc import Iterator
 
-from kindsl.config.configuration import Configuration
-from kindsl.config.configuration_reading import configuration_of
-from kindsl.config.errors import ConfigurationError
+from kindsl.judgement.config.configuration import Configuration
+from kindsl.judgement.config.configuration_reading import configuration_of
+from kindsl.judgement.config.errors import ConfigurationError
 
 _LONGEST = 1000
 _NAMES = ("kindsl.toml", "pyproject.toml")

@@ -6,7 +6,7 @@ Input: the text. Edits, fixes and the layout are for `edits.py`, which takes lon
 from tests.support.finding_checks import EVERYTHING, assert_sound
 from tests.support.syntax_checks import assert_lossless
 
-from kindsl.analysis.analysis import analyse
+from kindsl.judgement.analysis.analysis import analyse
 
 
 def one_input(data: bytes) -> None:

@@ -6,10 +6,10 @@ Input: the document, then for each edit a byte 0xff, two bytes place, one byte l
 from tests.support.finding_checks import EVERYTHING, assert_sound
 from tests.support.syntax_checks import assert_lossless, assert_same
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.formatting.format import FormattingRefusedError, format_document
-from kindsl.syntax.document import parse
-from kindsl.text.edits import TextEdit, apply_edits
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.language.formatting.format import FormattingRefusedError, format_document
+from kindsl.language.syntax.document import parse
+from kindsl.language.text.edits import TextEdit, apply_edits
 
 _MOST_EDITS = 4
 

@@ -7,10 +7,10 @@ import math
 
 from tests.support import robots
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.features.manipulation.gesture import Refusal
-from kindsl.features.manipulation.set_component import set_component
-from kindsl.features.manipulation.things import Missing, Thing, component
+from kindsl.frontends.features.manipulation.gesture import Refusal
+from kindsl.frontends.features.manipulation.set_component import set_component
+from kindsl.frontends.features.manipulation.things import Missing, Thing, component
+from kindsl.judgement.analysis.analysis import Analysis, analyse
 
 _ARM = analyse(robots.LIFT)
 _MOST_DRAGS = 20

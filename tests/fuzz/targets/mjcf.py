@@ -8,7 +8,7 @@ from pathlib import Path
 
 from tests.fuzz.conversions import check_reading
 
-from kindsl.interchange.mjcf.mjcf_reading import read_mjcf
+from kindsl.robots.interchange.mjcf.mjcf_reading import read_mjcf
 
 
 def one_input(data: bytes) -> None:

@@ -9,14 +9,14 @@ from collections.abc import Mapping
 
 from tests.support import robots
 
-from kindsl.analysis.analysis import analyse
-from kindsl.preview.channel import Tab
-from kindsl.preview.documents import DocumentPreviews
-from kindsl.preview.outcomes import Writing
-from kindsl.preview.requests import Request, parse_request
-from kindsl.scene.encoding import as_json, encode
-from kindsl.scene.messages import Change, Part
-from kindsl.text.edits import apply_edits
+from kindsl.frontends.preview.channel import Tab
+from kindsl.frontends.preview.documents import DocumentPreviews
+from kindsl.frontends.preview.outcomes import Writing
+from kindsl.frontends.preview.requests import Request, parse_request
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.language.text.edits import apply_edits
+from kindsl.robots.scene.encoding import as_json, encode
+from kindsl.robots.scene.messages import Change, Part
 
 _KEY = "untitled:arm"
 _MOST_MESSAGES = 20

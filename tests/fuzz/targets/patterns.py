@@ -7,7 +7,7 @@ import warnings
 
 from pathspec import GitIgnoreSpec
 
-from kindsl.config.patterns import can_match, is_match, spec_of
+from kindsl.judgement.config.patterns import can_match, is_match, spec_of
 
 _LONGEST = 2000
 # The library tries more ways than there are atoms for more, and lets a class match a slash.

@@ -5,7 +5,7 @@ Input: the file's bytes.
 
 from tests.fuzz.conversions import check_reading
 
-from kindsl.interchange.sdf.sdf_reading import robot_of_sdf
+from kindsl.robots.interchange.sdf.sdf_reading import robot_of_sdf
 
 
 def one_input(data: bytes) -> None:

@@ -8,8 +8,8 @@ from pathlib import Path
 
 from tests.support.finding_checks import EVERYTHING, assert_sound
 
-from kindsl.analysis.analysis import analyse
-from kindsl.comparison.twins import TwinFile
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.robots.comparison.twins import TwinFile
 
 
 def one_input(data: bytes) -> None:

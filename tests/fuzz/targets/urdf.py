@@ -5,7 +5,7 @@ Input: the file's bytes.
 
 from tests.fuzz.conversions import check_reading
 
-from kindsl.interchange.urdf.urdf_reading import robot_of_urdf
+from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
 
 
 def one_input(data: bytes) -> None:

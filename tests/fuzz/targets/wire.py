@@ -10,9 +10,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from kindsl.lsp.wire.editor import Editor
-from kindsl.lsp.wire.frames import read_messages
-from kindsl.lsp.wire.protocol import KindslProtocol
+from kindsl.frontends.lsp.wire.editor import Editor
+from kindsl.frontends.lsp.wire.frames import read_messages
+from kindsl.frontends.lsp.wire.protocol import KindslProtocol
 
 
 class _Output:
@@ -94,7 +94,7 @@ async def _serve(data: bytes, output: _Output) -> None:
 
 @contextmanager
 def _faults() -> Iterator[_Faults]:
-    logger, faults = logging.getLogger("kindsl.lsp.wire"), _Faults()
+    logger, faults = logging.getLogger("kindsl.frontends.lsp.wire"), _Faults()
     logger.addHandler(faults)
     logger.propagate = False
     try:

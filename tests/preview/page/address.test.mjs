@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { makeRandom } from "./stage.mjs";
-import { eyeOf, eyeText } from "../../../server/kindsl/preview/page/address.js";
+import { eyeOf, eyeText } from "../../../server/kindsl/frontends/preview/page/address.js";
 
 test("an eye comes back from the address, to five digits", () => {
   const random = makeRandom(6), some = () => [0, 1, 2].map(() => Number((20 * random() - 10).toPrecision(5)));

@@ -4,9 +4,9 @@ import test from "node:test";
 import { makeViewer } from "./stage.mjs";
 
 globalThis.document.createElement = () => Object.assign(new EventTarget(), { style: {}, append() {}, hidden: false });
-const { ALONE } = await import("../../../server/kindsl/preview/page/picture/beside.js");
-const { Away } = await import("../../../server/kindsl/preview/page/picture/away.js");
-const { Camera } = await import("../../../server/kindsl/preview/page/picture/camera.js");
+const { ALONE } = await import("../../../server/kindsl/frontends/preview/page/picture/beside.js");
+const { Away } = await import("../../../server/kindsl/frontends/preview/page/picture/away.js");
+const { Camera } = await import("../../../server/kindsl/frontends/preview/page/picture/camera.js");
 
 const AT = (x, y, z) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1];
 

@@ -1,8 +1,8 @@
 // Two robots that are compared: where the other stands, and which one is drawn as a ghost.
 import assert from "node:assert/strict";
 import test from "node:test";
-import { ALONE, ghostBase, isFaint } from "../../../server/kindsl/preview/page/picture/beside.js";
-import { IDENTITY } from "../../../server/kindsl/preview/page/picture/kinematics.js";
+import { ALONE, ghostBase, isFaint } from "../../../server/kindsl/frontends/preview/page/picture/beside.js";
+import { IDENTITY } from "../../../server/kindsl/frontends/preview/page/picture/kinematics.js";
 
 const OVER = { isOn: true, isBeside: false, isSwapped: false };
 

@@ -2,10 +2,10 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { makeViewer } from "./stage.mjs";
-const { ALONE } = await import("../../../server/kindsl/preview/page/picture/beside.js");
-const { Bodies } = await import("../../../server/kindsl/preview/page/picture/bodies.js");
-const { forwardKinematics } = await import("../../../server/kindsl/preview/page/picture/kinematics.js");
-const { LIGHT } = await import("../../../server/kindsl/preview/page/picture/palette.js");
+const { ALONE } = await import("../../../server/kindsl/frontends/preview/page/picture/beside.js");
+const { Bodies } = await import("../../../server/kindsl/frontends/preview/page/picture/bodies.js");
+const { forwardKinematics } = await import("../../../server/kindsl/frontends/preview/page/picture/kinematics.js");
+const { LIGHT } = await import("../../../server/kindsl/frontends/preview/page/picture/palette.js");
 
 const AT = (x, y, z) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1];
 const core = (center, size) => ({

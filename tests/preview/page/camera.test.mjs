@@ -1,10 +1,10 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { makeRandom, makeViewer, seenAt } from "./stage.mjs";
-import { ALONE } from "../../../server/kindsl/preview/page/picture/beside.js";
-import { Camera, fromThree, toThree } from "../../../server/kindsl/preview/page/picture/camera.js";
-import { poseMatrix } from "../../../server/kindsl/preview/page/picture/kinematics.js";
-import { VIEWS } from "../../../server/kindsl/preview/page/panel/keys.js";
+import { ALONE } from "../../../server/kindsl/frontends/preview/page/picture/beside.js";
+import { Camera, fromThree, toThree } from "../../../server/kindsl/frontends/preview/page/picture/camera.js";
+import { poseMatrix } from "../../../server/kindsl/frontends/preview/page/picture/kinematics.js";
+import { VIEWS } from "../../../server/kindsl/frontends/preview/page/panel/keys.js";
 
 function begun({ width = 800, height = 600, points = [] } = {}) {
   const viewer = makeViewer(width, height), pane = { clientWidth: width, clientHeight: height };

@@ -1,9 +1,9 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { THREE, makeRandom, makeViewer, seenAt } from "./stage.mjs";
-import { HandleDrag, snapped, stepsOf } from "../../../server/kindsl/preview/page/editing/handle_drag.js";
-import { alongLine, angleBetween, onPlane, wrappedAngle } from "../../../server/kindsl/preview/page/editing/rays.js";
-import { toThree } from "../../../server/kindsl/preview/page/picture/camera.js";
+import { HandleDrag, snapped, stepsOf } from "../../../server/kindsl/frontends/preview/page/editing/handle_drag.js";
+import { alongLine, angleBetween, onPlane, wrappedAngle } from "../../../server/kindsl/frontends/preview/page/editing/rays.js";
+import { toThree } from "../../../server/kindsl/frontends/preview/page/picture/camera.js";
 
 const { Vector3 } = THREE;
 const MIDDLE = new Vector3(0.2, -0.1, 0.3), RADIUS = 0.5;

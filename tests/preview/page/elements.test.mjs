@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import "./stage.mjs";
 
-const { sharedEnding } = await import("../../../server/kindsl/preview/page/base/elements.js");
+const { sharedEnding } = await import("../../../server/kindsl/frontends/preview/page/base/elements.js");
 
 test("the last word is shared only where all names have it and more", () => {
   assert.equal(sharedEnding(["left_hip_joint", "right_hip_joint", "waist_joint"]), "_joint");

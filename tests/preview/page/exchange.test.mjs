@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import test from "node:test";
-import { Exchange } from "../../../server/kindsl/preview/page/editing/exchange.js";
+import { Exchange } from "../../../server/kindsl/frontends/preview/page/editing/exchange.js";
 
 function begun() {
   const sent = [], done = [], exchange = new Exchange((request) => sent.push([request.type, request.value, request.revision]));

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { element, makeRandom } from "./stage.mjs";
-import { History } from "../../../server/kindsl/preview/page/history.js";
+import { History } from "../../../server/kindsl/frontends/preview/page/history.js";
 
 const REST = 1000; // milliseconds, more than a pause makes a step
 

@@ -1,9 +1,9 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { makeViewer } from "./stage.mjs";
-import { Inbox } from "../../../server/kindsl/preview/page/inbox.js";
-import { poseMatrix } from "../../../server/kindsl/preview/page/picture/kinematics.js";
-import { Scene } from "../../../server/kindsl/preview/page/picture/scene.js";
+import { Inbox } from "../../../server/kindsl/frontends/preview/page/inbox.js";
+import { poseMatrix } from "../../../server/kindsl/frontends/preview/page/picture/kinematics.js";
+import { Scene } from "../../../server/kindsl/frontends/preview/page/picture/scene.js";
 
 const LINKS = ["base", "arm"].map((name, index) => ({
   type: "link", path: `/kindsl/robot/links/${name}`, name, index, joint: index ? "lift" : "", mass: 1, com: [0, 0, 0], inertia: [], lacks: "",

@@ -3,7 +3,7 @@ import test from "node:test";
 import { makeRandom } from "./stage.mjs";
 import {
   centerOfMass, forwardKinematics, gravityTorques, intrinsicXyz, multiply, originOf, poseMatrix, transformPoint,
-} from "../../../server/kindsl/preview/page/picture/kinematics.js";
+} from "../../../server/kindsl/frontends/preview/page/picture/kinematics.js";
 
 const between = (random, low, high) => low + (high - low) * random();
 const vector = (random, size) => [0, 1, 2].map(() => between(random, -size, size));

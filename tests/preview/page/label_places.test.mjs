@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { makeRandom } from "./stage.mjs";
-import { LabelPlaces, overlaps } from "../../../server/kindsl/preview/page/picture/label_places.js";
+import { LabelPlaces, overlaps } from "../../../server/kindsl/frontends/preview/page/picture/label_places.js";
 
 const PANE = { clientWidth: 400, clientHeight: 300 };
 

@@ -2,8 +2,8 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import "./stage.mjs";
-const { limbs } = await import("../../../server/kindsl/preview/page/picture/motion.js");
-const { poseLines } = await import("../../../server/kindsl/preview/page/panel/poses.js");
+const { limbs } = await import("../../../server/kindsl/frontends/preview/page/picture/motion.js");
+const { poseLines } = await import("../../../server/kindsl/frontends/preview/page/panel/poses.js");
 
 function robot(...edges) {
   return { joints: new Map(edges.map(([name, predecessor, successor], index) => [name, { name, predecessor, successor, index }])) };

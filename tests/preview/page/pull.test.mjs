@@ -2,8 +2,8 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { makeRandom } from "./stage.mjs";
-import { poseMatrix } from "../../../server/kindsl/preview/page/picture/kinematics.js";
-import { chainTo, pull, reach, settle } from "../../../server/kindsl/preview/page/picture/pull.js";
+import { poseMatrix } from "../../../server/kindsl/frontends/preview/page/picture/kinematics.js";
+import { chainTo, pull, reach, settle } from "../../../server/kindsl/frontends/preview/page/picture/pull.js";
 
 const joint = (name, translation, rotation, kind = "revolute") => ({ name, kind, placement: poseMatrix(translation, rotation) });
 const HALF = Math.PI / 2;

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import test from "node:test";
-import { inUnit, roundUp, stopsOf } from "../../../server/kindsl/preview/page/base/quantities.js";
+import { inUnit, roundUp, stopsOf } from "../../../server/kindsl/frontends/preview/page/base/quantities.js";
 
 const SAID = [
   [[0.98, 0.54, 0.78], "m", 2, "0.98 × 0.54 × 0.78 m"], [[0.012], "m", 3, "12 mm"], [[4e-6], "kg", 3, "4 mg"], [[31.82], "kg", 3, "31.8 kg"],

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import { makeRandom } from "./stage.mjs";
 const { capsuleMesh, coreMesh, drumMesh, blockMesh, gyration, hitOf, icosphere, silhouette } =
-  await import("../../../server/kindsl/preview/page/picture/shapes.js");
+  await import("../../../server/kindsl/frontends/preview/page/picture/shapes.js");
 
 const AXES = [0.6, 0.8, 0, -0.8, 0.6, 0, 0, 0, 1];
 const CORES = [[1, 1, 1, 1, 1], [0.2, 0.2, 1, 0.12, 1], [1, 0.9, 0.05, 0.9, 0.12], [1, 0.6, 0.3, 0.3, 0.4]].map(([a, b, c, e1, e2]) => ({

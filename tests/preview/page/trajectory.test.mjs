@@ -1,7 +1,7 @@
 // Motions from files: what is read, what is refused, and where joints are between samples.
 import assert from "node:assert/strict";
 import test from "node:test";
-import { poseAt, rates, readTrajectory } from "../../../server/kindsl/preview/page/picture/trajectory.js";
+import { poseAt, rates, readTrajectory } from "../../../server/kindsl/frontends/preview/page/picture/trajectory.js";
 
 const JOINTS = new Set(["hip", "knee"]);
 const FILES = {

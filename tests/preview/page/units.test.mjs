@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import test from "node:test";
-import { Units, parseValue } from "../../../server/kindsl/preview/page/base/units.js";
+import { Units, parseValue } from "../../../server/kindsl/frontends/preview/page/base/units.js";
 
 const VALUES = [
   ["0.5", 0.5, true], ["1,5", 1.5, true], [".25", 0.25, true], ["-2e-3", -0.002, true], ["45deg", Math.PI / 4, false], ["90°", Math.PI / 2, false],

@@ -5,32 +5,32 @@ from math import exp, inf, log, pi
 import pytest
 from tests.support.bodies import document_of_bodies, inertia_text, significant
 
-from kindsl.analysis.analysis import analyse
-from kindsl.rigid.body import (
-    MassDistribution,
-    eigensystem,
-    second_moments_about_com,
-    shifted,
-)
-from kindsl.rules.inertia import explanations
-from kindsl.rules.inertia.causes import (
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.rules.inertia import explanations
+from kindsl.judgement.rules.inertia.causes import (
     Cause,
     candidates,
     likelihood_as_written,
     ranked,
     said_by,
 )
-from kindsl.rules.inertia.judgements import Judgement, Verdict
-from kindsl.rules.inertia.likelihood import MassShape, log_likelihood, shape_of
-from kindsl.rules.inertia.slips import Hypothesis, Slip, hypotheses
-from kindsl.rules.inertia.surroundings import (
+from kindsl.judgement.rules.inertia.judgements import Judgement, Verdict
+from kindsl.judgement.rules.inertia.likelihood import MassShape, log_likelihood, shape_of
+from kindsl.judgement.rules.inertia.slips import Hypothesis, Slip, hypotheses
+from kindsl.judgement.rules.inertia.surroundings import (
     LinkSurroundings,
     Twin,
     of_points,
     of_twins,
     surroundings,
 )
-from kindsl.rules.inertia.suspects import suspects_of
+from kindsl.judgement.rules.inertia.suspects import suspects_of
+from kindsl.mechanics.rigid.body import (
+    MassDistribution,
+    eigensystem,
+    second_moments_about_com,
+    shifted,
+)
 
 NOWHERE = LinkSurroundings(points=(), twins=(), share=0.0)
 EXACT = MassDistribution(0.0, (0.0, 0.0, 0.0), (0.0,) * 6)  # type: ignore[arg-type]

@@ -7,21 +7,21 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from tests.support.bodies import document_of_bodies
 
-from kindsl.analysis.analysis import analyse
-from kindsl.mechanism.body_verdicts import (
-    density_of,
-    is_dense_as_matter,
-    is_plainly_dense_as_matter,
-)
-from kindsl.rigid.body import (
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.rules.inertia.judgements import is_placeholder
+from kindsl.mechanics.rigid.body import (
     MassDistribution,
     eigensystem,
     moments_of,
     second_moments_about_com,
     seen_from,
 )
-from kindsl.rigid.pose import Vector3, pose_from
-from kindsl.rules.inertia.judgements import is_placeholder
+from kindsl.mechanics.rigid.pose import Vector3, pose_from
+from kindsl.robots.mechanism.body_verdicts import (
+    density_of,
+    is_dense_as_matter,
+    is_plainly_dense_as_matter,
+)
 
 SECTION = "inertia_params {{ mass = {:.17f} CoM = ({:.17f}, {:.17f}, {:.17f}) {} }}"
 NAMES = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")

@@ -8,9 +8,8 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from tests.support.bodies import document_of_bodies
 
-from kindsl.analysis.analysis import analyse
-from kindsl.rigid.body import MassDistribution
-from kindsl.rules.inertia.digits import (
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.rules.inertia.digits import (
     WrittenDigits,
     all_written_as,
     bounds_by_digits,
@@ -18,7 +17,8 @@ from kindsl.rules.inertia.digits import (
     numbers_written,
     rewritten_number,
 )
-from kindsl.semantics.declarations import Inertia
+from kindsl.language.semantics.declarations import Inertia
+from kindsl.mechanics.rigid.body import MassDistribution
 
 SECTION = "inertia_params { mass = %s CoM = (%s, %s, %s) Ix=%s Iy=%s Iz=%s Ixy=%s Ixz=%s Iyz=%s }"
 

@@ -20,18 +20,18 @@ from tests.support.bodies import (
     significant,
 )
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.rigid.body import (
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.rules.inertia.judgements import Verdict, verdict_of
+from kindsl.language.semantics.parameters import Binding
+from kindsl.mechanics.rigid.body import (
     MassDistribution,
     eigensystem,
     principal_moments,
     second_moments_about_com,
     seen_from,
 )
-from kindsl.rigid.pose import pose_from
-from kindsl.rules.inertia.judgements import Verdict, verdict_of
-from kindsl.semantics.parameters import Binding
+from kindsl.mechanics.rigid.pose import pose_from
 
 WRITERS = [
     pytest.param(kind(digits), id=f"{kind.__name__}-{digits}")

@@ -16,14 +16,14 @@ from tests.support.bodies import (
     significant,
 )
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.analysis.settings import Settings
-from kindsl.rigid.body import MassDistribution, shifted
-from kindsl.rules.examples import joint, link, robot
-from kindsl.rules.inertia import explanations, repairs
-from kindsl.semantics.parameters import Binding
-from kindsl.text.edits import TextEdit, apply_edits
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.rules.examples import joint, link, robot
+from kindsl.judgement.rules.inertia import explanations, repairs
+from kindsl.language.semantics.parameters import Binding
+from kindsl.language.text.edits import TextEdit, apply_edits
+from kindsl.mechanics.rigid.body import MassDistribution, shifted
 
 INERTIA = Settings(select=("KD301", "KD302", "KD306", "KD307", "KD308", "KD311"))
 ROD = (0.05, 0.06, 0.09)

@@ -6,9 +6,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kindsl.rigid.body import MassDistribution, second_moments_about_com
-from kindsl.rules.inertia.over_ranges import _second_moments
-from kindsl.semantics.ranges import Interval
+from kindsl.judgement.rules.inertia.over_ranges import _second_moments
+from kindsl.language.semantics.ranges import Interval
+from kindsl.mechanics.rigid.body import MassDistribution, second_moments_about_com
 
 places = st.floats(-2.0, 2.0)
 intervals = st.tuples(places, places).map(lambda ends: (min(ends), max(ends)))

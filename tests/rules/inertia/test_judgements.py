@@ -3,16 +3,9 @@
 import pytest
 from tests.support.bodies import document_of_bodies
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.settings import Settings
-from kindsl.rigid.body import (
-    MassDistribution,
-    eigensystem,
-    moments_of,
-    second_moments_about_com,
-    shifted,
-)
-from kindsl.rules.inertia.judgements import (
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.rules.inertia.judgements import (
     Judgement,
     Verdict,
     at_values,
@@ -23,9 +16,16 @@ from kindsl.rules.inertia.judgements import (
     judgements,
     verdict_of,
 )
-from kindsl.rules.inertia.suspects import suspects_of
-from kindsl.semantics.declarations import Inertia
-from kindsl.semantics.parameters import Binding
+from kindsl.judgement.rules.inertia.suspects import suspects_of
+from kindsl.language.semantics.declarations import Inertia
+from kindsl.language.semantics.parameters import Binding
+from kindsl.mechanics.rigid.body import (
+    MassDistribution,
+    eigensystem,
+    moments_of,
+    second_moments_about_com,
+    shifted,
+)
 
 SECTION = "inertia_params { mass = %s CoM = (%s) Ix=%s Iy=%s Iz=%s Ixy=%s Ixz=%s Iyz=%s }"
 NOWHERE = "0.0, 0.0, 0.0"

@@ -6,18 +6,18 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kindsl.rigid.body import (
-    MassDistribution,
-    Symmetric,
-    eigensystem,
-    second_moments_about_com,
-)
-from kindsl.rules.inertia.likelihood import (
+from kindsl.judgement.rules.inertia.likelihood import (
     MassShape,
     density,
     log_likelihood,
     shape_of,
     vanishing_products,
+)
+from kindsl.mechanics.rigid.body import (
+    MassDistribution,
+    Symmetric,
+    eigensystem,
+    second_moments_about_com,
 )
 
 steady = settings(max_examples=60, deadline=None, derandomize=True)

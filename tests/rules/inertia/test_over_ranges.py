@@ -6,12 +6,17 @@ from itertools import product
 import pytest
 from tests.support.bodies import document_of_bodies
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.rules.inertia.over_ranges import Conclusion, _is_proved, is_possible, over_ranges
-from kindsl.semantics.declarations import Inertia
-from kindsl.semantics.model import Model
-from kindsl.semantics.parameters import Binding
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.rules.inertia.over_ranges import (
+    Conclusion,
+    _is_proved,
+    is_possible,
+    over_ranges,
+)
+from kindsl.language.semantics.declarations import Inertia
+from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.parameters import Binding
 
 SECTION = "inertia_params { mass = %s CoM = (%s, %s, %s) Ix=%s Iy=%s Iz=%s Ixy=%s Ixz=0.0 Iyz=0.0 }"
 TEN = tuple(f"p{n}" for n in range(10))

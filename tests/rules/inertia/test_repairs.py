@@ -7,18 +7,18 @@ import pytest
 from tests.support.bodies import document_of_bodies
 from tests.support.one_rule import body, found
 
-from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.settings import Settings
-from kindsl.rigid.body import MassDistribution
-from kindsl.rules.base import Finding
-from kindsl.rules.inertia import repairs
-from kindsl.rules.inertia.causes import Cause
-from kindsl.rules.inertia.explanations import Explained
-from kindsl.rules.inertia.judgements import Judgement
-from kindsl.rules.inertia.likelihood import MassShape, shape_of
-from kindsl.rules.inertia.slips import Hypothesis, Slip, hypotheses
-from kindsl.rules.inertia.suspects import suspects_of
-from kindsl.semantics.parameters import Binding
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.rules.base import Finding
+from kindsl.judgement.rules.inertia import repairs
+from kindsl.judgement.rules.inertia.causes import Cause
+from kindsl.judgement.rules.inertia.explanations import Explained
+from kindsl.judgement.rules.inertia.judgements import Judgement
+from kindsl.judgement.rules.inertia.likelihood import MassShape, shape_of
+from kindsl.judgement.rules.inertia.slips import Hypothesis, Slip, hypotheses
+from kindsl.judgement.rules.inertia.suspects import suspects_of
+from kindsl.language.semantics.parameters import Binding
+from kindsl.mechanics.rigid.body import MassDistribution
 
 Told = Callable[..., list[tuple[str, Finding]]]
 SECTION = "inertia_params { mass = %s CoM = (%s) Ix=%s Iy=%s Iz=%s Ixy=%s Ixz=%s Iyz=%s }"

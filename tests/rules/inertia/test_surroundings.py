@@ -6,13 +6,11 @@ import pytest
 from tests.support.bodies import document_of_bodies
 from tests.support.one_rule import row
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.rigid.body import MassDistribution, Symmetric, eigensystem
-from kindsl.rigid.pose import Vector3
-from kindsl.rules.inertia.likelihood import MassShape
-from kindsl.rules.inertia.slips import Hypothesis, Slip
-from kindsl.rules.inertia.surroundings import (
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.rules.inertia.likelihood import MassShape
+from kindsl.judgement.rules.inertia.slips import Hypothesis, Slip
+from kindsl.judgement.rules.inertia.surroundings import (
     Evidence,
     LinkSurroundings,
     is_mirror_image,
@@ -20,8 +18,10 @@ from kindsl.rules.inertia.surroundings import (
     of_points,
     surroundings,
 )
-from kindsl.rules.inertia.suspects import suspects_of
-from kindsl.semantics.parameters import Binding
+from kindsl.judgement.rules.inertia.suspects import suspects_of
+from kindsl.language.semantics.parameters import Binding
+from kindsl.mechanics.rigid.body import MassDistribution, Symmetric, eigensystem
+from kindsl.mechanics.rigid.pose import Vector3
 
 EXACT: Symmetric = (0.0,) * 6  # type: ignore[assignment]
 BODY = MassDistribution(1.0, (0.3, 0.2, 0.1), (5.0, 4.0, 3.0, 0.3, 0.2, 0.1))

@@ -6,13 +6,13 @@ from typing import Any
 
 import pytest
 
-from kindsl.rigid.body import MassDistribution, eigensystem
-from kindsl.rigid.pose import Vector3
-from kindsl.rules.inertia.causes import Cause
-from kindsl.rules.inertia.likelihood import MassShape
-from kindsl.rules.inertia.slips import Hypothesis, Slip
-from kindsl.rules.inertia.told import clause, likely_cause, rivals, shared_cause, title
-from kindsl.text.quantities import sum_below, with_unit
+from kindsl.judgement.rules.inertia.causes import Cause
+from kindsl.judgement.rules.inertia.likelihood import MassShape
+from kindsl.judgement.rules.inertia.slips import Hypothesis, Slip
+from kindsl.judgement.rules.inertia.told import clause, likely_cause, rivals, shared_cause, title
+from kindsl.language.text.quantities import sum_below, with_unit
+from kindsl.mechanics.rigid.body import MassDistribution, eigensystem
+from kindsl.mechanics.rigid.pose import Vector3
 
 BODY = MassDistribution(1.0, (0.0, 0.0, 0.0), (1.0, 1.0, 1.0, 0.0, 0.0, 0.0))
 RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")

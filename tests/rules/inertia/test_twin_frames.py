@@ -8,15 +8,15 @@ import pytest
 from tests.support.bodies import significant
 from tests.support.legged import COPIED, REFLECTED, SIDES, Legs, Walker
 
-from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.limbs.twin_frames import twin_frames
-from kindsl.rigid.body import MassDistribution, shifted
-from kindsl.rigid.pose import Rotation, Vector3
-from kindsl.rules.inertia.surroundings import is_same_body
-from kindsl.semantics.model import Model
-from kindsl.semantics.numbers import mass_distribution
-from kindsl.text.edits import apply_edits
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.rules.inertia.surroundings import is_same_body
+from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.numbers import mass_distribution
+from kindsl.language.text.edits import apply_edits
+from kindsl.mechanics.rigid.body import MassDistribution, shifted
+from kindsl.mechanics.rigid.pose import Rotation, Vector3
+from kindsl.robots.limbs.twin_frames import twin_frames
 
 CAUSES = ("KD306", "KD307", "KD308")
 INERTIA = Settings(select=("KD301", "KD302", *CAUSES))

@@ -3,8 +3,8 @@
 import pytest
 from tests.support.one_rule import MOMENTS, found, row, section, told
 
-from kindsl.limbs.names import label_of, other_side
-from kindsl.rigid.body import MassDistribution, shifted
+from kindsl.mechanics.rigid.body import MassDistribution, shifted
+from kindsl.robots.limbs.names import label_of, other_side
 
 
 @pytest.mark.parametrize(

@@ -5,15 +5,15 @@ from itertools import combinations
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kindsl.rigid.body import (
+from kindsl.judgement.rules.inertia.judgements import Verdict, verdict_of
+from kindsl.mechanics.rigid.body import (
     MassDistribution,
     eigensystem,
     moments_of,
     second_moments_about_com,
     seen_from,
 )
-from kindsl.rigid.pose import Vector3, pose_from
-from kindsl.rules.inertia.judgements import Verdict, verdict_of
+from kindsl.mechanics.rigid.pose import Vector3, pose_from
 
 steady = settings(max_examples=80, deadline=None, derandomize=True)
 extents = st.floats(0.01, 1.0)

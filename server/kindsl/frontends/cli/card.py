@@ -1,0 +1,70 @@
+"""Writes a page about a document for a wiki or a paper.
+
+It has a picture, the tree, joints, masses, frames, parameters, each joint's transform in closed
+form, and the document's health. Broken documents are shown as far as they go. Markdown that is
+written to a file has its picture in a file beside it.
+
+examples:
+  kindsl card arm.kindsl -o arm.md
+  kindsl card arm.kindsl --output-format latex --param payload=0.5 -o arm.tex
+"""
+
+import argparse
+
+from kindsl.frontends.cli.documents.choices import choices_of
+from kindsl.frontends.cli.documents.document_reading import (
+    CommandError,
+    note_errors,
+    read_document,
+    require_parameters,
+    shown_name,
+)
+from kindsl.frontends.cli.documents.sources import STDIN
+from kindsl.frontends.cli.documents.writing import write_output
+from kindsl.frontends.cli.options import add_parameter_arguments
+from kindsl.frontends.cli.outcome import Failure
+
+SUMMARY = "write a page about a document: picture, tables, transforms"
+FORMATS = ("markdown", "html", "latex")
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.add_argument("file", metavar="FILE", help="the document, or '-' for stdin")
+    parser.add_argument("--output-format", choices=FORMATS, default="markdown")
+    parser.add_argument(
+        "-o", "--output", metavar="OUT", help="write to this file instead of stdout"
+    )
+    parser.add_argument(
+        "--pose", metavar="NAME", help="picture a pose of kindsl.toml: [poses.NAME]"
+    )
+    add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
+
+
+def run(args: argparse.Namespace) -> int:
+    """Write the page.
+
+    Returns:
+        0, or 2 if the document cannot be read or the page cannot be written.
+
+    Raises:
+        CommandError: The configuration has no such pose for this robot.
+    """
+    analysis = read_document(args.file, choices_of(args))
+    require_parameters(args.file, analysis)
+    from kindsl.judgement.analysis.poses import PoseError
+    from kindsl.products.reports.card import card_page
+    from kindsl.products.reports.page.rendering import rendered, with_pictures
+
+    try:
+        page = card_page(analysis, args.pose)
+    except PoseError as error:
+        raise CommandError([Failure(shown_name(args.file), str(error))], status=2) from None
+    if args.output_format == "markdown" and args.output is not None:
+        # What shows Markdown strips pictures that are in it.
+        text, pictures = with_pictures(page, args.output)
+        write_output(args.output, text, pictures)
+    else:
+        write_output(args.output or STDIN, rendered(page, args.output_format))
+    note_errors(args.file, analysis)
+    return 0

@@ -1,0 +1,136 @@
+"""Computes poses, inertia and forces of a robot in one or many configurations.
+
+A LIST is numbers separated by commas, one a joint in the order of the links' ids; or NAME=NUMBER
+pairs with the names of joints, the others zero. Angles are in radians, lengths in metres.
+
+examples:
+  kindsl compute arm.kindsl --q 0.1,-0.5,0.3
+  kindsl compute arm.kindsl --q elbow=0.5 --qd elbow=1.0 --output-format text
+  kindsl compute arm.kindsl --q-file motion.json --output-format npz -o motion.npz
+  kindsl compute arm.kindsl --forward --tau elbow=2.0
+"""
+
+import argparse
+import math
+import sys
+from typing import TYPE_CHECKING
+
+from kindsl.frontends.cli.console import is_terminal, write
+from kindsl.frontends.cli.documents.choices import choices_of
+from kindsl.frontends.cli.documents.document_reading import (
+    CommandError,
+    model_told,
+    note_errors,
+    note_readings,
+    read_document,
+    require_parameters,
+    require_syntax,
+    shown_name,
+)
+from kindsl.frontends.cli.documents.sources import STDIN
+from kindsl.frontends.cli.documents.writing import write_output
+from kindsl.frontends.cli.motion_options import motions_of
+from kindsl.frontends.cli.options import add_parameter_arguments
+from kindsl.frontends.cli.outcome import Failure
+from kindsl.products.reports.motions import ConfigurationSpace, Motion, MotionError
+
+if TYPE_CHECKING:
+    from kindsl.judgement.analysis.analysis import Analysis
+    from kindsl.robots.mechanism.build import Mechanism
+
+SUMMARY = "compute poses, inertia and forces"
+UNUSABLE = 2
+FORMATS = ("json", "text", "npz")
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    add = parser.add_argument
+    add("file", metavar="FILE", help="the document, or '-' for stdin")
+    add("--q", metavar="LIST", help="joint positions (default: zero)")
+    add("--pose", metavar="NAME", help="joint positions of a pose in kindsl.toml: [poses.NAME]")
+    add("--qd", metavar="LIST", help="joint velocities")
+    add("--qdd", metavar="LIST", help="joint accelerations")
+    add(
+        "--base-velocity",
+        metavar="LIST",
+        help="velocity of a floating base: three angular, three linear",
+    )
+    add("--q-file", metavar="JSON", help="an object with q, qd, ..., or an array of them")
+    usual, told = (0.0, 0.0, -9.81), "m/s² in the base's frame (default: 0,0,-9.81)"
+    add("--gravity", metavar="X,Y,Z", type=_gravity, default=usual, help=told)
+    add("--forward", action="store_true", help="compute accelerations from forces")
+    add("--tau", metavar="LIST", help="with --forward: joint forces")
+    add("--output-format", choices=FORMATS, help="default: text on a terminal, json elsewhere")
+    add("-o", "--output", metavar="FILE", help="write to this file instead of stdout")
+    add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
+
+
+def run(args: argparse.Namespace) -> int:
+    """Compute and show.
+
+    Returns:
+        0; 1 if the document gives no mechanism; 2 for wrong usage or what cannot be read.
+    """
+    try:
+        analysis = read_document(args.file, choices_of(args))
+        require_syntax(args.file, analysis)
+        require_parameters(args.file, analysis)
+        with model_told(args.file, analysis):
+            mechanism = analysis.mechanism()
+        note_readings(args.file, analysis)
+        note_errors(args.file, analysis)
+        robot = ConfigurationSpace(mechanism.bodies.joint_names, mechanism.bodies.is_floating)
+        return _show(args, analysis, mechanism, motions_of(args, robot, analysis.settings))
+    except MotionError as error:
+        write(sys.stderr, f"kindsl compute: error: {error}\n")
+        return UNUSABLE
+    except ModuleNotFoundError as error:
+        if error.name != "numpy":
+            raise
+        needs = "needs NumPy; install with: pip install 'kindsl[numpy]'"
+        write(sys.stderr, f"kindsl compute: error: {needs}\n")
+        return UNUSABLE
+
+
+def _show(
+    args: argparse.Namespace, analysis: "Analysis", mechanism: "Mechanism", motions: list[Motion]
+) -> int:
+    from kindsl.products.reports.computation import ComputationRequest, compute
+
+    request = ComputationRequest(tuple(motions), args.gravity, args.forward)
+    try:
+        results = compute(analysis, mechanism, request)
+    except ValueError as error:
+        raise CommandError([Failure(shown_name(args.file), str(error))], status=1) from None
+    is_read_at_once = args.output is None and is_terminal(sys.stdout)
+    output_format = args.output_format or ("text" if is_read_at_once else "json")
+    if output_format == "npz":
+        return _write(args, results.as_npz())
+    if output_format == "json":
+        import json
+
+        text = json.dumps(results.as_json()) + "\n"
+    else:
+        from kindsl.products.reports.computed_text import computed_text
+
+        text = computed_text(results)
+    return _write(args, text)
+
+
+def _write(args: argparse.Namespace, content: str | bytes) -> int:
+    if args.output is None and isinstance(content, bytes) and is_terminal(sys.stdout):
+        write(sys.stderr, "kindsl compute: error: npz is for a file: --output FILE\n")
+        return UNUSABLE
+    write_output(args.output or STDIN, content)
+    return 0
+
+
+def _gravity(text: str) -> tuple[float, float, float]:
+    try:
+        numbers = [float(part) for part in text.strip("[]() ").split(",")]
+    except ValueError:
+        numbers = []
+    if len(numbers) != 3 or not all(map(math.isfinite, numbers)):
+        raise argparse.ArgumentTypeError(f"'{text}' is not three numbers X,Y,Z")
+    return numbers[0], numbers[1], numbers[2]

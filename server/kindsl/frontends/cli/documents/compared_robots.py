@@ -1,0 +1,134 @@
+"""Reads two robots of any formats, to compare their mechanics."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from kindsl.frontends.cli.documents.document_reading import (
+    CommandError,
+    defect,
+    missing_module,
+    read_document,
+    require_parameters,
+    require_syntax,
+    shown_name,
+    unbound,
+)
+from kindsl.frontends.cli.documents.sources import STDIN, reason
+from kindsl.frontends.cli.documents.versions import require_own
+from kindsl.frontends.cli.outcome import Failure
+from kindsl.judgement.config.robots import is_robot
+from kindsl.robots.comparison.compared_robot import ComparedRobot
+from kindsl.robots.interchange.format import FormatError
+from kindsl.robots.interchange.registry import format_of_suffix
+
+if TYPE_CHECKING:
+    from kindsl.frontends.cli.documents.choices import Choices
+    from kindsl.judgement.analysis.analysis import Analysis
+    from kindsl.robots.interchange.descriptions import ReadDescription
+
+
+class ComparedRobots(NamedTuple):
+    """Two robots.
+
+    Attributes:
+        old: A robot.
+        new: Another.
+        notes: On how they were read.
+        failures: Defects of a document of which the rest is compared.
+    """
+
+    old: ComparedRobot
+    new: ComparedRobot
+    notes: tuple[str, ...]
+    failures: tuple[Failure, ...]
+
+
+def is_foreign(path: str) -> bool:
+    """Return whether a path is no document of ours: another format's, or a folder."""
+    is_other = format_of_suffix(Path(path).suffix) is not None and not is_robot(path)
+    return is_other or (path != STDIN and Path(path).is_dir())
+
+
+def read_robots(paths: Sequence[str], choices: "Choices") -> ComparedRobots:
+    """Return two robots; the base of the other format is taken as that of the document.
+
+    Raises:
+        CommandError: One cannot be read or built.
+    """
+    documents = {path: read_document(path, choices) for path in paths if not is_foreign(path)}
+    for path, analysis in documents.items():
+        require_own(path, analysis.text)
+    if documents:
+        require_parameters(next(iter(documents)), *documents.values())
+    from kindsl.robots.interchange.descriptions import read_foreign
+
+    labels = _labels([shown_name(path) for path in paths])
+    label_of = dict(zip(paths, labels, strict=True))
+    sides: dict[str, ComparedRobot] = {}
+    failures: list[Failure] = []
+    for path, analysis in documents.items():
+        sides[path], failed = _document(path, label_of[path], analysis)
+        failures += failed
+    others = [path for path in paths if path not in documents]
+
+    def read(path: str, floating: bool | None) -> "ReadDescription":
+        return _foreign(path, label_of[path], floating)
+
+    foreign = read_foreign(others, [side.robot for side in sides.values()], read)
+    sides |= {path: ComparedRobot(shown_name(path), read.robot) for path, read in foreign.items()}
+    notes = tuple(note for read in foreign.values() for note in read.notes)
+    old, new = (sides[path] for path in paths)
+    return ComparedRobots(old, new, notes, tuple(failures))
+
+
+def _labels(names: Sequence[str]) -> Sequence[str]:
+    """Return what sentences call two files: the ends of their paths that tell them apart."""
+    parts = [Path(name).parts for name in names]
+    for n in range(1, max(map(len, parts))):
+        ends = [str(Path(*each[-n:])) for each in parts]
+        if len(set(ends)) == len(names):
+            return ends
+    return names
+
+
+def _document(path: str, label: str, analysis: "Analysis") -> tuple[ComparedRobot, list[Failure]]:
+    """Return the robot of a document, and what is wrong with it where only a part can be read."""
+    from kindsl.judgement.analysis.compared_document import compared_document
+    from kindsl.robots.mechanism.errors import ModelError, UnboundParameterError
+    from kindsl.robots.mechanism.fragments import skeleton_as_far_as_known
+
+    failures: list[Failure] = []
+    values = analysis.context.values
+    try:
+        require_syntax(path, analysis)
+        skeleton = analysis.skeleton()
+    except UnboundParameterError as error:
+        raise unbound(path, analysis, error) from None
+    except (CommandError, ModelError) as error:
+        told = (
+            error
+            if isinstance(error, CommandError)
+            else defect(path, analysis, str(error), error.at)
+        )
+        failures = told.failures
+        found = skeleton_as_far_as_known(analysis.model, values)
+        if found is None:
+            raise CommandError(failures) from None
+        skeleton = found
+    robot = compared_document(label, analysis, values, skeleton)
+    return robot._replace(name=shown_name(path)), failures
+
+
+def _foreign(path: str, label: str, floating: bool | None) -> "ReadDescription":
+    from kindsl.robots.interchange.descriptions import read_description
+
+    try:
+        return read_description(Path(path), label, floating)
+    except ModuleNotFoundError as error:
+        format = format_of_suffix(Path(path).suffix)
+        raise missing_module(path, error, format.extra if format else "") from None
+    except OSError as error:
+        raise CommandError([Failure(path, reason(path, error))]) from None
+    except FormatError as error:
+        raise CommandError([Failure(path, str(error))]) from None

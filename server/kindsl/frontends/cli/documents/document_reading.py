@@ -1,0 +1,186 @@
+"""Reads the one document that a command is about."""
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+from kindsl.frontends.cli.console import write
+from kindsl.frontends.cli.documents.choices import Choices
+from kindsl.frontends.cli.documents.sources import STDIN, UNNAMED, read_source
+from kindsl.frontends.cli.outcome import Failure, as_failures
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.config.errors import ConfigurationError
+from kindsl.judgement.rules.base import Severity
+from kindsl.language.semantics.places import Located
+from kindsl.language.syntax.readings import two_readings
+from kindsl.language.text.lines import LineIndex
+from kindsl.language.text.nearest import hint, nearest_name
+from kindsl.language.text.printable import printable
+
+if TYPE_CHECKING:
+    from kindsl.robots.mechanism.errors import UnboundParameterError
+    from kindsl.robots.mechanism.skeleton import Skeleton
+
+_SYNTAX = "KD0"
+
+
+class CommandError(Exception):
+    """A command cannot do its work.
+
+    Attributes:
+        failures: Sentences on its defects, with places.
+        status: Exit status: 1 for a defect of the document, 2 for anything else.
+    """
+
+    def __init__(self, failures: list[Failure], status: int = 2) -> None:
+        super().__init__("\n".join(map(str, failures)))
+        self.failures = failures
+        self.status = status
+
+    def tell(self) -> int:
+        """Report the failures on stderr and return the exit status."""
+        write(sys.stderr, "".join(f"{printable(str(failure))}\n" for failure in self.failures))
+        return self.status
+
+
+def told(error: Exception) -> int:
+    """Report what a command cannot do on stderr and return the exit status; raise other errors."""
+    if isinstance(error, ConfigurationError):
+        error = CommandError(as_failures(error))
+    if not isinstance(error, CommandError):
+        raise error
+    return error.tell()
+
+
+def shown_name(path: str) -> str:
+    """Return the name to report for a document."""
+    return UNNAMED if path == STDIN else path
+
+
+def read_whole(path: str) -> str:
+    """Return the text of a file, or of stdin for `-`.
+
+    Raises:
+        CommandError: It cannot be read.
+    """
+    text = read_source(path, shown_name(path))
+    if isinstance(text, Failure):
+        raise CommandError([text])
+    return text
+
+
+def read_document(path: str, choices: Choices) -> Analysis:
+    """Return the analysis of a file, or of stdin for `-`.
+
+    Raises:
+        CommandError: The file or the configuration cannot be read.
+    """
+    text = read_whole(path)
+    try:
+        return analyse(text, choices.settings_for(shown_name(path)))
+    except ConfigurationError as error:
+        raise CommandError(as_failures(error)) from None
+
+
+def require_syntax(path: str, analysis: Analysis) -> None:
+    """Raise CommandError if a document has errors of syntax, for what needs all of it."""
+    lines = LineIndex(analysis.text)
+    failures = []
+    for finding in analysis.findings:
+        if finding.code.startswith(_SYNTAX) and finding.severity is Severity.ERROR:
+            line, column = lines.position(finding.start)
+            message = f"[{finding.code}] {finding.message}"
+            failures.append(Failure(shown_name(path), message, line + 1, column + 1))
+    if failures:
+        raise CommandError(failures, status=1)
+
+
+def require_parameters(path: str, *documents: Analysis) -> None:
+    """Raise CommandError for a value on the command line of an unknown parameter.
+
+    Not where the syntax is broken: the parameter may stand in what cannot be read.
+
+    Args:
+        path: The path that the error names.
+        documents: One, or two that are compared; a parameter of either may be given.
+    """
+    models = [analysis.model for analysis in documents]
+    if any(model.broken_islands for model in models):
+        return
+    known = [str(parameter.name) for model in models for parameter in model.parameters]
+    for name, binding in documents[0].settings.bindings.items():
+        if binding.origin == "--param" and name not in known:
+            where = " in either document" if len(documents) > 1 else ""
+            meant = hint(nearest_name(name, known), after=",")
+            message = f"there is no parameter '{name}'{where}{meant}"
+            raise CommandError([Failure(shown_name(path), message)])
+
+
+def note_errors(path: str, analysis: Analysis) -> None:
+    """Warn on stderr if a document has errors, since its numbers may then be wrong."""
+    n_errors = sum(finding.severity is Severity.ERROR for finding in analysis.findings)
+    if n_errors:
+        told = f"{n_errors} errors" if n_errors > 1 else "an error"
+        write(sys.stderr, f"{shown_name(path)}: note: has {told}, see kindsl lint\n")
+
+
+def note_readings(path: str, analysis: Analysis) -> None:
+    """Warn on stderr about values that the generators read differently, and how to decide."""
+    if len(analysis.settings.targets) == 1:
+        return
+    lines = LineIndex(analysis.text)
+    for island, start in zip(analysis.syntax.islands, analysis.syntax.starts, strict=True):
+        for found in two_readings(island):
+            line, column = lines.position(start + found.start)
+            place = f"{shown_name(path)}:{line + 1}:{column + 1}"
+            taken = found.robcogen if found.kind == "product" else found.other
+            message = f"'{found.text}' is taken for {taken}"
+            if found.kind != "product":
+                message += f"; robcogen takes it for {found.robcogen}: set 'target' in kindsl.toml"
+            write(sys.stderr, f"{place}: note: {message}\n")
+
+
+def defect(path: str, analysis: Analysis, message: str, at: Located | None) -> CommandError:
+    """Return the error for a defect of the document."""
+    if at is None:
+        return CommandError([Failure(shown_name(path), message)], status=1)
+    line, column = LineIndex(analysis.text).position(analysis.resolver.span(at)[0])
+    return CommandError([Failure(shown_name(path), message, line + 1, column + 1)], status=1)
+
+
+def unbound(path: str, analysis: Analysis, error: "UnboundParameterError") -> CommandError:
+    """Return the error for parameters without values, and how to give them."""
+    how = " ".join(f"--param {name}=VALUE" for name in error.names)
+    message = f"{error}; bind with {how}, or under [parameters] in kindsl.toml"
+    return defect(path, analysis, message, error.at)
+
+
+@contextmanager
+def model_told(path: str, analysis: Analysis) -> Iterator[None]:
+    """Raise CommandError for what is wrong with a document's model, or has no value."""
+    from kindsl.robots.mechanism.errors import ModelError, UnboundParameterError
+
+    try:
+        yield
+    except UnboundParameterError as error:
+        raise unbound(path, analysis, error) from None
+    except ModelError as error:
+        raise defect(path, analysis, str(error), error.at) from None
+
+
+def skeleton_of_document(path: str, analysis: Analysis) -> "Skeleton":
+    """Return the bodies of a document in plain floats.
+
+    Raises:
+        CommandError: It does not describe a mechanism.
+    """
+    require_syntax(path, analysis)
+    with model_told(path, analysis):
+        return analysis.skeleton()
+
+
+def missing_module(path: str, error: ModuleNotFoundError, extra: str) -> CommandError:
+    """Return the error for a library that is not installed."""
+    message = f"{error.name} is not installed: pip install 'kindsl[{extra}]'"
+    return CommandError([Failure(path, message)])

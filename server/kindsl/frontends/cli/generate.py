@@ -1,0 +1,294 @@
+"""Generates code for kinematics and dynamics: a library in C or C++, or one file in Python.
+
+Unbound parameters stay inputs of the code. All files go to one folder at once; what was not
+generated there is never overwritten without --force.
+
+examples:
+  kindsl generate arm.kindsl --language c -o arm_c
+  kindsl generate arm.kindsl --language python --derivatives --parameters payload -o arm_py
+  kindsl generate arm.kindsl --check arm_c
+"""
+
+import argparse
+import os
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from kindsl.frontends.cli.console import write
+from kindsl.frontends.cli.documents.choices import choices_of
+from kindsl.frontends.cli.documents.document_reading import (
+    CommandError,
+    missing_module,
+    model_told,
+    note_errors,
+    note_readings,
+    read_document,
+    read_whole,
+    require_parameters,
+    require_syntax,
+    shown_name,
+)
+from kindsl.frontends.cli.documents.sources import STDIN, reason
+from kindsl.frontends.cli.documents.writing import unwritable
+from kindsl.frontends.cli.options import add_parameter_arguments
+from kindsl.frontends.cli.outcome import Failure
+from kindsl.language.text.phrases import counted
+from kindsl.language.text.printable import printable
+from kindsl.products.codegen.language import language_named, language_names
+from kindsl.products.codegen.layouts import LAYOUTS
+
+if TYPE_CHECKING:
+    from kindsl.products.codegen.generating import Source
+    from kindsl.products.codegen.library import Library, Options
+
+SUMMARY = "write code for kinematics and dynamics"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    add = parser.add_argument
+    add("file", metavar="FILE", help="the document, or '-' for stdin")
+    add("--language", choices=language_names(), help="what to write")
+    add("-o", "--output", metavar="DIR", help="the folder to write to")
+    add("--name", metavar="PREFIX", help="what all names begin with (default: the robot's name)")
+    add("--quantities", metavar="LIST", help="separated by commas (default: all but the next two)")
+    add("--derivatives", action="store_true", help="derivatives and the regressor too")
+    add(
+        "--control", action="store_true",
+        help="momentum, motions of frames, M^-1, Coriolis matrix and contacts too",
+    )  # fmt: skip
+    add(
+        "--parameters", metavar="unbound|all|NAMES",
+        help="parameters that remain inputs of the code besides the unbound ones",
+    )  # fmt: skip
+    add("--real", choices=("double", "float"), default="double", help="the type of numbers in C")
+    add("--single-header", action="store_true", help="C in one file")
+    add(
+        "--transforms",
+        metavar="FILE.dtdsl",
+        help="a transforms document: additional transforms and Jacobians",
+    )
+    add(
+        "--write-transforms",
+        metavar="FILE",
+        help="write the transforms document used without --transforms, to edit it",
+    )
+    add("--frames", metavar="LIST", help="links and frames to limit poses and Jacobians to")
+    add(
+        "--layout",
+        choices=LAYOUTS,
+        default=LAYOUTS[0],
+        help="whose folders and names RobCoGen's classes have",
+    )
+    add(
+        "--runtime",
+        action="store_true",
+        help="with RobCoGen's classes, headers of their own 'iit/rbd'",
+    )
+    add("--force", action="store_true", help="overwrite files that were not generated")
+    add("--check", metavar="DIR", help="check whether the code in DIR still matches FILE")
+    add("-q", "--quiet", action="store_true", help="no remarks")
+    add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
+
+
+def run(args: argparse.Namespace) -> int:
+    """Generate or check.
+
+    Returns:
+        0; 1 if the document gives no mechanism, or code does not fit it; 2 for wrong usage or what
+        cannot be read or written.
+    """
+    try:
+        return _run(args)
+    except ModuleNotFoundError as error:
+        if error.name != "numpy":
+            raise
+        return missing_module(args.file, error, "numpy").tell()
+
+
+def _run(args: argparse.Namespace) -> int:
+    if args.write_transforms is not None and args.language is None and args.check is None:
+        return _write_transforms(args, _source(args))
+    if args.check is None and (args.language is None or args.output is None):
+        write(sys.stderr, "kindsl generate: error: --language and -o DIR are needed\n")
+        return 2
+    if args.check is None and (option := _refused_option(args)):
+        message = f"{option} cannot be used with --language {args.language}"
+        write(sys.stderr, f"kindsl generate: error: {message}\n")
+        return 2
+    source = _source(args)
+    if args.write_transforms is not None:
+        _write_transforms(args, source)
+    return _generate(args, source) if args.check is None else _check(args, source)
+
+
+def _refused_option(args: argparse.Namespace) -> str | None:
+    """Return an option that the language does not support."""
+    asked = {
+        "--real float": args.real == "float", "--single-header": args.single_header,
+        "--layout": args.layout != LAYOUTS[0], "--runtime": args.runtime,
+    }  # fmt: skip
+    taken = language_named(args.language).options
+    return next((name for name, is_asked in asked.items() if is_asked and name not in taken), None)
+
+
+def _source(args: argparse.Namespace) -> "Source":
+    from kindsl.products.codegen.generating import Source
+
+    choices = choices_of(args)
+    analysis = read_document(args.file, choices)
+    require_syntax(args.file, analysis)
+    require_parameters(args.file, analysis)
+    note_readings(args.file, analysis)
+    note_errors(args.file, analysis)
+    name = Path(shown_name(args.file)).name
+    known = {str(parameter.name) for parameter in analysis.model.parameters}
+    bound = choices.decisions.bindings.items()
+    given = {parameter: binding.value for parameter, binding in bound if parameter in known}
+    return Source(name, analysis, given, _transforms(args), tuple(_places(args)))
+
+
+def _places(args: argparse.Namespace) -> Iterator[str]:
+    """Yield the document and the options that name files and folders, as typed in its folder."""
+    document = Path(args.file)
+    yield document.name
+    folder = document.parent
+    given = {"-o": args.output, "--transforms": args.transforms, "--config": args.config}
+    for option, path in given.items():
+        if path is not None:
+            yield from (option, _seen_from(folder, path))
+    if args.isolated:
+        yield "--isolated"
+
+
+def _seen_from(folder: Path, path: str) -> str:
+    try:
+        return Path(os.path.relpath(path, folder)).as_posix()
+    except ValueError:  # on another drive
+        return Path(path).name
+
+
+def _transforms(args: argparse.Namespace) -> str | None:
+    """Return the text of the transforms document: the one named, else the one beside the model."""
+    beside = Path(args.file).with_suffix(".dtdsl")
+    path = args.transforms or (str(beside) if args.file != STDIN and beside.is_file() else None)
+    return None if path is None else read_whole(path)
+
+
+def _generate(args: argparse.Namespace, source: "Source") -> int:
+    from kindsl.products.codegen.generating import generate
+    from kindsl.products.codegen.library import GenerationError
+    from kindsl.products.codegen.writing import refuse_foreign, write_files
+
+    with _told(args, source):
+        library, files = generate(source, _options(args, source))
+    folder = Path(args.output)
+    try:
+        if not args.force:
+            refuse_foreign(folder, files)
+        write_files(folder, files)
+    except GenerationError as error:
+        raise CommandError([Failure(shown_name(args.file), str(error))]) from None
+    except OSError as error:
+        raise CommandError([Failure(args.output, unwritable(args.output, error))]) from None
+    if not args.quiet:
+        write(sys.stderr, _remarks(library, args, len(files)))
+    return 0
+
+
+def _write_transforms(args: argparse.Namespace, source: "Source") -> int:
+    """Write the transforms document of a robot, unless there is a file already."""
+    from kindsl.language.semantics.transforms import transforms_document
+    from kindsl.language.text.writing import encoded, write_file
+
+    path, model = args.write_transforms, source.analysis.model
+    if not model.bodies or not model.name:
+        message = "a robot without a name or links has no transforms document"
+        raise CommandError([Failure(shown_name(args.file), message)], status=1)
+    if os.path.exists(path) and not args.force:
+        raise CommandError([Failure(path, "the file exists; --force overwrites it")])
+    try:
+        write_file(path, encoded(transforms_document(model)))
+    except OSError as error:
+        raise CommandError([Failure(path, unwritable(path, error))]) from None
+    return 0
+
+
+def _check(args: argparse.Namespace, source: "Source") -> int:
+    from kindsl.products.codegen.checking import misfit
+
+    try:
+        with _told(args, source):
+            why = misfit(source, Path(args.check))
+    except OSError as error:
+        raise CommandError([Failure(args.check, reason(args.check, error))]) from None
+    if why is not None:
+        raise CommandError([Failure(shown_name(args.file), why)], status=1)
+    if not args.quiet:
+        write(sys.stderr, f"{args.check}: fits {shown_name(args.file)}\n")
+    return 0
+
+
+@contextmanager
+def _told(args: argparse.Namespace, source: "Source") -> Iterator[None]:
+    """Report why code cannot be generated."""
+    from kindsl.products.codegen.library import GenerationError
+
+    try:
+        with model_told(args.file, source.analysis):
+            yield
+    except GenerationError as error:
+        raise CommandError([Failure(shown_name(args.file), str(error))], status=1) from None
+
+
+def _options(args: argparse.Namespace, source: "Source") -> "Options":
+    from kindsl.products.codegen.library import Options
+    from kindsl.products.codegen.names_in_code import UnusableNameError, prefix_of
+
+    try:
+        prefix = prefix_of(str(source.analysis.model.name or ""), args.name)
+    except UnusableNameError as error:
+        raise CommandError([Failure(shown_name(args.file), str(error))]) from None
+    parameters = args.parameters or language_named(args.language).parameters
+    return Options(
+        args.language, _quantities(args), args.real, args.single_header, parameters, prefix,
+        args.layout, args.runtime, _listed(args.frames),
+    )  # fmt: skip
+
+
+def _listed(text: str | None) -> tuple[str, ...]:
+    return tuple(name.strip() for name in (text or "").split(",") if name.strip())
+
+
+def _quantities(args: argparse.Namespace) -> tuple[str, ...]:
+    from kindsl.language.text.nearest import hint, nearest_word
+    from kindsl.mechanics.dynamics.generation.functions import QUANTITIES
+
+    chosen = _listed(args.quantities)
+    if args.quantities is not None and not chosen:
+        raise CommandError([Failure(shown_name(args.file), "--quantities names no quantity")])
+    for name in chosen:
+        if name not in QUANTITIES:
+            close = hint(nearest_word(name, QUANTITIES))
+            message = f"--quantities: unknown quantity '{name}'{close}"
+            raise CommandError([Failure(shown_name(args.file), message)])
+    return tuple(
+        name
+        for name, quantity in QUANTITIES.items()
+        if name in chosen
+        or (quantity.is_derivative and args.derivatives)
+        or (quantity.is_for_control and args.control)
+        or not (chosen or quantity.is_derivative or quantity.is_for_control)
+    )
+
+
+def _remarks(library: "Library", args: argparse.Namespace, n_files: int) -> str:
+    lines = [f"{counted(n_files, 'file')} written"]
+    lines += [
+        f"note: '{printable(name)}' is '{safe}' in the code"
+        for name, safe in language_named(args.language).renamed(library).items()
+    ]
+    return "".join(f"{args.output}: {line}\n" for line in lines)

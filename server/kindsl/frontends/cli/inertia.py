@@ -1,0 +1,219 @@
+"""Prints the inertia of a link from a CAD report, a shape or a mesh.
+
+REPORT is the text that SolidWorks, Onshape, Fusion 360, Inventor, Creo or FreeCAD shows for the
+mass properties of one body. Its digits are kept. What was noticed is reported on stderr. Sizes of
+shapes are in metres, densities in kg/m³; a shape is centred at the origin, its axis along z.
+
+examples:
+  kindsl inertia report.txt
+  kindsl inertia --box 0.04,0.04,0.3 --density 2700
+  kindsl inertia --stl part.stl --scale 0.001 --mass 1.2
+  kindsl inertia report.txt --document arm.kindsl --link forearm
+"""
+
+import argparse
+import sys
+from collections.abc import Callable
+from decimal import Decimal, InvalidOperation
+from typing import TYPE_CHECKING
+
+from kindsl.frontends.cli.console import write
+from kindsl.frontends.cli.documents.choices import Choices
+from kindsl.frontends.cli.documents.document_reading import (
+    CommandError,
+    read_document,
+    read_whole,
+    shown_name,
+)
+from kindsl.frontends.cli.documents.sources import STDIN, reason
+from kindsl.frontends.cli.outcome import Failure
+from kindsl.language.text.nearest import hint, nearest_name
+from kindsl.language.text.phrases import alternatives
+from kindsl.language.text.printable import printable
+from kindsl.language.text.regular import require_regular
+
+if TYPE_CHECKING:
+    from kindsl.language.semantics.declarations import Link
+    from kindsl.robots.cad.properties import MassProperties
+
+SUMMARY = "write the inertia of a CAD report, a shape or a mesh"
+_SIZES = {
+    "box": "X,Y,Z",
+    "cylinder": "R,L",
+    "hollow-cylinder": "R,INNER,L",
+    "sphere": "R",
+    "capsule": "R,L",
+}
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    add = parser.add_argument
+    add("report", metavar="REPORT", nargs="?", help="a file with the report, or '-' for stdin")
+    shapes = parser.add_argument_group("shapes")
+    for name, sizes in _SIZES.items():
+        told = "its sides" if name == "box" else "R: its radius"
+        told += ", L: its length" if "L" in sizes else ""
+        told += " without the caps" if name == "capsule" else ""
+        shapes.add_argument(f"--{name}", metavar=sizes, type=_sizes(sizes), help=told)
+    shapes.add_argument("--stl", metavar="FILE", help="a closed mesh, in its own frame")
+    shapes.add_argument(
+        "--scale",
+        metavar="S",
+        type=_number,
+        default=Decimal(1),
+        help="the mesh's unit in metres: 0.001 for millimetres",
+    )
+    shapes.add_argument("--mass", metavar="KG", type=_number, help="of a shape or mesh")
+    shapes.add_argument("--density", metavar="KG/M3", type=_number, help="instead of --mass")
+    link = parser.add_argument_group("for a link of a document")
+    link.add_argument("--document", metavar="FILE", help="write the block as this document has it")
+    link.add_argument("--link", metavar="NAME", help="the link; a frame of it may be the report's")
+
+
+def run(args: argparse.Namespace) -> int:
+    """Print the block.
+
+    Returns:
+        0; 1 if the report contradicts itself or lacks something, or no body has these sizes;
+        2 if a file cannot be read or is no report.
+    """
+    _check(args)
+    link = _link(args)
+    found = _found(args)
+    frame = _frame(found, link)
+    for note in found.notes:
+        if not frame or "coordinate system" not in note:
+            write(sys.stderr, f"{_name(args)}: note: {printable(note)}\n")
+    write(sys.stdout, found.block(_keyword(link), frame=frame) + "\n")
+    return 0
+
+
+def _check(args: argparse.Namespace) -> None:
+    """Raise CommandError unless there is one body to tell of, with what it needs."""
+    sources = [name for name in ("report", "stl", *map(_attribute, _SIZES)) if _given(args, name)]
+    if len(sources) != 1:
+        options = alternatives(("REPORT", *(f"--{name}" for name in _SIZES), "--stl"))
+        raise CommandError([Failure("kindsl inertia", f"give one of {options}")])
+    n_given = (args.mass is not None) + (args.density is not None)
+    if sources == ["report"] and n_given:
+        message = "--mass and --density belong to a shape or a mesh, not to a report"
+        raise CommandError([Failure(_name(args), message)])
+    if sources != ["report"] and n_given != 1:
+        raise CommandError([Failure(_name(args), "give either --mass or --density")])
+    if (args.document is None) != (args.link is None):
+        raise CommandError(
+            [Failure("kindsl inertia", "--document and --link must be used together")]
+        )
+
+
+def _given(args: argparse.Namespace, name: str) -> bool:
+    return getattr(args, name) is not None
+
+
+def _attribute(name: str) -> str:
+    return name.replace("-", "_")
+
+
+def _name(args: argparse.Namespace) -> str:
+    """Return what to call the source in messages."""
+    if args.report is not None:
+        return shown_name(args.report)
+    if args.stl is not None:
+        return str(args.stl)
+    return next(f"--{name}" for name in _SIZES if _given(args, _attribute(name)))
+
+
+def _found(args: argparse.Namespace) -> "MassProperties":
+    if args.report is not None:
+        return _of_report(args.report)
+    from kindsl.robots.cad.shape import ShapeError
+
+    try:
+        return _of_mesh(args) if args.stl is not None else _of_shape(args)
+    except ShapeError as error:
+        raise CommandError([Failure(_name(args), str(error))], status=1) from None
+
+
+def _of_report(path: str) -> "MassProperties":
+    text = read_whole(path)
+    from kindsl.robots.cad.report import NoReportError, ReportError
+    from kindsl.robots.cad.taking_over import mass_properties
+
+    try:
+        return mass_properties(text)
+    except ReportError as error:
+        status = 2 if isinstance(error, NoReportError) else 1
+        failures = [Failure(shown_name(path), reason) for reason in error.reasons]
+        raise CommandError(failures, status) from None
+
+
+def _of_mesh(args: argparse.Namespace) -> "MassProperties":
+    from kindsl.robots.cad.mesh import mesh_properties
+
+    try:
+        require_regular(args.stl)
+        with open(args.stl, "rb") as file:
+            content = file.read()
+    except OSError as error:
+        raise CommandError([Failure(args.stl, reason(args.stl, error))]) from None
+    return mesh_properties(content, args.mass, args.density, args.scale)
+
+
+def _of_shape(args: argparse.Namespace) -> "MassProperties":
+    from kindsl.robots.cad.shape import kind_called, shape_properties
+
+    name = next(name for name in _SIZES if _given(args, _attribute(name)))
+    kind = kind_called(name)
+    assert kind is not None, "each option is the name of a shape"
+    return shape_properties(kind, getattr(args, _attribute(name)), args.mass, args.density)
+
+
+def _link(args: argparse.Namespace) -> "Link | None":
+    """Return the link of the document that the block is for."""
+    if args.document is None:
+        return None
+    if args.document == STDIN and args.report == STDIN:
+        message = "the report and the document cannot both be read from stdin"
+        raise CommandError([Failure("kindsl inertia", message)])
+    bodies = read_document(args.document, Choices()).model.bodies
+    found = next((body for body in bodies if body.name == args.link), None)
+    if found is None:
+        meant = hint(nearest_name(args.link, [str(body.name) for body in bodies]), after=",")
+        message = f"there is no link '{args.link}'{meant}"
+        raise CommandError([Failure(shown_name(args.document), message)])
+    return found
+
+
+def _frame(found: "MassProperties", link: "Link | None") -> str:
+    """Return the link's frame that the report is given in, empty for the link frame."""
+    names = [str(frame.name) for frame in link.frames] if link is not None else []
+    return found.system if found.system in names else ""
+
+
+def _keyword(link: "Link | None") -> str:
+    if link is None or link.inertia is None:
+        return "inertia_params"
+    return next(link.inertia.node.tokens()).text
+
+
+def _number(text: str) -> Decimal:
+    try:
+        number = Decimal(text)
+    except InvalidOperation:
+        number = Decimal("NaN")
+    if not number.is_finite():
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number")
+    return number
+
+
+def _sizes(names: str) -> Callable[[str], list[Decimal]]:
+    """Return what reads as many numbers as a shape has sizes."""
+
+    def read(text: str) -> list[Decimal]:
+        numbers = [_number(part) for part in text.split(",")]
+        if len(numbers) != len(names.split(",")):
+            raise argparse.ArgumentTypeError(f"'{text}' is not {names}")
+        return numbers
+
+    return read

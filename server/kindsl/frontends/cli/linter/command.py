@@ -1,0 +1,175 @@
+"""One run of `kindsl lint`: options in, report and exit status out."""
+
+import sys
+from collections.abc import Sequence
+from typing import Any
+
+from kindsl.frontends.cli.console import write
+from kindsl.frontends.cli.documents.choices import choices_of
+from kindsl.frontends.cli.documents.sources import STDIN, UNNAMED
+from kindsl.frontends.cli.linter.one_document import FixMode
+from kindsl.frontends.cli.linter.run import LintPlan, lint
+from kindsl.frontends.cli.outcome import Failure, RunOutcome, as_failures
+from kindsl.frontends.cli.output import renderer
+from kindsl.judgement.config.errors import ConfigurationError
+from kindsl.judgement.config.robots import TOOLS_FOLDERS
+from kindsl.judgement.rules.base import Severity
+from kindsl.language.text.printable import printable
+
+OK = 0
+FINDINGS = 1
+UNUSABLE = 2
+INTERRUPTED = 130
+_COUNTABLE = ("text", "json")
+
+
+def run_lint(args: Any) -> int:
+    """Lint, report.
+
+    Args:
+        args: The options, as attributes.
+
+    Returns:
+        0 without errors (and at most as many warnings as allowed), 1 with findings, 2 for wrong
+        usage, a document that cannot be read, or a defect of ours.
+    """
+    try:
+        if args.list_rules or args.explain is not None:
+            return _tell_about_rules(args)
+        wrong = _wrong_usage(args)
+        if wrong:
+            return _unusable(wrong)
+        plan = _plan(args)
+        if args.watch:
+            from kindsl.frontends.cli.linter.watching import watch
+
+            return watch(plan, lambda outcome: _report(outcome, args))
+        outcome = lint(plan)
+        if plan.choices.decisions.bindings and not args.quiet:
+            from kindsl.frontends.cli.linter.unused_bindings import unused_on_command_line
+
+            write(sys.stderr, unused_on_command_line(outcome.files, plan.choices))
+        if args.write_baseline is not None:
+            from kindsl.frontends.cli.linter.known import with_baseline_written
+
+            outcome = with_baseline_written(outcome, args.write_baseline)
+        return _report(outcome, args)
+    except ConfigurationError as error:
+        _tell_failures(as_failures(error))
+        return UNUSABLE
+    except KeyboardInterrupt:
+        return INTERRUPTED
+
+
+def exit_status(outcome: RunOutcome, max_warnings: int | None, is_lenient: bool) -> int:
+    """Return the exit status; `is_lenient` ignores findings, not failures."""
+    if outcome.failures:
+        return UNUSABLE
+    failing = failing_severities(outcome, max_warnings)
+    return FINDINGS if any(map(outcome.count, failing)) and not is_lenient else OK
+
+
+def failing_severities(outcome: RunOutcome, max_warnings: int | None) -> frozenset[Severity]:
+    """Return the severities that make a run fail: warnings only where there are too many."""
+    is_over = max_warnings is not None and outcome.count(Severity.WARNING) > max_warnings
+    return frozenset((Severity.ERROR, Severity.WARNING) if is_over else (Severity.ERROR,))
+
+
+def _wrong_usage(args: Any) -> str:
+    if args.statistics and args.output_format not in _COUNTABLE:
+        return f"--statistics is available as text or JSON only, not as {args.output_format}"
+    if args.watch and STDIN in args.paths:
+        return "--watch cannot watch stdin"
+    if args.write_baseline is not None and (args.watch or args.diff):
+        return f"--write-baseline cannot be used with {'--watch' if args.watch else '--diff'}"
+    if args.unsafe_fixes and not (args.fix or args.diff):
+        return "--unsafe-fixes needs --fix or --diff"
+    return ""
+
+
+def _plan(args: Any) -> LintPlan:
+    fix_mode = FixMode.SHOWN if args.diff else FixMode.WRITTEN if args.fix else FixMode.NONE
+    return LintPlan(
+        args.paths or ["."],
+        choices_of(args),
+        args.stdin_filename or UNNAMED,
+        fix_mode,
+        args.unsafe_fixes,
+        args.jobs,
+        args.quiet,
+        frozenset() if args.no_default_exclude else TOOLS_FOLDERS,
+        knows=args.write_baseline is None,
+    )
+
+
+def _report(outcome: RunOutcome, args: Any) -> int:
+    _tell_failures(outcome.failures)
+    write(sys.stderr, "".join(f"{printable(remark)}\n" for remark in outcome.remarks))
+    failing = failing_severities(outcome, args.max_warnings)
+    failing = frozenset() if args.exit_zero else failing
+    outcome = outcome._replace(failing=failing, is_verbose=args.verbose)
+    if args.diff:
+        return _report_diff(outcome, args)
+    is_mended_stdin = args.fix and STDIN in args.paths
+    if is_mended_stdin:
+        named = args.stdin_filename or UNNAMED
+        write(sys.stdout, "".join(f.text for f in outcome.files if f.path == named))
+    write(sys.stderr if is_mended_stdin else sys.stdout, _rendered(outcome, args))
+    if args.output_format == "text" and not args.quiet:
+        from kindsl.frontends.cli.linter.summary import summary
+
+        write(sys.stderr, summary(outcome))
+    if args.verbose:
+        from kindsl.frontends.cli.linter.verdict_lines import verdict_lines
+
+        write(sys.stderr, verdict_lines(outcome.files))
+    return exit_status(outcome, args.max_warnings, args.exit_zero)
+
+
+def _rendered(outcome: RunOutcome, args: Any) -> str:
+    if args.statistics:
+        from kindsl.frontends.cli.linter import statistics
+
+        is_json = args.output_format == "json"
+        return statistics.render_json(outcome) if is_json else statistics.render_text(outcome)
+    return renderer(args.output_format)(outcome)
+
+
+def _report_diff(outcome: RunOutcome, args: Any) -> int:
+    from kindsl.language.text.unified_diff import unified_diff
+
+    diffs = [unified_diff(file.path, file.original, file.text) for file in outcome.files]
+    write(sys.stdout, "".join(diffs))
+    if outcome.failures:
+        return UNUSABLE
+    return FINDINGS if any(diffs) and not args.exit_zero else OK
+
+
+def _tell_about_rules(args: Any) -> int:
+    from kindsl.frontends.cli.output import rule_pages
+    from kindsl.judgement.rules.registry import all_rules, rule_named
+
+    is_json = args.output_format == "json"
+    if args.explain is None:
+        listed = rule_pages.rule_list_as_json() if is_json else rule_pages.rule_list()
+        write(sys.stdout, listed)
+        return OK
+    rule = rule_named(args.explain)
+    if rule is None:
+        from kindsl.judgement.config.tables import did_you_mean
+
+        known = [name for rule in all_rules() for name in (rule.code, rule.name)]
+        hint = did_you_mean(args.explain.upper(), known).partition(" (known")[0]
+        return _unusable(f"no rule '{args.explain}'{hint}; see --list-rules")
+    page = rule_pages.explained_as_json(rule) if is_json else rule_pages.explained(rule)
+    write(sys.stdout, page)
+    return OK
+
+
+def _tell_failures(failures: Sequence[Failure]) -> None:
+    write(sys.stderr, "".join(f"{printable(str(failure))}\n" for failure in failures))
+
+
+def _unusable(message: str) -> int:
+    write(sys.stderr, f"kdsl-lint: error: {message}\n")
+    return UNUSABLE

@@ -1,0 +1,152 @@
+"""Lints one document, and fixes it if requested."""
+
+import os
+from collections.abc import Sequence
+from enum import Enum
+from typing import NamedTuple
+
+from kindsl.frontends.cli.documents.sources import STDIN, NotText, is_decodable, read_text
+from kindsl.frontends.cli.outcome import Failure, LintedFile
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.analysis.known_findings import Apart, lines_of, set_apart
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.analysis.text_fix import prove
+from kindsl.judgement.config.file_names import TRANSFORMS_SUFFIX
+from kindsl.judgement.rules.base import Severity
+from kindsl.language.semantics.model import Model
+
+_CODE = "KD004"
+_NAME = "invalid-character"
+
+
+class FixMode(Enum):
+    """The way fixes are applied."""
+
+    NONE = "none"
+    SHOWN = "shown"
+    WRITTEN = "written"
+
+
+class Task(NamedTuple):
+    """One document to lint.
+
+    Attributes:
+        path: The file, or `-` for stdin.
+        shown: Its name in messages.
+        settings: Decisions for it.
+        fix_mode: How fixes are applied.
+        with_unsafe: Whether unsafe fixes are wanted too.
+    """
+
+    path: str
+    shown: str
+    settings: Settings
+    fix_mode: FixMode = FixMode.NONE
+    with_unsafe: bool = False
+
+
+class Checked(NamedTuple):
+    """The result of a task: a linted file, a failure, or both if a fixed file is not writable."""
+
+    file: LintedFile | None
+    failure: Failure | None
+
+
+def check(task: Task) -> Checked:
+    """Lint a document; never raises, so that the others are linted too."""
+    text = read_text(task.path, task.shown)
+    if isinstance(text, Failure):
+        return Checked(None, text)
+    if isinstance(text, NotText):
+        return Checked(no_document(task.shown, text), None)
+    try:
+        return _checked(task, text)
+    except Exception as error:
+        return Checked(None, _defect(task, error, f"{type(error).__name__}: {error}"))
+
+
+def _checked(task: Task, text: str) -> Checked:
+    if task.shown.endswith(TRANSFORMS_SUFFIX):
+        return Checked(_transforms(task, text), None)
+    analysis = analyse(text, task.settings)
+    if task.fix_mode is FixMode.NONE or not is_decodable(text):
+        return _outcome(task, analysis)
+    from kindsl.frontends.cli.documents.writing import write_text
+    from kindsl.judgement.analysis.fixing import fixed, is_fixable, is_safe
+
+    better, n_fixed, _ = fixed(analysis, is_fixable if task.with_unsafe else is_safe)
+    if task.fix_mode is FixMode.WRITTEN and task.path != STDIN and better.text != text:
+        failure = write_text(task.path, task.shown, text, better.text)
+        if failure is not None:
+            return Checked(_file(task, analysis), failure)
+    return _outcome(task, better, text, n_fixed)
+
+
+def _transforms(task: Task, text: str) -> LintedFile:
+    """Lint a transforms document by the robot beside it."""
+    from kindsl.judgement.analysis.transforms_findings import transforms_findings
+    from kindsl.judgement.config.beside import robot_beside
+    from kindsl.language.syntax.transforms_text import read_transforms
+
+    def name_of(path: str) -> str | None:
+        model = _model_in(path)
+        return str(model.name) if model is not None else None
+
+    model = None
+    if task.path != STDIN:
+        robot = read_transforms(text).robot
+        path = robot_beside(task.path, robot.text if robot is not None else None, name_of)
+        model = _model_in(path) if path is not None else None
+    apart = set_apart(
+        transforms_findings(text, model, task.settings), lines_of(text), task.settings
+    )
+    return _counting(LintedFile(task.shown, text, apart.told), apart)
+
+
+def _model_in(path: str) -> Model | None:
+    text = read_text(path, path)
+    return analyse(text).model if isinstance(text, str) else None
+
+
+def _outcome(
+    task: Task, analysis: Analysis, original: str | None = None, n_fixed: int = 0
+) -> Checked:
+    """Return the findings, and the failure of a rule if one crashed."""
+    file = _file(task, analysis, original, n_fixed)
+    failures = [_defect(task, fault.error, fault.message) for fault in analysis.faults]
+    return Checked(file, failures[0] if failures else None)
+
+
+def _defect(task: Task, error: Exception, what: str) -> Failure:
+    if os.environ.get("KINDSL_TRACEBACK"):
+        raise error
+    return Failure(task.shown, f"internal error: {what}")
+
+
+def _file(
+    task: Task, analysis: Analysis, original: str | None = None, n_fixed: int = 0
+) -> LintedFile:
+    parameters = frozenset(str(parameter.name) for parameter in analysis.model.parameters)
+    found: Sequence[Diagnostic] = analysis.findings
+    if any(finding.fix is not None for finding in found):
+        from kindsl.judgement.analysis.fixing import announced
+
+        prove(finding.fix for finding in found if finding.fix is not None)
+        found = announced(analysis)
+    file = LintedFile(task.shown, analysis.text, found, parameters, original, n_fixed)
+    file.joints = frozenset(str(joint.name) for joint in analysis.model.joints)
+    return _counting(file, analysis.apart)
+
+
+def _counting(file: LintedFile, apart: Apart) -> LintedFile:
+    file.n_known, file.n_stale = len(apart.known), len(apart.stale)
+    return file
+
+
+def no_document(shown: str, content: NotText) -> LintedFile:
+    """Return a file whose content is not text, with the one finding that says so."""
+    end = min(content.offset + 1, len(content.text))
+    message = f"the document {content.message}"
+    finding = Diagnostic(_CODE, _NAME, Severity.ERROR, message, content.offset, end)
+    return LintedFile(shown, content.text, [finding])

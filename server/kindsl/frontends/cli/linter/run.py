@@ -1,0 +1,122 @@
+"""A run of the linter: from paths to an outcome."""
+
+import gc
+import os
+import sys
+from collections.abc import Collection, Iterable, Iterator
+from typing import TYPE_CHECKING, NamedTuple
+
+from kindsl.frontends.cli.documents.choices import Choices
+from kindsl.frontends.cli.documents.sources import STDIN, UNNAMED
+from kindsl.frontends.cli.documents.walking import documents
+from kindsl.frontends.cli.linter.one_document import Checked, FixMode, Task
+from kindsl.frontends.cli.linter.parallel import check_all
+from kindsl.frontends.cli.outcome import Failure, LintedFile, RunOutcome, as_failures
+from kindsl.judgement.config.errors import ConfigurationError
+from kindsl.judgement.config.file_names import TRANSFORMS_SUFFIX
+from kindsl.judgement.config.robots import SUFFIX, TOOLS_FOLDERS
+
+if TYPE_CHECKING:
+    from kindsl.judgement.config.configuration import Configuration
+
+# How files end that are linted when a folder is named.
+LINTED = (SUFFIX, TRANSFORMS_SUFFIX)
+_FEW = 200
+# The garbage of so many documents fits into memory.
+_FEW_TO_COLLECT = 16
+
+
+class LintPlan(NamedTuple):
+    """The documents to lint, and the options.
+
+    Attributes:
+        paths: Documents, folders, `-`.
+        choices: Decisions about the rules.
+        stdin_name: Name of the document from stdin.
+        fix_mode: How fixes are applied.
+        with_unsafe: Whether unsafe fixes are wanted too.
+        jobs: How many processes, 0 for as many as pay.
+        is_quiet: Whether to show no progress.
+        excluded: Names of folders to leave out.
+        knows: Whether findings that a baseline knows are left out.
+    """
+
+    paths: list[str]
+    choices: Choices
+    stdin_name: str = UNNAMED
+    fix_mode: FixMode = FixMode.NONE
+    with_unsafe: bool = False
+    jobs: int = 0
+    is_quiet: bool = False
+    excluded: Collection[str] = TOOLS_FOLDERS
+    knows: bool = True
+
+
+def lint(plan: LintPlan) -> RunOutcome:
+    """Lint all documents of a plan; a failure does not stop the others."""
+    tasks, failures, configurations = _prepared(plan)
+    if len(tasks) > _FEW_TO_COLLECT:
+        gc.enable()
+    files: list[LintedFile] = []
+    for checked in _with_progress(check_all(tasks, plan.jobs), len(tasks), plan.is_quiet):
+        files += [checked.file] if checked.file is not None else []
+        failures += [checked.failure] if checked.failure is not None else []
+    remarks: tuple[str, ...] = ()
+    if any(task.settings.known for task in tasks):
+        from kindsl.frontends.cli.linter.known import stale_remarks
+
+        remarks = tuple(stale_remarks(files, configurations))
+    files += _unused(files, configurations, plan)
+    return RunOutcome(files, failures, remarks=remarks)
+
+
+def _prepared(
+    plan: LintPlan,
+) -> "tuple[list[Task], list[Failure], dict[str, Configuration]]":
+    """Return tasks, failures of unreadable documents, and configurations by the path shown."""
+    tasks: list[Task] = []
+    failures: list[Failure] = []
+    configurations: dict[str, Configuration] = {}
+    for document in documents(plan.paths, plan.excluded, LINTED):
+        if isinstance(document, Failure):
+            failures.append(document)
+            continue
+        shown = plan.stdin_name if document == STDIN else document
+        try:
+            configuration = plan.choices.configuration_for(shown)
+            settings = plan.choices.settings_for(shown)
+            if plan.knows and configuration is not None and configuration.baseline:
+                from kindsl.judgement.config.baseline import known_findings
+
+                settings = settings._replace(known=known_findings(configuration, shown))
+        except ConfigurationError as error:
+            failures += [found for found in as_failures(error) if found not in failures]
+            continue
+        if configuration is not None:
+            configurations[shown] = configuration
+        tasks.append(Task(document, shown, settings, plan.fix_mode, plan.with_unsafe))
+    return tasks, failures, configurations
+
+
+def _unused(
+    files: list[LintedFile], configurations: "dict[str, Configuration]", plan: LintPlan
+) -> list[LintedFile]:
+    """Return the configuration files with their unused bindings."""
+    named = any(found.has_bindings or found.twins for found in configurations.values())
+    if STDIN in plan.paths or not named:
+        return []
+    from kindsl.frontends.cli.linter.unused_bindings import unused_bindings
+
+    return unused_bindings(files, configurations, plan.choices, plan.excluded)
+
+
+def _with_progress(found: Iterable[Checked], total: int, is_quiet: bool) -> Iterator[Checked]:
+    if is_quiet or total < _FEW or not sys.stderr.isatty():
+        yield from found
+        return
+    for number, checked in enumerate(found, 1):
+        if number % (_FEW // 10) == 0:
+            print(f"\rlinting {number} of {total}", end="", file=sys.stderr, flush=True)
+        yield checked
+    print("\r" + " " * os.get_terminal_size(sys.stderr.fileno()).columns + "\r", end="",
+          file=sys.stderr, flush=True)  # fmt: skip

@@ -1,0 +1,63 @@
+"""KD404 and KD902 over a run of the linter: what configuration files name in vain."""
+
+import os
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from functools import partial
+
+from kindsl.frontends.cli.documents.choices import Choices
+from kindsl.frontends.cli.documents.sources import read_source
+from kindsl.frontends.cli.outcome import Failure, LintedFile
+from kindsl.judgement.config import unused_bindings as vain
+from kindsl.judgement.config.configuration import Configuration
+from kindsl.judgement.config.robots import Obstacle, walked
+from kindsl.judgement.config.unreadable_twins import unreadable_twins
+from kindsl.judgement.rules.checks.kd404_unused_binding import unused_bindings as vain_bindings
+
+
+def unused_bindings(
+    files: Sequence[LintedFile],
+    configurations: Mapping[str, Configuration],
+    choices: Choices,
+    excluded: Collection[str],
+) -> list[LintedFile]:
+    """Return each configuration file with unused bindings, with the findings.
+
+    Args:
+        files: The linted files.
+        configurations: The configuration that held for each of them, by the path shown.
+        choices: Decisions of the command line.
+        excluded: Names of folders to leave out.
+    """
+    used = {file.path: vain.Names(file.parameters, file.joints) for file in files}
+    found = []
+    for path, configuration in sorted({c.path: c for c in configurations.values()}.items()):
+        own = {p: names for p, names in used.items() if configurations.get(p) is configuration}
+        others = partial(_words_of_others, configuration, own, excluded)
+        settings = choices.settings_for(path)
+        findings = vain.unused_bindings(configuration, settings, own, others)
+        findings += unreadable_twins(configuration, settings)
+        if findings:
+            found.append(LintedFile(path, configuration.text, findings))
+    return found
+
+
+def unused_on_command_line(files: Sequence[LintedFile], choices: Choices) -> str:
+    """Return a line for each `--param` that no document uses; nothing if there are no documents."""
+    known: frozenset[str] = frozenset().union(*(file.parameters for file in files))
+    given = choices.decisions.bindings
+    names = [name for name in given if given[name].origin == "--param"]
+    unused = vain_bindings(names, sorted(known)) if files else ()
+    return "".join(f"warning: --param {one.name}: {one.message}\n" for one in unused)
+
+
+def _words_of_others(
+    configuration: Configuration, linted: Collection[str], excluded: Collection[str]
+) -> Iterator[tuple[str, vain.Names]]:
+    """Yield the words of the documents below the configuration that were not linted now."""
+    known = {os.path.abspath(path) for path in linted}
+    for path in walked(os.path.dirname(os.path.abspath(configuration.path)), excluded):
+        if isinstance(path, Obstacle) or os.path.abspath(path) in known:
+            continue
+        text = read_source(path, path)
+        if not isinstance(text, Failure):
+            yield path, vain.words_of(text)

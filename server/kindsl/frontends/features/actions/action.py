@@ -1,0 +1,43 @@
+"""A change that an editor offers."""
+
+from typing import NamedTuple
+
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.language.text.edits import TextEdit
+
+
+class OtherEdit(NamedTuple):
+    """A change of another file: what stands from `start` to `end`, and what is to stand there."""
+
+    start: int
+    end: int
+    old: str
+    new: str
+
+
+class CodeAction(NamedTuple):
+    """A change that an editor offers.
+
+    Attributes:
+        title: Its title, in the imperative.
+        kind: `quickfix`, `refactor.extract`, `refactor.inline`, `refactor.rewrite`,
+            `source.fixAll.kindsl`, `refactor.rewrite.suppress` and the like.
+        edits: The change, disjoint.
+        diagnostics: The findings that it fixes.
+        is_preferred: Whether an editor may do it unasked, by one key.
+        cursor: Where to put the cursor in the new text, to rename what was made; None for nowhere.
+        bindings: Values to give to parameters in `kindsl.toml` along with the change; without
+            them the document does not mean the same.
+        other_file: The path of another file to change, empty for none.
+        other_edits: The changes there.
+    """
+
+    title: str
+    kind: str
+    edits: tuple[TextEdit, ...]
+    diagnostics: tuple[Diagnostic, ...] = ()
+    is_preferred: bool = False
+    cursor: int | None = None
+    bindings: tuple[tuple[str, float], ...] = ()
+    other_file: str = ""
+    other_edits: tuple[OtherEdit, ...] = ()

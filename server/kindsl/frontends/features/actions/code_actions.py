@@ -1,0 +1,151 @@
+"""Actions at a selection: fixes, fixes of all like it, suppressions, refactorings."""
+
+from collections.abc import Callable, Iterator
+from typing import TypeAlias
+from weakref import WeakKeyDictionary
+
+from kindsl.frontends.features.actions.action import CodeAction
+from kindsl.frontends.features.actions.add_sections import add_missing, add_sections
+from kindsl.frontends.features.actions.create_missing import create_missing
+from kindsl.frontends.features.actions.extract_parameter import extract_parameter
+from kindsl.frontends.features.actions.fix_all import fix_all
+from kindsl.frontends.features.actions.inline_parameter import inline_parameter
+from kindsl.frontends.features.actions.layout_edits import newline_of
+from kindsl.frontends.features.actions.move_inertia import move_inertia
+from kindsl.frontends.features.actions.sort_links import renumber_links, sort_links
+from kindsl.frontends.features.actions.write_into_twin import write_into_twin
+from kindsl.frontends.features.symbol_at import EntityKind, symbol_at
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.analysis.fixing import made
+from kindsl.judgement.analysis.text_fix import TextFix
+from kindsl.language.semantics.declarations import ValueKind
+from kindsl.language.syntax.indentation import indentation
+from kindsl.language.text.edits import TextEdit
+from kindsl.language.text.lines import LineIndex
+
+FIX_ALL = "source.fixAll.kindsl"
+QUICK_FIX = "quickfix"
+# No kind of fix, so that no editor shows a bulb for a finding that can only be ignored.
+IGNORE = "refactor.rewrite.suppress"
+_Mending: TypeAlias = tuple[int, tuple[TextEdit, ...]]
+_fixed: "WeakKeyDictionary[Analysis, tuple[TextEdit, ...]]" = WeakKeyDictionary()
+_alike: "WeakKeyDictionary[Analysis, dict[str, _Mending]]" = WeakKeyDictionary()
+
+_REFACTORINGS: tuple[Callable[[Analysis, int, int], Iterator[CodeAction]], ...] = (
+    extract_parameter,
+    inline_parameter,
+    move_inertia,
+    add_sections,
+    renumber_links,
+    sort_links,
+)
+_UNBOUND = "KD401"
+_OMITTED = "KD008"
+
+
+def code_actions(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, ...]:
+    """Return what can be done about a range: fixes first, to silence a finding last."""
+    fixes = quick_fixes(analysis, start, end)
+    known = {fix.edits for fix in fixes}
+    return (
+        *fixes,
+        *bind_parameter(analysis, start, end),
+        *write_into_twin(analysis, start, end),
+        *(r for r in refactorings(analysis, start, end) if r.edits not in known),
+        *suppressions(analysis, start, end),
+    )
+
+
+def quick_fixes(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, ...]:
+    """Return the fixes of the findings that touch a range."""
+    touched = _touched(analysis, start, end)
+    fixes = [_fix(finding, fix) for finding in touched for fix in _fixes_of(finding)]
+    omitted = [d for d in touched if d.code == _OMITTED and d.fix is None]
+    additions = [
+        action._replace(kind=QUICK_FIX, diagnostics=(finding,))
+        for finding in omitted
+        for action in add_missing(analysis, finding.start)
+    ]
+    created = [action for finding in touched for action in create_missing(analysis, finding)]
+    return (*fixes, *additions, *created, *_fixes_of_rules(analysis, touched))
+
+
+def fix_all_action(analysis: Analysis) -> CodeAction | None:
+    """Return the action that applies every safe fix, or None if there is nothing to fix."""
+    if analysis not in _fixed:
+        _fixed[analysis] = fix_all(analysis)
+    edits = _fixed[analysis]
+    return CodeAction("Apply all safe fixes", FIX_ALL, edits) if edits else None
+
+
+def _fixes_of(finding: Diagnostic) -> tuple[TextFix, ...]:
+    return finding.choices if finding.fix is None else (finding.fix,)
+
+
+def _fix(finding: Diagnostic, fix: TextFix) -> CodeAction:
+    return CodeAction(fix.title, QUICK_FIX, fix.edits, (finding,), is_preferred=fix.is_safe)
+
+
+def _fixes_of_rules(analysis: Analysis, touched: list[Diagnostic]) -> Iterator[CodeAction]:
+    """Yield one action for each rule that could be fixed in several places."""
+    for code in dict.fromkeys(finding.code for finding in touched if finding.fix is not None):
+        alike = tuple(d for d in analysis.findings if d.code == code and d.fix is not None)
+        n_mended, edits = _mending(analysis, code, alike) if len(alike) > 1 else (0, ())
+        if n_mended > 1:
+            title = f"Fix all {n_mended} findings of {code}"
+            yield CodeAction(title, QUICK_FIX, edits, alike)
+
+
+def _mending(analysis: Analysis, code: str, alike: tuple[Diagnostic, ...]) -> _Mending:
+    """Return how many findings of a rule can be fixed together, and by what."""
+    known = _alike.setdefault(analysis, {})
+    if code not in known:
+        done = made(analysis, alike)
+        known[code] = (done.n_findings, done.edits) if done is not None else (0, ())
+    return known[code]
+
+
+def suppressions(analysis: Analysis, start: int, end: int) -> Iterator[CodeAction]:
+    """Yield a comment for each finding at a range that a comment may silence."""
+    touched = _touched(analysis, start, end)
+    for code in dict.fromkeys(d.code for d in touched if not d.code.startswith("KD0")):
+        finding = next(d for d in touched if d.code == code)
+        edit = _ignoring(analysis.text, finding)
+        yield CodeAction(f"Ignore {code} here", IGNORE, (edit,), (finding,))
+
+
+def _touched(analysis: Analysis, start: int, end: int) -> list[Diagnostic]:
+    return [d for d in analysis.findings if d.start <= end and start <= d.end]
+
+
+def _ignoring(text: str, finding: Diagnostic) -> TextEdit:
+    """Return the comment on a line of its own before the finding's, indented like it."""
+    _, column = LineIndex(text).position(finding.start)
+    line = finding.start - column
+    comment = f"{indentation(text, finding.start)}// kindsl: ignore[{finding.code}]"
+    return TextEdit(line, line, f"{comment}{newline_of(text)}")
+
+
+def refactorings(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, ...]:
+    """Return the refactorings that make sense at a range."""
+    return tuple(action for offer in _REFACTORINGS for action in offer(analysis, start, end))
+
+
+def bind_parameter(analysis: Analysis, start: int, end: int) -> Iterator[CodeAction]:
+    """Offer a binding for the parameter at a range, if it has no value.
+
+    The value is a stand-in, 0.0 or for a dynamics parameter 1.0, to be replaced by the right one.
+    """
+    symbol = symbol_at(analysis, start)
+    if symbol is None or symbol.entity.kind is not EntityKind.PARAMETER or end > symbol.end:
+        return
+    name = symbol.entity.name
+    parameter = next((p for p in analysis.model.parameters if p.name == name), None)
+    if parameter is None or name in analysis.context.values:
+        return
+    value = 1.0 if parameter.kind is ValueKind.DYNAMICS else 0.0
+    first, _ = analysis.resolver.span(parameter.name)
+    fixed = tuple(d for d in analysis.findings if d.code == _UNBOUND and d.start == first)
+    title = f"Bind '{name}' in kindsl.toml"
+    yield CodeAction(title, QUICK_FIX, (), fixed, bindings=((name, value),))

@@ -1,0 +1,59 @@
+"""Give a number a name: `0.5` becomes `elbow_x[0.5]`."""
+
+import re
+from collections.abc import Iterator
+
+from kindsl.frontends.features.actions.action import CodeAction
+from kindsl.frontends.features.names_taken import names_taken
+from kindsl.frontends.features.tree_path import TokenAt, token_at
+from kindsl.frontends.features.value_place import ValuePlace, expression_at, value_place
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.judgement.rules.context import ROBCOGEN
+from kindsl.language.syntax.vocabulary import NUMBERS, OPERANDS
+from kindsl.language.text.distinct import free_name
+from kindsl.language.text.edits import TextEdit
+
+_KIND = "refactor.extract"
+_NUMBERS = NUMBERS & OPERANDS - {"INT"}
+_NO_NAME = re.compile(r"\W+")
+
+
+def extract_parameter(analysis: Analysis, start: int, end: int) -> Iterator[CodeAction]:
+    """Offer to make a parameter of the number at a range, if it is a whole value.
+
+    Its value stays in the document as the default; for robcogen, which knows no defaults, it goes
+    to `kindsl.toml`.
+    """
+    found = token_at(analysis.syntax, start)
+    if found is None or found.token.kind not in _NUMBERS or end > found.end:
+        return
+    expression = expression_at(found.island, found.path)
+    place = value_place(found.path, found.token.start)
+    if expression is None or expression.literal is None or place is None:
+        return
+    name = _new_name(analysis, place)
+    if ROBCOGEN in analysis.settings.targets:
+        title = f"Extract to a parameter '{name}', bound in kindsl.toml"
+        yield _action(title, found, name, name, ((name, expression.literal),))
+    else:
+        text = f"{name}[{found.token.text.removeprefix('+')}]"
+        yield _action(f"Extract to a parameter '{name}' with default", found, name, text, ())
+
+
+def _action(
+    title: str, found: TokenAt, name: str, text: str, bindings: tuple[tuple[str, float], ...]
+) -> CodeAction:
+    edit = TextEdit(found.start, found.end, text)
+    cursor = found.start + len(name)
+    return CodeAction(title, _KIND, (edit,), cursor=cursor, bindings=bindings)
+
+
+def _new_name(analysis: Analysis, place: ValuePlace) -> str:
+    """Return a name that tells the place, unlike all names in the document."""
+    axis = "" if place.component is None else "xyz"[place.component]
+    short = {"translation": axis, "rotation": f"r{axis}"}
+    words = f"{place.owner_name}_{short.get(place.section, f'{place.section}_{axis}')}"
+    wanted = _NO_NAME.sub("_", words.lower()).strip("_")
+    if wanted.startswith("pi"):
+        wanted = f"p_{wanted}"
+    return free_name(wanted, {*names_taken(analysis.model), *analysis.settings.bindings})

@@ -1,0 +1,207 @@
+"""Give a body's inertia in another frame; the body stays the same.
+
+Offered only where all numbers are written out: with parameters in it the result would hold for
+their present values alone.
+"""
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from math import ceil, log10
+from typing import NamedTuple
+
+from kindsl.frontends.features.actions.action import CodeAction
+from kindsl.frontends.features.actions.layout_edits import inserted_section
+from kindsl.frontends.features.actions.new_frame import new_frame
+from kindsl.frontends.features.names_taken import names_taken
+from kindsl.frontends.features.tree_path import path_at
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.rules.base import Severity
+from kindsl.judgement.rules.context import ROBCOGEN2
+from kindsl.judgement.rules.inertia.judgements import IMPOSSIBLE, Verdict, is_plain, judgements
+from kindsl.language.semantics.declarations import Frame, Inertia, Link
+from kindsl.language.semantics.expressions import half_unit, symbols
+from kindsl.language.semantics.lowering import declarations
+from kindsl.language.semantics.numbers import written_pose
+from kindsl.language.semantics.unknown import Unknown, pose_expressions
+from kindsl.language.syntax.sections import ORDER
+from kindsl.language.syntax.tables import WORDS
+from kindsl.language.syntax.tree import Node
+from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.language.text.decimals import fixed_decimal, rounded_decimal
+from kindsl.language.text.distinct import free_name
+from kindsl.language.text.edits import TextEdit
+from kindsl.mechanics.rigid.body import MassDistribution, seen_from
+from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
+from kindsl.robots.mechanism.link_inertia import link_inertia
+
+_KIND = "refactor.rewrite"
+_BY_DIGITS = IMPOSSIBLE | {Verdict.WITHIN_ROUNDING}
+_BLANKS_BEFORE = re.compile(r"(?:\r\n?|\n)?[ \t]*\Z")
+
+
+def move_inertia(analysis: Analysis, start: int, _end: int) -> Iterator[CodeAction]:
+    """Offer the link's own frames, the link frame, and a new frame at the CoM."""
+    place = analysis.syntax.island_at(start)
+    path = path_at(place.island, start - place.start)
+    link = _link_of_inertia(path, declarations(place.island).bodies())
+    if link is None or link.inertia is None or not _is_movable(link.inertia):
+        return
+    if not link.name:
+        return
+    body = link_inertia(link, {})
+    if isinstance(body, Unknown):
+        return
+    yield from _sound_actions(analysis, _Moving(link, link.inertia, body, place.start))
+
+
+class _Moving(NamedTuple):
+    """An inertia that is moved.
+
+    Attributes:
+        link: Its link.
+        inertia: The section.
+        body: The mass distribution, in the link's frame.
+        origin: Where the link's island starts.
+        decimals: How many its moments have, None for as many as are computed.
+    """
+
+    link: Link
+    inertia: Inertia
+    body: MassDistribution
+    origin: int
+    decimals: int | None = None
+
+
+def _sound_actions(analysis: Analysis, moving: _Moving) -> Iterator[CodeAction]:
+    """Yield the actions that add no error.
+
+    A body that only its last digits make possible would be none if it were written as computed: its
+    moments get no more decimals than they had.
+    """
+    judged = judgements(declarations(moving.link.island), analysis.context)
+    found = next((each for each in judged if each.link is moving.link), None)
+    if found is None or found.is_proved or found.verdict not in _BY_DIGITS:
+        yield from _actions(analysis, moving)
+        return
+    sound: dict[str, CodeAction] = {}
+    for decimals in _decimals(moving.inertia, sum(found.moments)):
+        for action in _actions(analysis, moving._replace(decimals=decimals)):
+            if action.title not in sound and not _is_harmful(analysis, action):
+                sound[action.title] = action
+    yield from sound.values()
+
+
+def _decimals(inertia: Inertia, trace: float) -> Iterable[int]:
+    """Return with how many decimals moments may be written, the greatest not becoming zero."""
+    if trace <= 0.0:
+        return ()
+    finest = min(half_unit(moment.text) for moment in inertia.moments.values())
+    fewest = max(1, ceil(-log10(2.0 / 3.0 * trace)))
+    return range(round(-log10(2.0 * finest)), fewest - 1, -1)
+
+
+def _actions(analysis: Analysis, moving: _Moving) -> Iterator[CodeAction]:
+    yield from _to_link_frame(moving)
+    if ROBCOGEN2 not in analysis.settings.targets:
+        yield from _to_frames(moving)
+        yield from _to_com(analysis, moving)
+
+
+def _is_harmful(analysis: Analysis, action: CodeAction) -> bool:
+    """Return whether a document has more errors after an action."""
+    after = analysis.edited(action.edits).check_without_twins()
+    return _n_errors(after) > _n_errors(analysis.check_without_twins())
+
+
+def _n_errors(findings: Sequence[Diagnostic]) -> int:
+    return sum(finding.severity is Severity.ERROR for finding in findings)
+
+
+def _link_of_inertia(path: Sequence[Node], bodies: Iterator[Link]) -> Link | None:
+    """Return the body whose inertia section is on a path."""
+    return next((b for b in bodies if b.inertia is not None and b.inertia.node in path), None)
+
+
+def _is_movable(inertia: Inertia) -> bool:
+    """Return whether every number stands there once, as a plain number."""
+    kinds = [child.kind for child in inertia.node.children]
+    wanted = [kind for kind, place in ORDER["inertia"].items() if place.is_needed]
+    is_once = all(kinds.count(kind) == len(WORDS[kind]) for kind in wanted)
+    return is_once and is_plain(inertia)
+
+
+def _to_link_frame(moving: _Moving) -> Iterator[CodeAction]:
+    if moving.inertia.frame is not None:
+        edits = (*_numbers(moving, IDENTITY), _without_frame(moving.inertia))
+        title = f"Give the inertia of '{moving.link.name}' in its link frame"
+        yield _action(title, edits, moving.origin)
+
+
+def _to_frames(moving: _Moving) -> Iterator[CodeAction]:
+    link, inertia = moving.link, moving.inertia
+    names = [str(frame.name) for frame in link.frames]
+    for frame in link.frames:
+        pose = _plain_pose(frame, {})
+        if pose is None or frame.name == inertia.frame or names.count(str(frame.name)) > 1:
+            continue
+        reference = _with_frame(inertia, str(frame.name))
+        if reference is not None:
+            edits = (*_numbers(moving, pose), reference)
+            title = f"Give the inertia of '{link.name}' in '{frame.name}'"
+            yield _action(title, edits, moving.origin)
+
+
+def _to_com(analysis: Analysis, moving: _Moving) -> Iterator[CodeAction]:
+    link, inertia, com = moving.link, moving.inertia, moving.body.com
+    name = free_name(f"{link.name}_com", names_taken(analysis.model))
+    pose = IDENTITY._replace(translation=com)
+    frame = new_frame(link, name, com)
+    reference = _with_frame(inertia, name)
+    if frame is not None and reference is not None and any(com):
+        edits = (*_numbers(moving, pose), reference, frame)
+        title = f"Give the inertia of '{link.name}' about its CoM, in a new frame '{name}'"
+        yield _action(title, edits, moving.origin)
+
+
+def _plain_pose(frame: Frame, values: Mapping[str, float]) -> RigidPose | None:
+    """Return a frame's pose if no names are in it."""
+    if any(True for expression in pose_expressions(frame.pose) for _ in symbols(expression)):
+        return None
+    return written_pose(frame.pose, values)
+
+
+def _numbers(moving: _Moving, pose: RigidPose) -> Iterator[TextEdit]:
+    """Yield the edits of CoM and moments, `pose` being the pose of the new frame in the link's."""
+    inertia, body, decimals = moving.inertia, moving.body, moving.decimals
+    moved = seen_from(body, pose.inverse())
+    length = sum(map(abs, (*body.com, *pose.translation)))
+    size = sum(map(abs, body.moments)) + body.mass * length * length
+    assert inertia.com is not None
+    for component, value in zip(inertia.com.components, moved.com, strict=True):
+        yield TextEdit(component.start, component.end, rounded_decimal(value, length))
+    for name, value in zip(MOMENTS, moved.moments, strict=True):
+        moment = inertia.moments[name]
+        exact = rounded_decimal(value, size)
+        text = exact if decimals is None else fixed_decimal(value, decimals)
+        yield TextEdit(moment.start, moment.end, text)
+
+
+def _with_frame(inertia: Inertia, name: str) -> TextEdit | None:
+    if inertia.frame is not None:
+        return TextEdit(inertia.frame.start, inertia.frame.end, name)
+    sections = [child for child in inertia.node.children if isinstance(child, Node)]
+    text = inertia.island.text
+    return inserted_section(text, inertia.node, sections[-1], (f"ref_frame = {name}",))
+
+
+def _without_frame(inertia: Inertia) -> TextEdit:
+    """Return the edit that removes `ref_frame = name`, with the line that it begins."""
+    node = next(inertia.node.nodes("inertia_frame"))
+    before = _BLANKS_BEFORE.sub("", inertia.island.text[: node.start])
+    return TextEdit(len(before), node.end, "")
+
+
+def _action(title: str, edits: Sequence[TextEdit], origin: int) -> CodeAction:
+    moved = (TextEdit(origin + e.start, origin + e.end, e.text) for e in edits)
+    return CodeAction(title, _KIND, tuple(sorted(moved)))

@@ -1,0 +1,77 @@
+"""Lines above blocks: open the preview, what a link carries, how often a joint is used."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from kindsl.frontends.features.quantity_text import KILOGRAMS, number
+from kindsl.frontends.features.subtree import Subtree, subtree_of
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.language.semantics.declarations import Joint, Link
+from kindsl.language.semantics.places import Name
+from kindsl.language.text.phrases import counted
+from kindsl.language.text.span import Span
+from kindsl.robots.mechanism.total_mass import UNKNOWN
+
+
+class CodeLens(NamedTuple):
+    """A line above a block.
+
+    Attributes:
+        start: Start of the name that the lens belongs to.
+        end: End of that name.
+        title: Its text.
+        kind: `preview`, `subtree` or `references`.
+        places: For `references`, the places to show.
+    """
+
+    start: int
+    end: int
+    title: str
+    kind: str
+    places: tuple[Span, ...] = ()
+
+
+def code_lenses(analysis: Analysis) -> tuple[CodeLens, ...]:
+    """Return the lenses in the order of the text."""
+    return tuple(sorted(_lenses(analysis)))
+
+
+def _lenses(analysis: Analysis) -> Iterator[CodeLens]:
+    model = analysis.model
+    for declared in model.declared:
+        if declared.robot:
+            yield CodeLens(*analysis.resolver.span(declared.robot), "▶ Preview", "preview")
+    for body in model.bodies:
+        title = _subtree_title(subtree_of(analysis, body), body)
+        if title:
+            yield CodeLens(*analysis.resolver.span(body.name), title, "subtree")
+        if not body.is_base:
+            yield _references(analysis, body.name, _places_of_link(analysis, body))
+    for joint in model.joints:
+        yield _references(analysis, joint.name, _places_of_joint(analysis, joint))
+
+
+def _subtree_title(subtree: Subtree, body: Link) -> str:
+    if not subtree.dof:
+        return ""
+    joints, weight = counted(subtree.dof, "joint"), subtree.weight
+    mass = weight.told(f"{number(weight.known)} {KILOGRAMS}")
+    if mass == UNKNOWN:
+        return f"carries {joints}, mass unknown"
+    counts = body.is_floating or not body.is_base
+    return f"carries {joints}, {mass}" + (" with itself" if counts else "")
+
+
+def _places_of_link(analysis: Analysis, body: Link) -> tuple[Span, ...]:
+    edges = analysis.model.tree.above.get(body, ())
+    return tuple(Span(*analysis.resolver.span(edge.child.link)) for edge in edges)
+
+
+def _places_of_joint(analysis: Analysis, joint: Joint) -> tuple[Span, ...]:
+    edges = analysis.model.tree.joint_uses.get(joint, ())
+    return tuple(Span(*analysis.resolver.span(edge.child.joint)) for edge in edges)
+
+
+def _references(analysis: Analysis, name: Name, places: tuple[Span, ...]) -> CodeLens:
+    title = counted(len(places), "reference")
+    return CodeLens(*analysis.resolver.span(name), title, "references", places)

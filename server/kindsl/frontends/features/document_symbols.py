@@ -1,0 +1,114 @@
+"""The outline of a document: what is written in what, the robot around all.
+
+Each entry lies inside the one above it, so that an editor finds the cursor's entry by descending.
+The kinematic tree, which goes across the text, is a view of its own.
+"""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.language.semantics.declarations import Frame, Joint, Link
+from kindsl.language.semantics.places import Construct, Located, Name
+
+
+class DocumentSymbol(NamedTuple):
+    """An entry of the outline.
+
+    Attributes:
+        name: As written, or a stand-in where the name is missing.
+        detail: A few words beside the name.
+        kind: `robot`, `base`, `link`, `joint` or `frame`.
+        start: Start of the whole construct.
+        end: Its end.
+        name_start: Start of the name, inside the construct.
+        name_end: Its end.
+        children: Entries below.
+    """
+
+    name: str
+    detail: str
+    kind: str
+    start: int
+    end: int
+    name_start: int
+    name_end: int
+    children: "tuple[DocumentSymbol, ...]" = ()
+
+
+def document_symbols(analysis: Analysis) -> tuple[DocumentSymbol, ...]:
+    """Return the outline: robot, then base, links and joints, then frames."""
+    blocks = sorted(_blocks(analysis), key=lambda symbol: symbol.start)
+    name = next((d.robot for d in analysis.model.declared if d.robot), None)
+    if name is None:
+        return tuple(blocks)
+    head = next(node for node in name.island.nodes if node.kind == "head")
+    start, _ = analysis.resolver.span(Construct(head, name.island))
+    before = [block for block in blocks if block.start < start]
+    inside = tuple(blocks[len(before) :])
+    name_start, name_end = analysis.resolver.span(name)
+    end = max((name_end, *_closing_braces(analysis), *(block.end for block in inside)))
+    robot = DocumentSymbol(str(name), "robot", "robot", start, end, name_start, name_end, inside)
+    return (*before, robot)
+
+
+def flat_symbols(analysis: Analysis) -> Iterator[DocumentSymbol]:
+    """Yield bodies, joints and frames in the order of the text, without nesting."""
+    frames = (frame_symbol(analysis, frame) for frame in analysis.model.frames)
+    blocks = (block._replace(children=()) for block in _blocks(analysis))
+    yield from sorted((*blocks, *frames), key=lambda symbol: symbol.start)
+
+
+def body_symbol(
+    analysis: Analysis, body: Link, detail: str, children: tuple[DocumentSymbol, ...] = ()
+) -> DocumentSymbol:
+    """Return the entry of a link or base."""
+    kind = "base" if body.is_base else "link"
+    return _entry(analysis, body, body.name, kind, detail, children)
+
+
+def joint_symbol(analysis: Analysis, joint: Joint) -> DocumentSymbol:
+    """Return the entry of a joint."""
+    return _entry(analysis, joint, joint.name, "joint", joint.kind)
+
+
+def frame_symbol(analysis: Analysis, frame: Frame) -> DocumentSymbol:
+    """Return the entry of an optional frame."""
+    return _entry(analysis, frame, frame.name, "frame", "frame")
+
+
+def id_detail(body: Link) -> str:
+    """Return a link's number, or what kind of a base it is, for people."""
+    if body.is_base:
+        return "floating base" if body.is_floating else "base"
+    return "" if body.id is None else f"id {body.id}"
+
+
+def _blocks(analysis: Analysis) -> Iterator[DocumentSymbol]:
+    """Yield bodies, with their frames below, and joints."""
+    for body in analysis.model.bodies:
+        frames = tuple(frame_symbol(analysis, frame) for frame in body.frames)
+        yield body_symbol(analysis, body, id_detail(body), frames)
+    for joint in analysis.model.joints:
+        yield joint_symbol(analysis, joint)
+
+
+def _closing_braces(analysis: Analysis) -> Iterator[int]:
+    """Yield the ends of the braces that close the robot: of one, unless the text is broken."""
+    syntax = analysis.syntax
+    for island, start in zip(syntax.islands, syntax.starts, strict=True):
+        yield from (start + node.end for node in island.nodes if node.kind == "end")
+
+
+def _entry(
+    analysis: Analysis,
+    at: Located,
+    name: Name,
+    kind: str,
+    detail: str,
+    children: tuple[DocumentSymbol, ...] = (),
+) -> DocumentSymbol:
+    start, end = analysis.resolver.span(at)
+    name_start, name_end = analysis.resolver.span(name)
+    shown = str(name) or f"({kind} without a name)"
+    return DocumentSymbol(shown, detail, kind, start, end, name_start, name_end, children)

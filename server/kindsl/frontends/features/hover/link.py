@@ -1,0 +1,110 @@
+"""The hover of a link: its place in the tree, its mass, its pose."""
+
+from collections.abc import Iterator
+
+from kindsl.frontends.features.quantity_text import INERTIA, KILOGRAMS, number, vector
+from kindsl.frontends.features.subtree import subtree_of
+from kindsl.frontends.features.wording import code, paragraph, pose_text
+from kindsl.frontends.features.zero_configuration import body_pose
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.judgement.rules.base import Severity
+from kindsl.judgement.rules.inertia.shapes import shape_verdicts
+from kindsl.judgement.rules.registry import all_rules
+from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.lowering import declarations
+from kindsl.language.semantics.unknown import Unknown
+from kindsl.language.text.phrases import counted, listed
+from kindsl.mechanics.rigid.body import principal_moments_about_com
+from kindsl.robots.mechanism.link_inertia import link_inertia
+from kindsl.robots.mechanism.total_mass import UNKNOWN, Weight, own_mass
+
+_CODES = ("KD301", "KD302", "KD303", "KD305")
+_MARKS = {Severity.ERROR: "✗ ", Severity.WARNING: "⚠ "}
+_CONSISTENT = "✓ physically consistent"
+
+
+def link_hover(analysis: Analysis, body: Link) -> str:
+    """Return what there is to tell of a link or the base."""
+    lines = [
+        *_tree_lines(analysis, body),
+        *_mass_lines(analysis, body),
+        *_pose_lines(analysis, body),
+    ]
+    return paragraph(_title(body), lines)
+
+
+def _title(body: Link) -> str:
+    if body.is_base:
+        return f"**{'floating' if body.is_floating else 'fixed'} base `{body.name}`**"
+    return f"**link `{body.name}`**" + (f", id {body.id}" if body.id is not None else "")
+
+
+def _tree_lines(analysis: Analysis, body: Link) -> Iterator[str]:
+    tree = analysis.model.tree
+    for edge in tree.above.get(body, ()):
+        kind = f" ({edge.joint.kind})" if edge.joint is not None else ""
+        parent = code(edge.predecessor.name)
+        yield f"supporting joint {code(edge.child.joint)}{kind}, parent {parent}"
+    if not body.is_base and body not in tree.above:
+        yield "no supporting joint: no link has it among its children"
+    below = [f"{code(e.child.link)} via {code(e.child.joint)}" for e in tree.successor_edges(body)]
+    if below:
+        yield f"{'child' if len(below) == 1 else 'children'} {listed(below)}"
+    if body.frames:
+        yield f"frames {listed(code(frame.name) for frame in body.frames)}"
+
+
+def _mass_lines(analysis: Analysis, body: Link) -> Iterator[str]:
+    inertia = link_inertia(body, analysis.context.values)
+    subtree = subtree_of(analysis, body)
+    below = _subtree_text(subtree.weight, subtree.dof)
+    mass = own_mass(body, analysis.context.values)
+    own = "" if isinstance(mass, Unknown) else f"mass {number(mass)} {KILOGRAMS}"
+    if own or below:
+        yield "; ".join(part for part in (own, below) if part)
+    if isinstance(inertia, Unknown):
+        yield f"mass properties are not known: {inertia.reason}"
+        return
+    yield f"CoM {vector(inertia.com)} m in the link frame"
+    moments = (number(moment) for moment in principal_moments_about_com(inertia))
+    yield f"principal moments about the CoM {', '.join(moments)} {INERTIA}"
+    if body.is_base and not body.is_floating:
+        yield "the inertia of a fixed base does not matter"
+    else:
+        yield from _verdicts(analysis, body)
+
+
+def _subtree_text(weight: Weight, dof: int) -> str:
+    if not dof:
+        return ""
+    mass = weight.told(f"{number(weight.known)} {KILOGRAMS}")
+    lack = "" if weight.is_whole else f" ({weight.reason_text})"
+    subtree = f"subtree {mass}" if mass != UNKNOWN else "subtree of unknown mass"
+    return f"{subtree} with {counted(dof, 'joint')}{lack}"
+
+
+def _pose_lines(analysis: Analysis, body: Link) -> Iterator[str]:
+    if body.is_base:
+        return
+    pose = body_pose(analysis, body)
+    if isinstance(pose, Unknown):
+        yield f"zero-configuration pose is not known: {pose.reason}"
+    else:
+        yield f"zero configuration, in the base: {pose_text(pose)}"
+
+
+def _verdicts(analysis: Analysis, body: Link) -> Iterator[str]:
+    """Yield what the rules say of a link's inertia: the worst defect, else each doubt."""
+    declared = declarations(body.island)
+    for rule in all_rules():
+        if rule.code not in _CODES or rule.check_island is None:
+            continue
+        for finding in rule.check_island(declared, analysis.context):
+            severity = finding.severity or rule.severity
+            yield f"{_MARKS.get(severity, '')}{finding.message} ({rule.code})"
+            return
+    doubts = list(shape_verdicts(body, analysis.model.tree.joints_on(body), analysis.context))
+    for doubt in doubts:
+        yield f"{_MARKS[Severity.WARNING]}{doubt.sentence} ({doubt.code})"
+    if not doubts:
+        yield _CONSISTENT

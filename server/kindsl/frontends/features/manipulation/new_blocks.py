@@ -1,0 +1,68 @@
+"""Places for new children, frames and blocks, laid out like the text around them."""
+
+from collections.abc import Iterable, Sequence
+from itertools import count
+
+from kindsl.frontends.features.actions.layout_edits import (
+    inserted_section,
+    last_section,
+    newline_of,
+)
+from kindsl.frontends.features.actions.new_frame import added_frame
+from kindsl.frontends.features.names_taken import names_taken
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.places import Construct, Place
+from kindsl.language.syntax.indentation import indentation
+from kindsl.language.syntax.tree import Node
+from kindsl.language.text.edits import TextEdit
+from kindsl.language.text.lines import is_first_on_line
+
+
+def with_child(analysis: Analysis, body: Link, link: str, joint: str) -> TextEdit | None:
+    """Return the edit that lists one more child, None where the body has no such section."""
+    section = next(body.node.nodes("children"), None)
+    if section is None:
+        return None
+    return _absolute(analysis, body, _child(body.island.text, section, f"{link} via {joint}"))
+
+
+def with_frame(analysis: Analysis, body: Link, lines: Sequence[str]) -> TextEdit | None:
+    """Return the edit that gives a body one more frame, None where its braces are missing."""
+    return _absolute(analysis, body, added_frame(body, lines))
+
+
+def behind_last(analysis: Analysis, blocks: Sequence[Construct], texts: Iterable[str]) -> TextEdit:
+    """Return the edit that puts new blocks behind the last of some, of which there is one."""
+    newline = newline_of(analysis.text)
+    _, end = max(map(analysis.resolver.span, blocks))
+    added = "".join(f"{newline}{newline}{text}" for text in texts)
+    return TextEdit(end, end, added)
+
+
+def fresh_name(model: Model, stem: str) -> str:
+    """Return a name that nothing in a document has: the stem with the next number."""
+    taken = names_taken(model)
+    return next(f"{stem}{number}" for number in count(1) if f"{stem}{number}" not in taken)
+
+
+def next_ids(model: Model) -> int:
+    """Return the number behind the last one, which keeps all others as they are."""
+    return 1 + max((link.id or 0 for link in model.links), default=0)
+
+
+def _child(text: str, section: Node, entry: str) -> TextEdit | None:
+    """Return the edit that lists a child; the first on a line of its own where sections are."""
+    opening, closing = section.children[1].end, section.children[-1].start
+    is_bare = text[section.children[1].start : closing].strip() == "{"
+    if not is_bare or not is_first_on_line(text, section.start):
+        return inserted_section(text, section, last_section(section), [entry])
+    indent, newline = indentation(text, section.start), newline_of(text)
+    return TextEdit(opening, closing, f"{newline}{indent}    {entry}{newline}{indent}")
+
+
+def _absolute(analysis: Analysis, body: Link, edit: TextEdit | None) -> TextEdit | None:
+    if edit is None:
+        return None
+    return TextEdit(*analysis.resolver.span(Place(body.island, edit.start, edit.end)), edit.text)

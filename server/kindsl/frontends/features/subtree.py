@@ -1,0 +1,55 @@
+"""The subtree of a link: its mass, the number of its joints."""
+
+from typing import NamedTuple
+from weakref import WeakKeyDictionary
+
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.unknown import Unknown
+from kindsl.robots.mechanism.total_mass import Weight, added, body_mass, edge_mass
+
+
+class Subtree(NamedTuple):
+    """A link with all that it carries.
+
+    Attributes:
+        weight: Of all of it; a fixed base itself weighs nothing.
+        dof: Joints in it, the supporting joint of the link left out.
+    """
+
+    weight: Weight
+    dof: int
+
+
+_NO_TREE = Subtree(Weight(0.0, 1, Unknown("the links below it are no tree")), 0)
+_subtrees: "WeakKeyDictionary[Analysis, dict[Link, Subtree]]" = WeakKeyDictionary()
+
+
+def subtree_of(analysis: Analysis, body: Link) -> Subtree:
+    """Return what a body carries, itself included; every body is weighed once an analysis."""
+    if analysis not in _subtrees:
+        _subtrees[analysis] = _all(analysis)
+    return _subtrees[analysis].get(body, _NO_TREE)
+
+
+def _all(analysis: Analysis) -> dict[Link, Subtree]:
+    """Return what each body carries, those left out that only loops lead to."""
+    tree = analysis.model.tree
+    found: dict[Link, Subtree] = {}
+    for root in (body for body in analysis.model.bodies if body not in tree.above):
+        for link in reversed([root, *tree.in_topological_order(root)]):
+            found[link] = _sum(analysis, link, found)
+    return found
+
+
+def _sum(analysis: Analysis, body: Link, known: dict[Link, Subtree]) -> Subtree:
+    weight = body_mass(body, analysis.context.values)
+    dof = 0
+    for edge in analysis.model.tree.successor_edges(body):
+        weight = added(weight, edge_mass(edge))
+        if edge.link is None:
+            continue
+        below = known.get(edge.link, _NO_TREE)
+        weight = added(weight, below.weight)
+        dof += 1 + below.dof
+    return Subtree(weight, dof)

@@ -1,0 +1,102 @@
+"""Fixes and refactorings."""
+
+from typing import TYPE_CHECKING
+
+from lsprotocol import types
+
+from kindsl.frontends.lsp.handlers.table import Handlers
+from kindsl.frontends.lsp.session.binding import bound
+from kindsl.frontends.lsp.session.findings import diagnostics
+from kindsl.frontends.lsp.session.other_files import other_file_edits
+from kindsl.frontends.lsp.session.transforms import TransformsView
+from kindsl.frontends.lsp.session.view import Sight, View
+from kindsl.frontends.lsp.wire.edits import makes_files, text_edits, workspace_edit
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from kindsl.frontends.features.actions.action import CodeAction
+
+handlers = Handlers()
+
+FIX_ALL = "source.fixAll.kindsl"
+_KINDS = types.CodeActionOptions(
+    code_action_kinds=[
+        types.CodeActionKind.QuickFix,
+        types.CodeActionKind.RefactorExtract,
+        types.CodeActionKind.RefactorInline,
+        types.CodeActionKind.RefactorRewrite,
+        types.CodeActionKind.SourceFixAll,
+        FIX_ALL,
+    ]
+)
+
+
+@handlers.judged(types.TEXT_DOCUMENT_CODE_ACTION, _KINDS)
+def offer(view: View, params: types.CodeActionParams) -> list[types.CodeAction]:
+    """Offer what can be done about a selection, of the kinds that are asked for."""
+    from kindsl.frontends.features.actions.code_actions import code_actions, fix_all_action
+
+    start, end = view.offset(params.range.start), view.offset(params.range.end)
+    found = [*code_actions(view.analysis, start, end), fix_all_action(view.analysis)]
+    return _wanted(view, found, params.context.only)
+
+
+@handlers.transforms(types.TEXT_DOCUMENT_CODE_ACTION)
+def offer_for_transforms(
+    view: TransformsView, params: types.CodeActionParams
+) -> list[types.CodeAction]:
+    """Offer what can be done about a selection in a transforms document."""
+    from kindsl.frontends.features.transforms_actions import transforms_actions
+
+    start, end = view.offset(params.range.start), view.offset(params.range.end)
+    found = transforms_actions(view.document.text, view.model, start, end)
+    return _wanted(view, found, params.context.only)
+
+
+def _wanted(
+    view: Sight, found: "Iterable[CodeAction | None]", only: object
+) -> list[types.CodeAction]:
+    wanted = (_action(view, each) for each in found if each and _is_wanted(each.kind, only))
+    return [action for action in wanted if action is not None]
+
+
+def _is_wanted(kind: str, only: object) -> bool:
+    """Return whether a kind is one of those asked for, or below one."""
+    if not isinstance(only, list | tuple):
+        return True
+    return any(f"{kind}.".startswith(f"{wanted}.") or not wanted for wanted in map(_text, only))
+
+
+def _text(kind: object) -> str:
+    return str(getattr(kind, "value", kind))
+
+
+def _action(view: Sight, action: "CodeAction") -> types.CodeAction | None:
+    """Return an action as the client takes it; None if the client cannot make it."""
+    edits = [(view.document, text_edits(view.document, action.edits))] if action.edits else []
+    new = []
+    if action.bindings:
+        binding = bound(view.state, view.document, action.bindings)
+        if binding is None or (binding.is_new and not makes_files(view.client)):
+            return None
+        edits.append((binding.document, text_edits(binding.document, [binding.edit])))
+        new = [binding.document] if binding.is_new else []
+    if action.other_file:
+        other = other_file_edits(view.state, action)
+        if other is None:
+            return None
+        edits.append(other)
+    return types.CodeAction(
+        title=action.title,
+        kind=action.kind,
+        diagnostics=[
+            view.state.editor.protocol.structured(each, types.Diagnostic)
+            for each in diagnostics(
+                view.document, action.diagnostics, view.client.shows_in_diagnostics
+            )
+        ]
+        or None,
+        is_preferred=action.is_preferred or None,
+        edit=workspace_edit(view.client, edits, new),
+    )

@@ -1,0 +1,76 @@
+"""Semantic tokens: whole, in a range, and what has changed since the last time."""
+
+from array import array
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from lsprotocol import types
+
+from kindsl.frontends.lsp.handlers.table import Handlers
+from kindsl.frontends.lsp.session.view import View
+from kindsl.frontends.lsp.text.document import Document
+
+if TYPE_CHECKING:
+    from kindsl.frontends.features.semantic_tokens import SemanticToken
+
+handlers = Handlers()
+
+TYPES = (
+    "namespace", "class", "method", "property", "parameter", "variable", "keyword", "number",
+    "comment", "operator",
+)  # fmt: skip
+MODIFIERS = ("declaration", "readonly", "modification", "defaultLibrary", "deprecated")
+
+_LEGEND = types.SemanticTokensLegend(TYPES, MODIFIERS)
+_OPTIONS = types.SemanticTokensRegistrationOptions(
+    _LEGEND, full=types.SemanticTokensFullDelta(delta=True), range=True
+)
+_TYPE_NUMBERS = {name: number for number, name in enumerate(TYPES)}
+_MODIFIER_BITS = {name: 1 << number for number, name in enumerate(MODIFIERS)}
+
+
+@handlers.document(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL, _OPTIONS)
+def whole(view: View, _: types.SemanticTokensParams) -> dict[str, Any]:
+    """Tell all tokens."""
+    from kindsl.frontends.features.semantic_tokens import semantic_tokens
+
+    data = encoded(view.document, semantic_tokens(view.analysis))
+    return view.state.tokens.tell(view.document.uri, data, None)
+
+
+@handlers.document(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL_DELTA, _OPTIONS)
+def delta(view: View, params: types.SemanticTokensDeltaParams) -> dict[str, Any]:
+    """Tell what has changed."""
+    from kindsl.frontends.features.semantic_tokens import semantic_tokens
+
+    data = encoded(view.document, semantic_tokens(view.analysis))
+    return view.state.tokens.tell(view.document.uri, data, params.previous_result_id)
+
+
+@handlers.document(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE, _OPTIONS)
+def part(view: View, params: types.SemanticTokensRangeParams) -> dict[str, Any]:
+    """Tell the tokens of what is visible."""
+    from kindsl.frontends.features.semantic_tokens import semantic_tokens
+
+    start, end = view.offset(params.range.start), view.offset(params.range.end)
+    tokens = semantic_tokens(view.analysis, start, end)
+    return {"data": encoded(view.document, tokens).tolist()}
+
+
+def encoded(document: Document, tokens: "Iterable[SemanticToken]") -> "array[int]":
+    """Return five numbers a token: line and column from the one before, length, type, modifiers."""
+    lines, encoding = document.lines, document.encoding
+    data = array("I")
+    line = line_start = column = 0
+    line_end = -1
+    for start, end, kind, modifiers in tokens:
+        before, column_before = line, column
+        if start >= line_end:
+            line = lines.line(start)
+            line_start, line_end = lines.start(line), lines.start(line + 1)
+        column = lines.units(line_start, start, encoding)
+        step = column if line != before else column - column_before
+        length = lines.units(start, end, encoding)
+        bits = sum(map(_MODIFIER_BITS.__getitem__, modifiers))
+        data.extend((line - before, step, length, _TYPE_NUMBERS[kind], bits))
+    return data

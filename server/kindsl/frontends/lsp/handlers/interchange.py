@@ -1,0 +1,76 @@
+"""Documents out of other formats and into them, by commands."""
+
+from pathlib import PurePath
+
+from lsprotocol import types
+from pygls.exceptions import JsonRpcInvalidParams
+
+from kindsl.frontends.lsp.handlers.commands import view_of
+from kindsl.frontends.lsp.handlers.table import Handlers
+from kindsl.frontends.lsp.session.session import Session
+from kindsl.frontends.lsp.session.view import View
+from kindsl.frontends.lsp.wire.protocol import RequestFailed
+from kindsl.language.text.printable import printable
+
+handlers = Handlers()
+
+
+@handlers.command("kindsl.exportUrdf")
+async def export_urdf(session: Session, uri: object = None, *_: object) -> str:
+    """Return a document as URDF; what that says beyond the document is told to the user."""
+    view = await view_of(session, uri)
+    text, remarks = await session.worker.run(lambda: _urdf(view))
+    if remarks:
+        message = f"URDF: {'; '.join(remarks)}"
+        session.editor.window_show_message(types.ShowMessageParams(types.MessageType.Info, message))
+    return text
+
+
+@handlers.command("kindsl.importRobot")
+async def import_robot(
+    session: Session, name: object = None, text: object = None, *_: object
+) -> dict[str, object]:
+    """Return the document of a robot in another format, and remarks on what it cannot keep.
+
+    The arguments are a file's name, whose suffix tells the format, and its text.
+    """
+    if not isinstance(name, str) or not isinstance(text, str):
+        raise JsonRpcInvalidParams("the arguments must be a file's name and its text")
+    document, remarks = await session.worker.run(lambda: _document(PurePath(name), text))
+    return {"text": document, "remarks": [printable(remark) for remark in remarks]}
+
+
+def _urdf(view: View) -> tuple[str, tuple[str, ...]]:
+    from kindsl.robots.interchange.format import WritingChoices
+    from kindsl.robots.interchange.urdf.writing import written_urdf
+
+    analysis = view.analysis
+    try:
+        skeleton = analysis.skeleton()
+    except ValueError as error:
+        raise RequestFailed(str(error)) from None
+    choices = WritingChoices(joints=analysis.settings.joints)
+    written = written_urdf(analysis.model.name or "robot", skeleton, choices)
+    return written.text, written.remarks
+
+
+def _document(name: PurePath, text: str) -> tuple[str, tuple[str, ...]]:
+    from kindsl.language.text.phrases import alternatives
+    from kindsl.robots.interchange.format import AS_WRITTEN, FormatError, joints_dropped
+    from kindsl.robots.interchange.kindsl_writing import written_kindsl
+    from kindsl.robots.interchange.registry import all_formats, format_of_suffix
+
+    format = format_of_suffix(name.suffix)
+    if format is None or format.parse is None:
+        known = alternatives(f.suffixes[0] for f in all_formats() if f.parse is not None)
+        if format is None:
+            raise RequestFailed(
+                f"the suffix '{name.suffix}' does not determine the format: use {known}"
+            )
+        raise RequestFailed(f"{format.title} cannot be read from one text, as {known} can")
+    try:
+        written = written_kindsl(format.parse(text, name.stem, AS_WRITTEN))
+    except FormatError as error:
+        raise RequestFailed(printable(str(error))) from None
+    lost = (joints_dropped(written.joints),) if written.joints else ()
+    return written.text, (*written.remarks, *lost)

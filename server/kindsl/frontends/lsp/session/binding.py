@@ -1,0 +1,82 @@
+"""Keeps values of parameters and poses in the project's `kindsl.toml`, which may be a new one."""
+
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
+
+from kindsl.frontends.lsp.session.state import State
+from kindsl.frontends.lsp.text import uris
+from kindsl.frontends.lsp.text.document import Document, document
+from kindsl.judgement.config.errors import ConfigurationError
+from kindsl.judgement.config.file_names import OWN_FILE
+from kindsl.judgement.config.parameter_lines import parameter_lines
+from kindsl.language.text.edits import TextEdit, difference
+
+
+class ConfigurationEdit(NamedTuple):
+    """An edit of a configuration file.
+
+    Attributes:
+        document: The file, empty if it is to be made.
+        is_new: Whether it is to be made.
+        edit: The edit of the file.
+    """
+
+    document: Document
+    is_new: bool
+    edit: TextEdit
+
+
+def bound(
+    state: State, shown: Document, values: Iterable[tuple[str, float]]
+) -> ConfigurationEdit | None:
+    """Return the edit that binds parameters of a document; None if there is no place for one."""
+    from kindsl.judgement.config.toml_edits import binding_edit
+
+    place = _place(state, shown)
+    if place is None:
+        return None
+    document, is_new = place
+    if is_new:
+        text = "\n".join(("[parameters]", *parameter_lines(values), ""))
+        edit: TextEdit | None = difference(document.text, text)
+    else:
+        file, robot = str(uris.path(document.uri)), str(uris.path(shown.uri))
+        edit = binding_edit(file, document.text, robot, values)
+    return None if edit is None else ConfigurationEdit(document, is_new, edit)
+
+
+def posed(
+    state: State, shown: Document, name: str, joints: Mapping[str, float]
+) -> ConfigurationEdit | None:
+    """Return the edit that keeps a pose of a document; None if there is no place for one."""
+    from kindsl.judgement.config.document_tables import with_pose
+
+    place = _place(state, shown)
+    if place is None:
+        return None
+    document, is_new = place
+    try:
+        new = with_pose(
+            str(uris.path(document.uri)), document.text, str(uris.path(shown.uri)), name, joints
+        )
+    except ConfigurationError:
+        return None
+    if new is None:
+        return None
+    return ConfigurationEdit(document, is_new, difference(document.text, new))
+
+
+def _place(state: State, shown: Document) -> tuple[Document, bool] | None:
+    """Return the configuration file of a document, and whether it is to be made."""
+    file = state.workspace.configuration_file(shown)
+    if file is not None:
+        found = state.documents.get(uris.uri(file))
+        return None if found is None else (found, False)
+    from kindsl.judgement.config.discovery import nearest_configuration
+
+    path = uris.path(shown.uri)
+    if path is None or nearest_configuration(str(path.parent)) is not None:
+        return None  # nowhere to write it, or a file decides that says something wrong
+    around = [folder for folder in state.workspace.paths() if path.is_relative_to(folder)]
+    file = max(around, key=lambda folder: len(folder.parts), default=path.parent) / OWN_FILE
+    return document(uris.uri(file), None, "", shown.encoding), True

@@ -1,0 +1,54 @@
+"""Findings as the client can show them."""
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from lsprotocol import types
+
+from kindsl.frontends.lsp.text.document import Document
+from kindsl.frontends.lsp.wire.client import DiagnosticParts
+
+if TYPE_CHECKING:
+    from kindsl.judgement.analysis.diagnostics import Diagnostic
+
+SOURCE = "kindsl"
+_SEVERITIES = {
+    "error": types.DiagnosticSeverity.Error.value,
+    "warning": types.DiagnosticSeverity.Warning.value,
+    "info": types.DiagnosticSeverity.Information.value,
+    "hint": types.DiagnosticSeverity.Hint.value,
+}
+_TAGS = {
+    "unnecessary": types.DiagnosticTag.Unnecessary.value,
+    "deprecated": types.DiagnosticTag.Deprecated.value,
+}
+
+
+def diagnostics(
+    document: Document, findings: "Iterable[Diagnostic]", parts: DiagnosticParts
+) -> list[dict[str, Any]]:
+    """Return findings as a client can show them, in the protocol's form, for there are many."""
+    return [_diagnostic(document, finding, parts) for finding in findings]
+
+
+def _diagnostic(
+    document: Document, finding: "Diagnostic", parts: DiagnosticParts
+) -> dict[str, Any]:
+    found: dict[str, Any] = {
+        "range": document.wire_range(finding.start, finding.end),
+        "severity": _SEVERITIES[finding.severity],
+        "code": finding.code,
+        "source": SOURCE,
+        "message": finding.message,
+    }
+    if parts.links and finding.url is not None:
+        found["codeDescription"] = {"href": finding.url}
+    if parts.tags and finding.tag:
+        found["tags"] = [_TAGS[finding.tag]]
+    if parts.related and finding.related:
+        found["relatedInformation"] = [
+            {"location": {"uri": document.uri, "range": place_range}, "message": place.message}
+            for place in finding.related
+            for place_range in (document.wire_range(place.start, place.end),)
+        ]
+    return found

@@ -1,0 +1,82 @@
+"""A session with an editor: what it knows, what it offers unasked, and how it is asked."""
+
+from collections.abc import Awaitable, Callable
+from typing import Any
+
+from kindsl.frontends.lsp.session.previews import Previews
+from kindsl.frontends.lsp.session.publishing import Publisher
+from kindsl.frontends.lsp.session.state import State
+from kindsl.frontends.lsp.session.surroundings import Surroundings
+from kindsl.frontends.lsp.session.view import View
+from kindsl.frontends.lsp.text.document import Document
+from kindsl.frontends.lsp.wire.editor import Editor
+from kindsl.frontends.lsp.wire.protocol import Encoded
+
+Handler = Callable[[View, Any], Any]
+Look = Callable[[View, Callable[[], Any]], Awaitable[Any]]
+
+_LONG = 200_000
+
+
+class Session(State):
+    """Answers questions about documents; handlers are asked with a view of one version.
+
+    Attributes:
+        previews: The live previews.
+        publisher: Pushes diagnostics.
+    """
+
+    def __init__(self, editor: Editor, surroundings: Surroundings) -> None:
+        super().__init__(editor, surroundings)
+        self.previews = Previews(self)
+        self.publisher = Publisher(self)
+
+    def ask_at_once(self, handler: Handler, uri: str, params: Any) -> Awaitable[Any]:
+        """Ask a handler about a place of the document as it is now; None without a robot."""
+        return self._answer(handler, self.documents.get(uri), params, self._look)
+
+    def ask(self, handler: Handler, uri: str, params: Any) -> Awaitable[Any]:
+        """Ask a handler about the whole document as it is now, a long one in the worker."""
+        return self._answer(handler, self.documents.get(uri), params, self._read)
+
+    def ask_judged(self, handler: Handler, uri: str, params: Any) -> Awaitable[Any]:
+        """Ask a handler that needs to know what is wrong with the document as it is now."""
+        return self._judged(handler, self.documents.get(uri), params)
+
+    async def view(self, document: Document) -> View:
+        """Return a version of a document with its analysis."""
+        return View(document, await self.analyses.of(document), self)
+
+    async def close(self) -> None:
+        """Stop what runs beside the message loop."""
+        await self.previews.stop()
+        self.helper.stop()
+
+    async def _answer(
+        self, handler: Handler, document: Document | None, params: Any, look: Look
+    ) -> Any:
+        if document is None or not document.is_robot:
+            return None
+        with self.question():
+            view = await self.view(document)
+            return await look(view, lambda: handler(view, params))
+
+    async def _look(self, _: View, ask: Callable[[], Any]) -> Any:
+        return ask()
+
+    async def _read(self, view: View, ask: Callable[[], Any]) -> Any:
+        if view.document.lines.length < _LONG:
+            return ask()
+        return await self.worker.run(lambda: self._encoded(ask))
+
+    async def _judged(self, handler: Handler, document: Document | None, params: Any) -> Any:
+        """Answer once it is known what is wrong; until then the question holds up nothing."""
+        if document is not None and document.is_robot:
+            await self.analyses.findings(document)
+        return await self._answer(handler, document, params, self._read)
+
+    def _encoded(self, ask: Callable[[], Any]) -> Encoded:
+        """Answer in the worker, as long as somebody waits for it."""
+        result = ask()
+        self.worker.checkpoint()
+        return self.editor.protocol.encoded(result)

@@ -1,0 +1,157 @@
+"""A text as a row of pieces: the one form in which `lsp` holds and changes texts.
+
+Pieces are islands of the syntax where that is known, plain where it is not. Each keeps what was
+derived from it; what all of them add up to is kept as running sums, so that a new version costs a
+copy of three lists and what it touches.
+"""
+
+from bisect import bisect_left
+from collections.abc import Callable, Sequence
+from typing import Protocol
+
+from kindsl.frontends.lsp.text.sums import Sums
+from kindsl.language.text.facts import Fact, Facts
+
+# What is compared in one go: of ten thousand pieces nearly all are the same.
+_BLOCK = 256
+
+_LINE_ENDS = Fact[int]("line ends")
+
+
+class Piece(Protocol):
+    """A part of a text that never changes, and what was derived from it."""
+
+    text: str
+    facts: Facts
+
+
+class PlainPiece:
+    """A part of a text whose syntax is not known."""
+
+    __slots__ = ("facts", "text")
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.facts = Facts()
+
+
+class Row:
+    """Pieces whose texts joined are a text; changed only until it is handed out.
+
+    No two pieces share a CR LF, and none is empty but the only one.
+
+    Attributes:
+        pieces: In the order of the text.
+        lengths: Of the pieces, in code points.
+        ends: How many lines end in each.
+    """
+
+    __slots__ = ("_n_wide", "ends", "lengths", "pieces")
+
+    def __init__(self, pieces: Sequence[Piece]) -> None:
+        self.pieces = list(pieces)
+        self.lengths = Sums(len(piece.text) for piece in pieces)
+        self.ends = Sums(map(_line_ends, pieces))
+        self._n_wide = sum(map(_is_wide, pieces))
+
+    def copy(self) -> "Row":
+        """Return the same row, to be changed apart from this one."""
+        copied = Row(())
+        copied.pieces, copied._n_wide = self.pieces.copy(), self._n_wide
+        copied.lengths, copied.ends = self.lengths.copy(), self.ends.copy()
+        return copied
+
+    @property
+    def length(self) -> int:
+        """Of the text, in code points."""
+        return self.lengths.total
+
+    @property
+    def is_ascii(self) -> bool:
+        """True if all code points are as wide in any encoding."""
+        return not self._n_wide
+
+    def piece_at(self, offset: int) -> int:
+        """Return the number of the piece that holds an offset, the last for the text's end."""
+        return min(self.lengths.last_up_to(max(offset, 0)), len(self.pieces) - 1)
+
+    def text(self, start: int, end: int) -> str:
+        """Return the text between two offsets."""
+        first, last = self.piece_at(start), self.piece_at(end)
+        text = "".join([piece.text for piece in self.pieces[first : last + 1]])
+        origin = self.lengths[first]
+        return text[max(start - origin, 0) : max(end - origin, 0)]
+
+    def replace(self, start: int, end: int, text: str) -> None:
+        """Put a text for what stands between two offsets, one piece for those it touches."""
+        first = self.piece_at(start)
+        last = max(self.piece_at(end - 1), first)
+        origin = self.lengths[first]
+        old = "".join([piece.text for piece in self.pieces[first : last + 1]])
+        new = old[: start - origin] + text + old[end - origin :]
+        if first and (not new or (new[0] == "\n" and self.pieces[first - 1].text[-1] == "\r")):
+            first -= 1
+            new = self.pieces[first].text + new
+        following = self.pieces[last + 1].text if last + 1 < len(self.pieces) else ""
+        if following and (not new or (new[-1] == "\r" and following[0] == "\n")):
+            last += 1
+            new += following
+        self._put(first, last + 1, [PlainPiece(new)])
+
+    def held_in(self, pieces: Sequence[Piece]) -> "Row":
+        """Return a row of the same text in other pieces, most of which are these."""
+        if not pieces:
+            return self
+        row = self.copy()
+        before, after = in_common(self.pieces, pieces)
+        row._put(before, len(self.pieces) - after, pieces[before : len(pieces) - after])
+        return row
+
+    def _put(self, first: int, last: int, pieces: Sequence[Piece]) -> None:
+        """Put pieces for those from `first` to `last`, exclusive."""
+        self._n_wide += sum(map(_is_wide, pieces)) - sum(map(_is_wide, self.pieces[first:last]))
+        self.pieces[first:last] = pieces
+        self.lengths.replace(first, last, [len(piece.text) for piece in pieces])
+        self.ends.replace(first, last, map(_line_ends, pieces))
+
+
+def in_common(some: Sequence[Piece], others: Sequence[Piece]) -> tuple[int, int]:
+    """Return how many pieces two rows share from the start, and how many of the rest at the end."""
+    n_some, n_others = len(some), len(others)
+    shorter = min(n_some, n_others)
+    before = n_same(shorter, lambda a, b: [*some[a:b]] == [*others[a:b]])
+    after = n_same(
+        shorter - before,
+        lambda a, b: [*some[n_some - b : n_some - a]] == [*others[n_others - b : n_others - a]],
+    )
+    return before, after
+
+
+def n_same(limit: int, are_same: Callable[[int, int], bool]) -> int:
+    """Return for how many of some places, from the first, two rows are the same.
+
+    Args:
+        limit: How many places there are.
+        are_same: Whether they are the same between two places, the second exclusive.
+    """
+    for first in range(0, limit, _BLOCK):
+        stop = min(first + _BLOCK, limit)
+        if not are_same(first, stop):
+            longer = range(first + 1, stop)
+            return first + bisect_left(longer, True, key=lambda end: not are_same(first, end))
+    return limit
+
+
+def _line_ends(piece: Piece) -> int:
+    known = piece.facts.get(_LINE_ENDS)
+    if known is None:
+        text = piece.text
+        known = text.count("\n")
+        if "\r" in text:
+            known += text.count("\r") - text.count("\r\n")
+        piece.facts.keep(_LINE_ENDS, known)
+    return known
+
+
+def _is_wide(piece: Piece) -> bool:
+    return not piece.text.isascii()

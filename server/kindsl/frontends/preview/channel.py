@@ -1,0 +1,93 @@
+"""The state of one document's preview, and the tabs that show it."""
+
+import asyncio
+from collections.abc import Awaitable, Callable, Iterable
+
+from kindsl.robots.scene.changes import changes
+from kindsl.robots.scene.messages import Change, Part
+from kindsl.robots.scene.state import Messages, key_of, keyed
+
+
+class Tab:
+    """One open page. What it has not taken yet waits here, the last value of each property.
+
+    So a tab that stalls costs at most one state, and nobody waits for it.
+    """
+
+    def __init__(self, write: Callable[[Change], Awaitable[None]]) -> None:
+        """Take the function that writes a change and returns when the page has taken it."""
+        self._write = write
+        self._waiting: Messages = {}
+        self._is_whole = False
+        self._has_work = asyncio.Event()
+
+    def begin(self, state: Iterable[Part]) -> None:
+        """Let the page have a whole state."""
+        self._waiting, self._is_whole = keyed(state), True
+        self._has_work.set()
+
+    def send(self, message: Part) -> None:
+        """Let the page have a message as soon as it takes it."""
+        key = key_of(message)
+        if key.type == "delete":
+            self._drop_below(key.path)
+        # A later place in the queue, so that what follows a deletion stays after it.
+        self._waiting.pop(key, None)
+        self._waiting[key] = message
+        self._has_work.set()
+
+    async def run(self) -> None:
+        """Write what waits, until cancelled."""
+        while True:
+            await self._has_work.wait()
+            self._has_work.clear()
+            change = Change(self._is_whole, tuple(self._waiting.values()))
+            self._waiting, self._is_whole = {}, False
+            await self._write(change)
+
+    def _drop_below(self, path: str) -> None:
+        below = path + "/"
+        for key in [k for k in self._waiting if k.path == path or k.path.startswith(below)]:
+            del self._waiting[key]
+
+
+class Channel:
+    """Sends each change of a state to all tabs, and the whole state, once, to a new one.
+
+    The state is held in named parts, whose paths are disjoint.
+    """
+
+    def __init__(self) -> None:
+        self._parts: dict[str, Messages] = {}
+        self._tabs: set[Tab] = set()
+
+    @property
+    def state(self) -> list[Part]:
+        """One message for each property."""
+        return [message for part in self._parts.values() for message in part.values()]
+
+    def join(self, tab: Tab) -> None:
+        """Send a tab the whole state, and from now on its changes."""
+        tab.begin(self.state)
+        self._tabs.add(tab)
+
+    def leave(self, tab: Tab) -> None:
+        """Forget a tab."""
+        self._tabs.discard(tab)
+
+    def replace(self, part: str, messages: Messages) -> None:
+        """Make `messages` the state of a part; what is the same is not sent again."""
+        for message in changes(self._parts.get(part, {}), messages):
+            self.announce(message)
+        self._parts[part] = messages
+
+    def put(self, part: str, message: Part, sender: Tab | None = None) -> None:
+        """Set one property and tell all tabs but the one that it came from."""
+        self._parts.setdefault(part, {})[key_of(message)] = message
+        for tab in self._tabs - {sender}:
+            tab.send(message)
+
+    def announce(self, message: Part) -> None:
+        """Send a message that is no part of the state."""
+        for tab in self._tabs:
+            tab.send(message)

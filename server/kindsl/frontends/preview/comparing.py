@@ -1,0 +1,174 @@
+"""A document beside another description of its robot: the other as a ghost, and the differences."""
+
+from collections.abc import Callable, Iterable, Mapping
+from functools import partial
+from typing import NamedTuple
+
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.judgement.analysis.compared_document import compared_document
+from kindsl.judgement.analysis.twins import read_file, read_twin
+from kindsl.robots.comparison.compared_robot import ComparedRobot
+from kindsl.robots.comparison.mechanical import compared_mechanics
+from kindsl.robots.comparison.number_differences import NumberDifference
+from kindsl.robots.comparison.restated import restated
+from kindsl.robots.comparison.sentences import told, verdict
+from kindsl.robots.comparison.twins import TwinFile
+from kindsl.robots.comparison.written import Described
+from kindsl.robots.mechanism.drawable import drawable_skeleton
+from kindsl.robots.mechanism.errors import ModelError, UnboundParameterError
+from kindsl.robots.mechanism.fragments import skeleton_as_far_as_known
+from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.scene.messages import ComparisonMessage, DifferenceRow, OtherMessage
+from kindsl.robots.scene.state import Messages, keyed, path_of
+
+LAST_SAVED = "last saved"
+
+
+class OtherRobot(NamedTuple):
+    """Another description of a document's robot.
+
+    Attributes:
+        name: Of its file, as people know it.
+        read: Returns it, given whether the document's base floats, or why it cannot be read.
+        joints: Pairs of our joints and its, where names and axes do not tell.
+        tolerance: Relative, of what counts as equal besides what the digits leave open.
+    """
+
+    name: str
+    read: Callable[[bool], ComparedRobot | str]
+    joints: tuple[tuple[str, str], ...] = ()
+    tolerance: float = 0.0
+
+
+class ShownComparison(NamedTuple):
+    """The result of comparing.
+
+    Attributes:
+        message: For the page.
+        ghost: The other robot in our conventions; None if it cannot be read.
+    """
+
+    message: ComparisonMessage
+    ghost: Skeleton | None
+
+
+def document_robot(name: str, read: Callable[[], Analysis | str]) -> OtherRobot:
+    """Return another document.
+
+    Args:
+        name: What to call it.
+        read: Returns it as it is now, or why it cannot be read.
+    """
+
+    def robot(_floating: bool) -> ComparedRobot | str:
+        analysis = read()
+        return analysis if isinstance(analysis, str) else _as_far_as_known(name, analysis)
+
+    return OtherRobot(name, robot)
+
+
+def _as_far_as_known(name: str, analysis: Analysis) -> ComparedRobot | str:
+    model, values = analysis.model, analysis.context.values
+    try:
+        skeleton = drawable_skeleton(model, values)
+    except ModelError as error:
+        is_unbound = isinstance(error, UnboundParameterError)
+        found = None if is_unbound else skeleton_as_far_as_known(model, values)
+        if found is None:
+            return str(error)
+        skeleton = found
+    return compared_document(name, analysis, values, skeleton)
+
+
+def file_robot(name: str, path: str) -> OtherRobot:
+    """Return a file of another format or a folder of generated code, read anew when it changes."""
+    return OtherRobot(name, partial(_of_file, name, lambda base: read_file(path, name, base)))
+
+
+def twin_robots(analysis: Analysis) -> list[OtherRobot]:
+    """Return the twins that the configuration names for a document."""
+    return [_twin_robot(twin) for twin in analysis.settings.twins]
+
+
+def _twin_robot(twin: TwinFile) -> OtherRobot:
+    read = partial(_of_file, twin.label, partial(read_twin, twin))
+    return OtherRobot(twin.label, read, twin.joints, twin.tolerance)
+
+
+def _of_file(
+    name: str, read: Callable[[bool], Described | str], floating: bool
+) -> ComparedRobot | str:
+    robot = read(floating)
+    return f"cannot be read: {robot}" if isinstance(robot, str) else ComparedRobot(name, robot)
+
+
+def other_messages(others: Iterable[OtherRobot], chosen: str) -> Messages:
+    """Return what can be compared."""
+    return keyed(
+        OtherMessage(path_of("others", other.name), index, other.name, other.name == chosen)
+        for index, other in enumerate(others)
+    )
+
+
+def compared(
+    label: str,
+    analysis: Analysis,
+    values: Mapping[str, float],
+    skeleton: Skeleton,
+    other: OtherRobot,
+) -> ShownComparison:
+    """Compare a document with another description.
+
+    Args:
+        label: What to call the document.
+        analysis: The document.
+        values: Of its parameters.
+        skeleton: What is drawn of it.
+        other: The other description.
+    """
+    theirs = other.read(skeleton.is_floating)
+    if isinstance(theirs, str):
+        told_why = f"{other.name}: {theirs}"
+        return ShownComparison(
+            ComparisonMessage(label, other.name, told_why, False, (), (), ()), None
+        )
+    ours = compared_document(label, analysis, values, skeleton)
+    found = compared_mechanics(ours.robot, theirs.robot, dict(other.joints), other.tolerance)
+    message = ComparisonMessage(
+        own=label,
+        other=other.name,
+        verdict=verdict(found.is_equal, None),
+        is_equal=found.is_equal,
+        rows=tuple(_row(ours, theirs, number) for number in found.numbers),
+        structure=found.structure,
+        conventions=found.conventions,
+    )
+    return ShownComparison(message, restated(skeleton, theirs.robot.skeleton, found))
+
+
+def _row(ours: ComparedRobot, theirs: ComparedRobot, number: NumberDifference) -> DifferenceRow:
+    here, there = number.here_number or number.here_near, number.there_number or number.there_near
+    kind, name = _thing(ours.robot.skeleton, number)
+    return DifferenceRow(
+        kind=kind,
+        name=name,
+        owner=number.owner,
+        quantity=number.quantity,
+        unit=number.unit,
+        here=number.here,
+        there=number.there,
+        message=told(number, ours.place(here), theirs.place(there)),
+        line=ours.line(here) or 0,
+    )
+
+
+def _thing(skeleton: Skeleton, number: NumberDifference) -> tuple[str, str]:
+    """Return the kind and name of what is drawn of the number's owner."""
+    names = {
+        "link": skeleton.body_names,
+        "joint": skeleton.joint_names,
+        "frame": tuple(frame.name for frame in skeleton.frames),
+    }[number.kind]
+    if number.owner in names:
+        return number.kind, number.owner
+    return "link", skeleton.body_names[number.body]

@@ -1,0 +1,359 @@
+"""One document's preview: from an analysis and the sliders' values to the state of its pages."""
+
+import asyncio
+import math
+from collections.abc import Callable, Mapping, Sequence
+from typing import NamedTuple
+
+from kindsl.frontends.preview.channel import Channel, Tab
+from kindsl.frontends.preview.comparing import (
+    LAST_SAVED,
+    OtherRobot,
+    ShownComparison,
+    compared,
+    document_robot,
+    other_messages,
+    twin_robots,
+)
+from kindsl.frontends.preview.findings import finding_messages, lost_message, status_message
+from kindsl.frontends.preview.meshes import (
+    LinkMeshes,
+    MeshSource,
+    link_meshes,
+    offered,
+    twin_source,
+)
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.analysis.poses import pose_named
+from kindsl.robots.interchange.mesh_files import MeshFile
+from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.scene.messages import (
+    GhostMessage,
+    HighlightMessage,
+    PoseMessage,
+    TrajectoryMessage,
+    ValueMessage,
+)
+from kindsl.robots.scene.parameters import parameter_messages
+from kindsl.robots.scene.picture import Picture, PictureState, picture
+from kindsl.robots.scene.robot import ghost_messages, robot_messages
+from kindsl.robots.scene.state import Messages, keyed, path_of
+
+# More joints or parameters than any robot has.
+MOST_VALUES = 10_000
+
+
+class ShownVersion(NamedTuple):
+    """The picture of a version.
+
+    Attributes:
+        given: The values that it was made with.
+        picture: Which bodies, and in what state.
+        robot: Their messages, None without bodies.
+    """
+
+    given: dict[str, float]
+    picture: Picture
+    robot: Messages | None
+
+
+class DocumentPreview:
+    """The pages of one document.
+
+    Attributes:
+        channel: The state and the tabs.
+        analysis: The document as last shown, None before.
+        findings: Its findings, or those of an earlier version until they are known.
+        newest: The version that was last asked for, maybe not yet shown.
+        turn: Held while a version is drawn.
+        revision: How many versions have been shown.
+        on_put: Called when a version is shown.
+        recompare: Called when what is compared has changed; has `beside` made, and told.
+        mesh_files: The meshes that pages may load, by name.
+    """
+
+    def __init__(self, label: str) -> None:
+        self.channel = Channel()
+        self.analysis: Analysis | None = None
+        self.findings: Sequence[Diagnostic] = ()
+        self.newest: Analysis | None = None
+        self.turn = asyncio.Lock()
+        self.revision = 0
+        self.on_put: list[Callable[[], None]] = []
+        self.recompare: Callable[[], None] = lambda: self.tell_beside(self.beside())
+        self._label = label
+        self._joints: dict[str, float] = {}
+        self._parameters: dict[str, float] = {}
+        self._picture: Picture | None = None
+        self._last_good: Picture | None = None
+        self._ghost: Skeleton | None = None
+        self._planned: Skeleton | None = None
+        self._shown: tuple[Analysis, ShownVersion] | None = None
+        self._saved: OtherRobot | None = None
+        self._given: list[OtherRobot] = []
+        self._chosen = ""
+        self._compared: Skeleton | None = None
+        self._mesh_source: MeshSource | None = None
+        self._wants_meshes = False
+        self.mesh_files: dict[str, MeshFile] = {}
+
+    def show(self, analysis: Analysis, findings: Sequence[Diagnostic]) -> None:
+        """Show a version and what was found in it; values that were set by sliders stay."""
+        self.put(analysis, self.drawing(analysis))
+        self.tell(findings)
+
+    def drawing(self, analysis: Analysis) -> ShownVersion:
+        """Return what there is to show of a version; changes nothing, so any thread may ask."""
+        given = {**analysis.context.values, **self._parameters}
+        drawn = picture(analysis.model, given, self._last_good)
+        skeleton = drawn.skeleton
+        name, limits = str(analysis.model.name), analysis.settings.joints
+        robot = (
+            robot_messages(name, skeleton, drawn.guesses, limits, drawn.unknown)
+            if skeleton
+            else None
+        )
+        return ShownVersion(given, drawn, robot)
+
+    def put(self, analysis: Analysis, drawing: ShownVersion) -> None:
+        """Show a version of which a drawing was made; what was found before stays listed."""
+        self.analysis = analysis
+        if drawing.given != {**analysis.context.values, **self._parameters}:
+            drawing = self.drawing(analysis)
+        self._planned = None
+        self._put(analysis, drawing)
+        self.revision += 1
+        for tell in self.on_put:
+            tell()
+
+    @property
+    def typed(self) -> Mapping[str, float]:
+        """Values of parameters that were set in the page."""
+        return self._parameters
+
+    def try_out(self, trial: Analysis) -> None:
+        """Show a text as it would be, drawn and checked; the version that is shown stays known."""
+        self._put(trial, self.drawing(trial))
+        self._list(trial.check_without_twins(), trial.text)
+
+    def put_back(self) -> None:
+        """Show the version that is known again, after something was tried out."""
+        if self.analysis is not None:
+            self._put(self.analysis, self.drawing(self.analysis))
+            self._list(self.findings, self.analysis.text)
+
+    def show_plan(self, planned: Analysis | None) -> None:
+        """Let a text as it would be stand as a ghost; None for none."""
+        self._planned = None if planned is None else self.drawing(planned).picture.skeleton
+        self._draw_ghost()
+
+    def tell(self, findings: Sequence[Diagnostic]) -> None:
+        """List what was found in the version that is shown."""
+        self.findings = findings
+        self._list(findings, "" if self.analysis is None else self.analysis.text)
+
+    def keep_as_ghost(self) -> None:
+        """Make the document as it is the one that stands behind later ones and typed values."""
+        self._ghost = self._last_skeleton
+        if self.analysis is None:
+            return
+        if self._parameters:
+            own = picture(self.analysis.model, {**self.analysis.context.values}, self._last_good)
+            self._ghost = self._last_skeleton if own.state is PictureState.BROKEN else own.skeleton
+        saved = self.analysis
+        self._saved = document_robot(LAST_SAVED, lambda: saved)
+        self._draw_ghost()
+        self._offer()
+
+    def lose(self, message: str) -> None:
+        """Say that the document cannot be read; what was drawn stays until it can."""
+        status = lost_message(message, self._picture, len(self.findings), self._label)
+        self.analysis = None
+        self.channel.replace("status", keyed([status]))
+
+    def compare(self, other: OtherRobot) -> None:
+        """Offer another description, and compare this document with it."""
+        self._given.append(other)
+        self.choose_other(other.name)
+
+    def choose_other(self, name: str) -> None:
+        """Compare with another description that is offered; with none for an empty name."""
+        self._chosen = name if self._other(name) is not None else ""
+        self._offer()
+
+    def draw_meshes(self, source: MeshSource) -> None:
+        """Draw the meshes of another description on the links."""
+        self._mesh_source = source
+        self.show_meshes()
+
+    def show_meshes(self) -> None:
+        """Draw the meshes that are offered."""
+        self._wants_meshes = True
+        self._offer()
+
+    def beside(self) -> tuple[ShownComparison | None, LinkMeshes | None]:
+        """Return what there is to tell of other descriptions; any thread may ask."""
+        other, source = self._other(self._chosen), self._meshes_of()
+        if self._shown is None:
+            return None, None
+        analysis, (given, drawn, _) = self._shown
+        skeleton = drawn.skeleton
+        if skeleton is None or drawn.is_former:
+            return None, None
+        values = {**given, **drawn.guesses.values}
+        comparison = compared(self._label, analysis, values, skeleton, other) if other else None
+        wants = source is not None and self._wants_meshes
+        meshes = link_meshes(source, analysis.model, values, skeleton) if wants and source else None
+        return comparison, meshes
+
+    def tell_beside(self, told: tuple[ShownComparison | None, LinkMeshes | None]) -> None:
+        """Show what other descriptions say; of a broken document what they said last."""
+        found, meshes = told
+        if meshes is not None:
+            self.mesh_files = meshes.files
+            self.channel.replace("meshes", meshes.messages)
+        if found is not None and found.message.other == self._chosen:
+            self._compared = found.ghost
+            self.channel.replace("comparison", keyed([found.message]))
+        elif not self._chosen:
+            self._compared = None
+            self.channel.replace("comparison", {})
+        self._draw_ghost()
+
+    def set_joint(self, name: str, value: float, sender: Tab | None = None) -> None:
+        """Move a joint to a position, radians or metres."""
+        if math.isfinite(value) and _has_room(self._joints, name):
+            self._joints[name] = value
+            told = ValueMessage(path_of("values", name), name, value)
+            self.channel.put("joints", told, sender)
+
+    def take_pose(self, name: str) -> None:
+        """Put all joints into a pose of the configuration.
+
+        Raises:
+            PoseError: There is none of that name for this robot.
+        """
+        assert self.analysis is not None
+        joints = [str(joint.name) for joint in self.analysis.model.joints]
+        pose = pose_named(self.analysis.settings, name, joints)
+        for joint in joints:
+            self.set_joint(joint, pose.get(joint, 0.0))
+
+    def play(self, name: str, text: str) -> None:
+        """Offer a motion, the text of a file, to be played."""
+        self.channel.replace("trajectory", keyed([TrajectoryMessage(name, text)]))
+
+    def set_parameters(self, values: Mapping[str, float | None]) -> None:
+        """Give parameters values, or their own back for None; draws once."""
+        before = dict(self._parameters)
+        for name, value in values.items():
+            if value is None:
+                self._parameters.pop(name, None)
+            elif math.isfinite(value) and _has_room(self._parameters, name):
+                self._parameters[name] = value
+        if before != self._parameters:
+            self._draw()
+
+    def adopt(self, joints: Mapping[str, float], parameters: Mapping[str, float]) -> None:
+        """Take over the values of a page that was there before this server, where none are set."""
+        for name, value in joints.items():
+            if name not in self._joints:
+                self.set_joint(name, value)
+        known = self._parameters
+        self.set_parameters({name: v for name, v in parameters.items() if name not in known})
+
+    def highlight(self, kind: str, name: str) -> None:
+        """Light up a link, joint or frame; nothing for an empty name."""
+        self.channel.replace("highlight", keyed([HighlightMessage(kind, name)]))
+
+    @property
+    def _last_skeleton(self) -> Skeleton | None:
+        return self._last_good.skeleton if self._last_good is not None else None
+
+    def _others(self) -> list[OtherRobot]:
+        """Return what can be compared, each name once."""
+        twins = twin_robots(self._shown[0]) if self._shown is not None else []
+        saved = [self._saved] if self._saved is not None else []
+        return list({other.name: other for other in (*self._given, *twins, *saved)}.values())
+
+    def _other(self, name: str) -> OtherRobot | None:
+        return next((other for other in self._others() if other.name == name), None)
+
+    def _offer(self) -> None:
+        """Tell what can be compared, and compare anew."""
+        others = self._others()
+        if self._chosen not in {other.name for other in others}:
+            self._chosen = ""
+        self.channel.replace("others", other_messages(others, self._chosen))
+        source = self._meshes_of()
+        if source is None or not self._wants_meshes:
+            self.channel.replace("meshes", {} if source is None else offered(source))
+        if self._chosen or self._compared is not None or (source and self._wants_meshes):
+            self.recompare()
+
+    def _meshes_of(self) -> MeshSource | None:
+        twins = self._shown[0].settings.twins if self._shown is not None else ()
+        return self._mesh_source or twin_source(twins)
+
+    def _draw(self) -> None:
+        if self.analysis is not None:
+            self._put(self.analysis, self.drawing(self.analysis))
+
+    def _put(self, analysis: Analysis, drawing: ShownVersion) -> None:
+        if drawing.picture.state is not PictureState.BROKEN:
+            self._last_good = drawing.picture
+        if drawing.robot is not None:
+            self.channel.replace("robot", drawing.robot)
+        guessed = drawing.picture.guesses.values
+        rows = parameter_messages(
+            analysis.model, analysis.settings.bindings, self._parameters, guessed
+        )
+        self.channel.replace("parameters", rows)
+        poses = analysis.settings.poses.items()
+        told = (PoseMessage(path_of("poses", name), name, joints) for name, joints in poses)
+        self.channel.replace("poses", keyed(told))
+        self._picture = drawing.picture
+        self._shown = analysis, drawing
+        self._tell_status(self.findings)
+        self._draw_ghost()
+        self._offer()
+
+    def _list(self, findings: Sequence[Diagnostic], text: str) -> None:
+        self.channel.replace("findings", finding_messages(findings, text))
+        self._tell_status(findings)
+
+    def _tell_status(self, findings: Sequence[Diagnostic]) -> None:
+        if self._picture is not None:
+            status = status_message(self._picture, findings, self._label)
+            self.channel.replace("status", keyed([status]))
+
+    def _draw_ghost(self) -> None:
+        present = self._last_skeleton
+        if self._planned is None and self._compared is not None:
+            told: Messages = keyed([GhostMessage("other", self._chosen)])
+            self.channel.replace("ghost", {**told, **ghost_messages(self._compared)})
+            return
+        ghost = self._planned or self._ghost
+        is_apart = ghost is not None and (present is None or not _stand_alike(ghost, present))
+        kind = GhostMessage("planned" if self._planned is not None else "saved")
+        shown = {**keyed([kind]), **ghost_messages(ghost)} if ghost and is_apart else {}
+        self.channel.replace("ghost", shown)
+
+
+def _has_room(values: dict[str, float], name: str) -> bool:
+    """Return whether a value may be kept: whatever a page sends, memory stays bounded."""
+    return name in values or len(values) < MOST_VALUES
+
+
+def _stand_alike(a: Skeleton, b: Skeleton) -> bool:
+    """Return whether the bodies of two mechanisms cover each other."""
+    return _placed(a) == _placed(b)
+
+
+def _placed(skeleton: Skeleton) -> tuple[object, ...]:
+    frames = [(frame.name, frame.pose.translation) for frame in skeleton.frames]
+    return (
+        *(skeleton.link_names, skeleton.joint_names, skeleton.joint_kinds, skeleton.parents),
+        *(skeleton.placements, frames),
+    )

@@ -1,0 +1,304 @@
+"""The previews of many documents, whoever carries them to their pages."""
+
+import asyncio
+import hashlib
+from abc import ABC, abstractmethod
+from collections.abc import Awaitable, Callable, Sequence
+from functools import partial
+from typing import Any
+
+from kindsl.frontends.preview.channel import Tab
+from kindsl.frontends.preview.comparing import OtherRobot
+from kindsl.frontends.preview.document_preview import DocumentPreview, ShownVersion
+from kindsl.frontends.preview.dragging import Dragging
+from kindsl.frontends.preview.gesture_requests import Drag, GestureRequest
+from kindsl.frontends.preview.meshes import MeshSource
+from kindsl.frontends.preview.outcomes import Writing
+from kindsl.frontends.preview.requests import (
+    Compare,
+    Hello,
+    KeepPose,
+    Request,
+    Reveal,
+    SetJoint,
+    SetJoints,
+    SetParameters,
+    ShowMeshes,
+    WriteParameters,
+)
+from kindsl.frontends.preview.reveal import place_of
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.language.text.span import Span
+from kindsl.robots.scene.messages import LinesMessage
+
+# Longer robots are drawn beside the loop, to keep it free for the editor.
+FEW_LINKS = 60
+BREATH = 0.005  # seconds between two moves of a handle in which others are heard
+
+OnReveal = Callable[[str, Span, Reveal], None]
+# Returns what to tell the page: lines to be written by hand, empty if they are written for it.
+OnWrite = Callable[[str, WriteParameters | KeepPose], str]
+# Returns why nothing was written, or an empty text.
+OnEdit = Callable[[str, Writing], Awaitable[str]]
+Beside = Callable[..., Awaitable[Any]]
+
+
+class DocumentPreviews(ABC):
+    """Shows any number of documents, each on any number of pages.
+
+    Documents are known by keys of the caller's choice: URIs, paths. All methods are to be called
+    in the loop that `start` was awaited in, and none of them waits for a page.
+
+    Attributes:
+        on_write: Called with a document's key and what is to be kept in its configuration.
+    """
+
+    def __init__(
+        self,
+        on_reveal: OnReveal | None,
+        on_write: OnWrite | None = None,
+        on_edit: OnEdit | None = None,
+        *,
+        beside: Beside,
+    ) -> None:
+        """Prepare to show documents.
+
+        Args:
+            on_reveal: Called with the document's key, the place in its text (code points) and
+                what was clicked.
+            on_write: Called with the document's key and what is to be kept.
+            on_edit: Awaited with the document's key and what was dragged; else nothing can.
+            beside: Awaits a function's result and lets the loop go on meanwhile, if it can.
+        """
+        self._on_reveal = on_reveal or _reveal_nowhere
+        self.on_write = on_write
+        self._on_edit = on_edit
+        self._beside = beside
+        self._dragging: dict[str, Dragging] = {}
+        self._gestures: set[asyncio.Task[None]] = set()
+        self._moves: dict[Dragging, GestureRequest] = {}
+        self._comparing: dict[DocumentPreview, bool] = {}
+        self._documents: dict[str, DocumentPreview] = {}
+        self._keys: dict[str, str] = {}
+
+    @abstractmethod
+    async def start(self) -> str:
+        """Be ready for pages; return the address of the first document's page."""
+
+    @abstractmethod
+    async def stop(self) -> None:
+        """Leave all pages."""
+
+    @abstractmethod
+    def url(self, key: str) -> str:
+        """Return the address of a document's page."""
+
+    @abstractmethod
+    def admit(self, origin: str) -> None:
+        """Let pages of one more origin in."""
+
+    def shows(self, key: str) -> bool:
+        """Return whether a document has a preview."""
+        return key in self._documents
+
+    async def show(
+        self,
+        key: str,
+        analysis: Analysis,
+        findings: Sequence[Diagnostic] | None = None,
+        label: str = "",
+    ) -> None:
+        """Show a version of a document; one that is overtaken by a newer one is left out.
+
+        Args:
+            key: The document's.
+            analysis: The version; it is drawn once.
+            findings: The list; None while it is not known, then the old one stays.
+            label: Name of the document; the first time counts.
+        """
+        document = self._document(key, label)
+        document.newest = analysis
+        async with document.turn:
+            if document.newest is not analysis:
+                return
+            if document.analysis is not analysis:
+                document.put(analysis, await self._drawing(document, analysis))
+            if findings is not None:
+                document.tell(findings)
+
+    def lose(self, key: str, message: str) -> None:
+        """Tell the pages why a document is no longer followed; showing it again ends that."""
+        if key in self._documents:
+            self._documents[key].lose(message)
+
+    def take_pose(self, key: str, name: str) -> None:
+        """Put a document's joints into a pose of its configuration.
+
+        Raises:
+            PoseError: There is none of that name for this robot.
+        """
+        self._document(key, "").take_pose(name)
+
+    def play(self, key: str, name: str, text: str) -> None:
+        """Offer a motion of a document's robot, the text of a file, to be played."""
+        self._document(key, "").play(name, text)
+
+    def saved(self, key: str) -> None:
+        """Let the version that is shown stand as a ghost behind later ones."""
+        if key in self._documents:
+            self._documents[key].keep_as_ghost()
+
+    def compare(self, key: str, other: OtherRobot) -> None:
+        """Compare a document with another description of its robot."""
+        self._document(key, "").compare(other)
+
+    def draw_meshes(self, key: str, source: MeshSource) -> None:
+        """Draw the meshes of another description on a document's links."""
+        self._document(key, "").draw_meshes(source)
+
+    def compare_again(self, key: str) -> None:
+        """Know that what a document is compared with may have changed."""
+        if key in self._documents:
+            self._documents[key].recompare()
+
+    def highlight(self, key: str, kind: str, name: str) -> None:
+        """Light up a `"link"`, `"joint"` or `"frame"`; nothing for an empty name."""
+        if key in self._documents:
+            self._documents[key].highlight(kind, name)
+
+    def set_parameter(self, key: str, name: str, value: float) -> None:
+        """Give a parameter a value in the picture only."""
+        if key in self._documents:
+            self._documents[key].set_parameters({name: value})
+
+    def close(self, key: str) -> None:
+        """Forget a document."""
+        self._documents.pop(key, None)
+        self._dragging.pop(key, None)
+        self._keys.pop(identifier(key), None)
+
+    def document(self, identifier: str | None) -> DocumentPreview | None:
+        """Return the document of a page's address, the first for None."""
+        first = next(iter(self._documents), None)
+        key = first if identifier is None else self._keys.get(identifier)
+        return None if key is None else self._documents[key]
+
+    def receive(self, document: DocumentPreview, tab: Tab, request: Request) -> None:
+        """Do what a page asks for."""
+        if isinstance(request, SetJoint):
+            document.set_joint(request.name, request.value, tab)
+        elif isinstance(request, SetJoints):
+            for name, value in request.values.items():
+                document.set_joint(name, value, tab)
+        elif isinstance(request, SetParameters):
+            document.set_parameters(request.values)
+        elif isinstance(request, WriteParameters | KeepPose):
+            self._write(document, tab, request)
+        elif isinstance(request, Compare):
+            document.choose_other(request.name)
+        elif isinstance(request, ShowMeshes):
+            document.show_meshes()
+        elif isinstance(request, Hello):
+            document.adopt(request.joints, request.parameters)
+        elif isinstance(request, Reveal):
+            self._reveal(document, request)
+        else:
+            self._gesture(document, request)
+
+    def _gesture(self, document: DocumentPreview, request: GestureRequest) -> None:
+        dragging = self._dragging.get(self._key(document) or "")
+        if dragging is None:
+            return
+        is_move = isinstance(request, Drag) and request.phase == "move"
+        is_waiting = self._moves.pop(dragging, None) is not None
+        if is_move:
+            self._moves[dragging] = request
+        if is_move and is_waiting:
+            return
+        gesture = asyncio.ensure_future(
+            self._move(dragging) if is_move else dragging.receive(request)
+        )
+        self._gestures.add(gesture)
+        gesture.add_done_callback(self._gestures.discard)
+
+    async def _move(self, dragging: Dragging) -> None:
+        """Draw the last move of those that come at once, whatever a page sends."""
+        await asyncio.sleep(BREATH)
+        request = self._moves.pop(dragging, None)
+        if request is not None:
+            await dragging.receive(request)
+
+    def _compare(self, document: DocumentPreview) -> None:
+        """Compare a document beside the loop; once more if it changes meanwhile."""
+        is_running = document in self._comparing
+        self._comparing[document] = is_running
+        if not is_running:
+            comparing = asyncio.ensure_future(self._compare_until_done(document))
+            self._gestures.add(comparing)
+            comparing.add_done_callback(self._gestures.discard)
+
+    async def _compare_until_done(self, document: DocumentPreview) -> None:
+        try:
+            while True:
+                self._comparing[document] = False
+                document.tell_beside(await self._beside(document.beside))
+                if not self._comparing[document]:
+                    return
+        finally:
+            del self._comparing[document]
+
+    def _key(self, document: DocumentPreview) -> str | None:
+        return next((key for key, known in self._documents.items() if known is document), None)
+
+    def _write(
+        self, document: DocumentPreview, tab: Tab, request: WriteParameters | KeepPose
+    ) -> None:
+        key = self._key(document)
+        if key is None or self.on_write is None or document.analysis is None:
+            return
+        analysis = document.analysis
+        if isinstance(request, KeepPose):
+            joints = {str(joint.name) for joint in analysis.model.joints}
+            kept = {name: value for name, value in request.joints.items() if name in joints}
+            lines = self.on_write(key, KeepPose(request.name, kept))
+        else:
+            names = {str(parameter.name) for parameter in analysis.model.parameters}
+            free = names - analysis.settings.bindings.keys()
+            known = {name: value for name, value in request.values.items() if name in free}
+            lines = self.on_write(key, WriteParameters(known)) if known else ""
+        if lines:
+            tab.send(LinesMessage(lines))
+
+    def _reveal(self, document: DocumentPreview, chosen: Reveal) -> None:
+        key = self._key(document)
+        if key is None or document.analysis is None:
+            return
+        span = place_of(chosen, document.analysis, document.findings)
+        if span is not None:
+            self._on_reveal(key, span, chosen)
+
+    def _document(self, key: str, label: str) -> DocumentPreview:
+        if key not in self._documents:
+            document = self._documents[key] = DocumentPreview(label or key)
+            document.recompare = partial(self._compare, document)
+            self._keys[identifier(key)] = key
+            if self._on_edit is not None:
+                self._dragging[key] = Dragging(document, partial(self._on_edit, key))
+        return self._documents[key]
+
+    async def _drawing(self, document: DocumentPreview, analysis: Analysis) -> ShownVersion:
+        """Return what there is to show of a version."""
+        if len(analysis.model.links) <= FEW_LINKS:
+            return document.drawing(analysis)
+        drawing: ShownVersion = await self._beside(document.drawing, analysis)
+        return drawing
+
+
+def identifier(key: str) -> str:
+    """Return a short name of a document for its page's address, which tells nothing of its path."""
+    return hashlib.sha256(key.encode(errors="surrogatepass")).hexdigest()[:12]
+
+
+def _reveal_nowhere(_key: str, _span: Span, _chosen: Reveal) -> None:
+    """Stand in for a callback."""

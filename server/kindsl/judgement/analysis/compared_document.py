@@ -1,0 +1,31 @@
+"""A document as one side of a comparison."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.language.semantics.places import Located
+from kindsl.language.text.lines import LineIndex
+from kindsl.robots.comparison.compared_robot import ComparedRobot
+from kindsl.robots.comparison.document_side import described_document
+from kindsl.robots.mechanism.skeleton import Skeleton
+
+
+def compared_document(
+    name: str, analysis: Analysis, values: Mapping[str, float], skeleton: Skeleton
+) -> ComparedRobot:
+    """Return the robot of a document, with what its configuration tells of joints.
+
+    Args:
+        name: The document's, as shown.
+        analysis: The document.
+        values: Of its parameters.
+        skeleton: Its bodies, as far as they are known.
+    """
+    lines = LineIndex(analysis.text)
+
+    def line_of(at: Located) -> int:
+        return lines.position(analysis.resolver.span(at)[0])[0] + 1
+
+    robot = described_document(name, analysis.model, values, skeleton)
+    return ComparedRobot(name, replace(robot, properties=analysis.settings.joints), line_of)

@@ -1,0 +1,102 @@
+"""Findings with absolute offsets, as they are shown."""
+
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
+
+from kindsl.judgement.analysis.text_fix import TextFix
+from kindsl.judgement.rules.base import Finding, Fix, Rule, Severity, Tag
+from kindsl.judgement.rules.page_files import page_address
+from kindsl.language.semantics.places import Located
+from kindsl.language.syntax.document import SyntaxDocument
+from kindsl.language.text.display import html_of
+from kindsl.language.text.edits import TextEdit
+
+
+class RelatedPlace(NamedTuple):
+    """Another place of the same document."""
+
+    start: int
+    end: int
+    message: str
+
+
+class Diagnostic(NamedTuple):
+    """A finding as it is shown; offsets in code points of the document, `end` exclusive."""
+
+    code: str
+    name: str
+    severity: Severity
+    message: str
+    start: int
+    end: int
+    related: tuple[RelatedPlace, ...] = ()
+    fix: TextFix | None = None
+    tag: Tag | None = None
+    choices: tuple[TextFix, ...] = ()
+    explains: frozenset[str] = frozenset()
+
+    @property
+    def url(self) -> str | None:
+        """The address of the rule's page, a file of the installed package."""
+        return page_address(self.code)
+
+
+class Findings(tuple[Diagnostic, ...]):
+    """Findings of one text, in its order; a notebook shows them with their source lines.
+
+    Attributes:
+        text: The text.
+    """
+
+    text: str
+
+    def __new__(cls, findings: Iterable[Diagnostic], text: str) -> "Findings":
+        """Return the findings of a text."""
+        self = super().__new__(cls, findings)
+        self.text = text
+        return self
+
+    def __getnewargs__(self) -> tuple[tuple[Diagnostic, ...], str]:
+        return tuple(self), self.text
+
+    def _repr_html_(self) -> str | None:
+        """Return the HTML for a notebook."""
+        return html_of(self)
+
+
+class Resolver:
+    """Turns places in islands into absolute offsets."""
+
+    def __init__(self, document: SyntaxDocument) -> None:
+        self._document = document
+        self._starts: Mapping[int, int] = {
+            id(island): start
+            for island, start in zip(document.islands, document.starts, strict=False)
+        }
+
+    def span(self, at: Located) -> tuple[int, int]:
+        """Return the absolute start and end of a place."""
+        origin = self._starts[id(at.island)]
+        return origin + at.start, origin + at.end
+
+    def diagnostic(self, rule: Rule, finding: Finding, severity: Severity) -> Diagnostic:
+        """Return a finding with absolute offsets."""
+        start, end = self.span(finding.at)
+        related = tuple(RelatedPlace(*self.span(r.at), r.message) for r in finding.related)
+        return Diagnostic(
+            rule.code,
+            rule.name,
+            severity,
+            finding.message,
+            start,
+            end,
+            related,
+            self._fix(finding.fix) if finding.fix else None,
+            finding.tag,
+            tuple(map(self._fix, finding.choices)),
+            finding.explains,
+        )
+
+    def _fix(self, fix: Fix) -> TextFix:
+        edits = sorted(TextEdit(*self.span(c.at), c.text) for c in fix.changes)
+        return TextFix(fix.title, fix.is_safe, tuple(edits), fix.is_within_digits, self._document)

@@ -1,0 +1,119 @@
+"""The effect of edits on a document: on its numbers, its comments, its blocks.
+
+Both texts are read as tolerantly as everywhere; of what is equal in both nothing is computed.
+"""
+
+from collections import Counter
+from collections.abc import Sequence
+from enum import StrEnum
+from itertools import takewhile
+from typing import NamedTuple
+
+from kindsl.judgement.analysis.contents import Contents, Number, contents
+from kindsl.language.syntax.document import SyntaxDocument
+from kindsl.language.syntax.tree import Island
+
+# Four units in the last place of a double: what writing a number in other words may cost.
+_SAME = 1e-15
+
+
+class EditEffect(StrEnum):
+    """The effect of an edit on the meaning of a document."""
+
+    KEEPS = "keeps"
+    CHANGES = "changes"
+    CANNOT_KNOW = "cannot know"
+
+
+class Effect(NamedTuple):
+    """The effect of edits on a document.
+
+    Attributes:
+        verdict: Whether every number, reference and block means what it meant.
+        lost_remarks: The words of comments that are gone.
+        lost_blocks: The kinds of the blocks that are gone.
+    """
+
+    verdict: EditEffect
+    lost_remarks: tuple[str, ...]
+    lost_blocks: tuple[str, ...]
+
+    @property
+    def is_whole(self) -> bool:
+        """Return whether no comment and no block is lost."""
+        return not self.lost_remarks and not self.lost_blocks
+
+
+def effect(before: SyntaxDocument, after: SyntaxDocument, *, within_digits: bool = False) -> Effect:
+    """Return the effect of edits on a document.
+
+    Args:
+        before: The document.
+        after: The same after the edits.
+        within_digits: Whether a number keeps its value where the digits written are the new one's.
+    """
+    old, new = _differing(before.islands, after.islands)
+    was, now = contents(old), contents(new)
+    remarks = was.remarks - now.remarks
+    unread = was.unread - now.unread - now.remarks
+    is_same = was.references == now.references and was.blocks == now.blocks
+    verdicts = [
+        _of_numbers(was, now, within_digits),
+        EditEffect.CHANGES if remarks or unread or not is_same else EditEffect.KEEPS,
+    ]
+    if _n_problems(after, new) > _n_problems(before, old):
+        verdicts.append(EditEffect.CANNOT_KNOW)
+    lost_blocks = _kinds(was) - _kinds(now)
+    return Effect(_worst(verdicts), tuple(remarks.elements()), tuple(lost_blocks.elements()))
+
+
+def _kinds(said: Contents) -> Counter[str]:
+    return Counter(str(block.place[-2]) for block in said.blocks)
+
+
+def _differing(
+    before: Sequence[Island], after: Sequence[Island]
+) -> tuple[Sequence[Island], Sequence[Island]]:
+    """Return the islands between those that two documents share at both ends."""
+    n_first = _n_same(before, after)
+    before, after = before[n_first:], after[n_first:]
+    n_last = _n_same(before[::-1], after[::-1])
+    return before[: len(before) - n_last], after[: len(after) - n_last]
+
+
+def _n_same(before: Sequence[Island], after: Sequence[Island]) -> int:
+    pairs = zip(before, after, strict=False)
+    return sum(1 for _ in takewhile(lambda pair: pair[0] is pair[1], pairs))
+
+
+def _n_problems(document: SyntaxDocument, islands: Sequence[Island]) -> int:
+    return len(document.problems) + sum(len(island.problems) for island in islands)
+
+
+def _of_numbers(was: Contents, now: Contents, within_digits: bool) -> EditEffect:
+    if was.numbers.keys() != now.numbers.keys():
+        return EditEffect.CHANGES
+    pairs = ((number, now.numbers[place]) for place, number in was.numbers.items())
+    return _worst([_of_number(*pair, within_digits) for pair in pairs])
+
+
+def _of_number(old: Number, new: Number, within_digits: bool) -> EditEffect:
+    if old.words == new.words:
+        return EditEffect.KEEPS
+    if old.value is None or new.value is None:
+        return EditEffect.CANNOT_KNOW
+    is_same = abs(old.value - new.value) <= _SAME * abs(old.value)
+    is_same |= old.value == new.value or (within_digits and _has_digits(new.value, old))
+    return EditEffect.KEEPS if is_same else EditEffect.CHANGES
+
+
+def _has_digits(value: float, written: Number) -> bool:
+    """Return whether a value has the digits of a number, rounded to them or cut off there."""
+    assert written.value is not None
+    is_rounded = abs(value - written.value) <= written.rounding
+    rest = value - written.value if written.value > 0.0 else written.value - value
+    return is_rounded or 0.0 <= rest < 2.0 * written.rounding
+
+
+def _worst(verdicts: Sequence[EditEffect]) -> EditEffect:
+    return max(verdicts, key=list(EditEffect).index, default=EditEffect.KEEPS)

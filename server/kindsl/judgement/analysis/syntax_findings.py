@@ -1,0 +1,106 @@
+"""The parser's problems, as findings of the syntax rules."""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
+from kindsl.judgement.rules.context import ROBCOGEN, ROBCOGEN2
+from kindsl.judgement.rules.registry import all_rules
+from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.places import Place
+from kindsl.language.syntax.comment_problems import UNDECODABLE
+from kindsl.language.syntax.document import SyntaxDocument
+from kindsl.language.syntax.tree import Island, Problem, Repair
+from kindsl.language.text.facts import Fact
+
+_REPORT = "KD011"
+_PASTED = Fact[dict[int, Finding]]("findings of pasted passages")
+
+
+def syntax_findings(
+    document: SyntaxDocument, model: Model, targets: frozenset[str]
+) -> Iterator[tuple[Rule, Finding]]:
+    """Yield the problems of the islands and of the document as a whole.
+
+    What robcogen2 reads all the same is no error, unless the document is for robcogen too.
+    """
+    problems = list(all_problems(document))
+    if not problems:
+        return
+    rules = {rule.code: rule for rule in all_rules()}
+    is_read = targets <= {ROBCOGEN2} and _is_read_by_robcogen2(model)
+    for island, problem in problems:
+        finding = _pasted(model, island, problem) or _finding(island, problem)
+        if (targets == {ROBCOGEN} and _is_foreign_comment(island, problem)) or (
+            targets == {ROBCOGEN2} and _is_foreign_number(island, problem)
+        ):
+            finding = finding._replace(severity=Severity.HINT)
+        elif is_read:
+            finding = finding._replace(severity=Severity.WARNING)
+        yield rules[problem.code], finding
+
+
+def _pasted(model: Model, island: Island, problem: Problem) -> Finding | None:
+    """Return the finding of a passage of another format, None for other problems."""
+    # Imported for broken documents only, since it delays the linter's start.
+    from kindsl.language.syntax.passages import URDF_ELEMENTS
+
+    at = Place(island, problem.start, problem.end)
+    if problem.message == URDF_ELEMENTS:
+        from kindsl.judgement.analysis.pasted_urdf import urdf_finding
+
+        return urdf_finding(model, at)
+    return _report(at) if problem.code == _REPORT else None
+
+
+def _report(at: Place) -> Finding:
+    """Return the finding of a report, which is read once."""
+    from kindsl.judgement.rules.pasted_reports import report_finding
+
+    known = at.island.facts.get(_PASTED) or at.island.facts.keep(_PASTED, {})
+    if at.start not in known:
+        known[at.start] = report_finding(at)
+    return known[at.start]
+
+
+def _is_read_by_robcogen2(model: Model) -> bool:
+    # Imported for broken documents only, since it delays the linter's start.
+    from kindsl.judgement.rules.robcogen2_loading import is_read_by_robcogen2
+
+    return is_read_by_robcogen2(model)
+
+
+def _is_foreign_comment(island: Island, problem: Problem) -> bool:
+    """Return whether bytes of another encoding stand in a comment, which RobCoGen reads over."""
+    if not UNDECODABLE.fullmatch(island.text, problem.start, problem.end):
+        return False
+    return any(start <= problem.start < end for start, end in island.comments)
+
+
+def _is_foreign_number(island: Island, problem: Problem) -> bool:
+    """Return whether a value has digits of another script alone, which robcogen2 reads as we do."""
+    if problem.code != "KD004" or problem.repair is None:
+        return False
+    written = island.text[problem.start : problem.end]
+    plain = "".join(str(int(c)) if c.isdecimal() else c for c in written)
+    return "." in plain and plain == problem.repair.edits[0].text
+
+
+def all_problems(document: SyntaxDocument) -> Iterator[tuple[Island, Problem]]:
+    """Yield the problems with the islands that their offsets count from."""
+    for island in document.islands:
+        for problem in island.problems:
+            yield island, problem
+    for placed in document.problems:
+        yield placed.island, placed.problem
+
+
+def _finding(island: Island, problem: Problem) -> Finding:
+    fix = _fix(island, problem.repair) if problem.repair is not None else None
+    choices = tuple(_fix(island, repair) for repair in problem.choices)
+    at = Place(island, problem.start, problem.end)
+    return Finding(at, problem.message, fix=fix, choices=choices)
+
+
+def _fix(island: Island, repair: Repair) -> Fix:
+    changes = tuple(Replacement(Place(island, e.start, e.end), e.text) for e in repair.edits)
+    return Fix(repair.title, changes, repair.is_safe)

@@ -1,0 +1,106 @@
+"""Reads the twins of a document and compares them; what was read is kept until a file changes."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache
+from pathlib import Path
+from typing import NamedTuple
+
+from kindsl.language.semantics.model import Model
+from kindsl.robots.comparison.document_side import described_document
+from kindsl.robots.comparison.mechanical import ComparedTwin, compared_mechanics
+from kindsl.robots.comparison.twins import TwinFile
+from kindsl.robots.comparison.written import Described
+from kindsl.robots.mechanism.errors import ModelError
+from kindsl.robots.mechanism.strict_reading import strict_skeleton
+
+_XACRO = ".xacro"
+_KEPT = 32
+# Whose change is a change of a folder of generated code.
+_OF_FOLDER = ("kindsl-generated.json", "inertia_properties.impl.h", "inertia_properties.h")
+
+
+class _TwinVersion(NamedTuple):
+    """A file as it was when it was read."""
+
+    path: str
+    changed: tuple[tuple[int, int], ...]
+
+
+def compared_twins(
+    twins: Sequence[TwinFile], model: Model, values: Mapping[str, float]
+) -> Iterator[ComparedTwin]:
+    """Yield the twins that can be read, compared with a document that describes a robot."""
+    if not twins:
+        return
+    try:
+        skeleton = strict_skeleton(model, values)
+    except ModelError:
+        return
+    ours = described_document("here", model, values, skeleton)
+    for twin in twins:
+        theirs = read_twin(twin, skeleton.is_floating)
+        if isinstance(theirs, Described):
+            found = compared_mechanics(ours, theirs, dict(twin.joints), twin.tolerance)
+            yield ComparedTwin(twin, Path(twin.path).is_dir(), found)
+
+
+def read_twin(twin: TwinFile, floating: bool | None = None) -> Described | str:
+    """Return the robot of a twin, or why it cannot be read.
+
+    Args:
+        twin: The file. A xacro file is not read, since that evaluates expressions in it.
+        floating: Whether its base floats, where the file leaves that open.
+    """
+    if Path(twin.path).suffix.lower() == _XACRO:
+        return "xacro is not expanded here, name the URDF that it makes"
+    return read_file(twin.path, twin.label, floating)
+
+
+def read_file(path: str, label: str, floating: bool | None = None) -> Described | str:
+    """Return the robot of any file, xacro too, or why it cannot be read.
+
+    Args:
+        path: The file, or a folder of generated code; read anew only after a change.
+        label: What to call it.
+        floating: Whether its base floats, where the file leaves that open.
+    """
+    return _read(_version(path), label, floating)
+
+
+def watched_files(twins: Iterable[TwinFile]) -> Iterator[str]:
+    """Yield the files whose change is a change of a twin."""
+    for twin in twins:
+        yield twin.path
+        if Path(twin.path).is_dir():
+            yield from (str(Path(twin.path, name)) for name in _OF_FOLDER)
+
+
+def _version(path: str) -> _TwinVersion:
+    files = [Path(path), *(Path(path, name) for name in _OF_FOLDER)]
+    stats = (_stat(file) for file in files)
+    return _TwinVersion(path, tuple(each for each in stats if each is not None))
+
+
+def _stat(path: Path) -> tuple[int, int] | None:
+    try:
+        stat = path.stat()
+    except (OSError, ValueError):
+        return None
+    return stat.st_mtime_ns, stat.st_size
+
+
+@lru_cache(_KEPT)
+def _read(version: _TwinVersion, label: str, floating: bool | None) -> Described | str:
+    from kindsl.robots.interchange.descriptions import read_description
+    from kindsl.robots.interchange.format import FormatError
+
+    try:
+        return read_description(Path(version.path), label, floating).robot
+    except FormatError as error:
+        return str(error)
+    except ModuleNotFoundError as error:
+        return f"{error.name} is not installed"
+    except OSError as error:
+        return error.strerror or str(error)
+    except ValueError as error:
+        return str(error)

@@ -1,0 +1,101 @@
+"""A valid configuration file."""
+
+from typing import NamedTuple
+
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.config.decisions import Decisions, TwinTable, overridden
+from kindsl.judgement.config.errors import ConfigurationError, ConfigurationProblem
+from kindsl.judgement.config.toml_places import KeyPath, Places
+from kindsl.robots.comparison.twins import TwinFile
+
+__all__ = ["Configuration", "ConfigurationError", "ConfigurationProblem", "DocumentTable"]
+
+
+class DocumentTable(NamedTuple):
+    """The decisions of one `[[document]]`.
+
+    Attributes:
+        pattern: The documents it is for, in the manner of `.gitignore`.
+        decisions: Its decisions about them.
+    """
+
+    pattern: str
+    decisions: Decisions
+
+
+class Configuration(NamedTuple):
+    """A valid configuration file.
+
+    Attributes:
+        path: The file.
+        text: Its text, for showing places in it.
+        common: Settings of all documents below the file's folder.
+        documents: Settings of some of them; later ones win.
+        places: Where each key stands, by its path of keys and list indices.
+        root: The keys before ours: `("tool", "kindsl")` in a pyproject.toml.
+        baseline: The file of known findings, from the file's folder; empty without one.
+        twins: Other files of robots.
+    """
+
+    path: str
+    text: str
+    common: Decisions
+    documents: tuple[DocumentTable, ...]
+    places: Places
+    root: tuple[str, ...]
+    baseline: str = ""
+    twins: tuple[TwinTable, ...] = ()
+
+    @property
+    def twin_files(self) -> tuple[TwinFile, ...]:
+        """All twins, whatever the document."""
+        return tuple(table.twin for table in self.twins)
+
+    @property
+    def has_bindings(self) -> bool:
+        """True if it binds any parameter, limits any joint, names a pose or a twin."""
+        tables = (self.common, *(document.decisions for document in self.documents))
+        has_names = any(table.bindings or table.joints or table.poses for table in tables)
+        return has_names or bool(self.twins)
+
+    def tables_for(self, document: str) -> list[Decisions]:
+        """Return the tables that apply to a document, the more specific later."""
+        if not self.documents:
+            return [self.common]
+        from kindsl.judgement.config.patterns import is_match
+
+        particular = [
+            d.decisions for d in self.documents if is_match(self.path, d.pattern, document)
+        ]
+        return [self.common, *particular]
+
+    def keys_of(self, parameter: str, document: str) -> list[KeyPath]:
+        """Return the keys that give a parameter of a document a value, the winning ones last."""
+        from kindsl.judgement.config.patterns import is_match
+
+        found: list[KeyPath] = [self.root] if parameter in self.common.bindings else []
+        found += [
+            (*self.root, "document", number)
+            for number, (pattern, decisions) in enumerate(self.documents)
+            if parameter in decisions.bindings and is_match(self.path, pattern, document)
+        ]
+        return [(*keys, "parameters", parameter) for keys in found]
+
+    def settings_for(self, document: str) -> Settings:
+        """Return the decisions for a document.
+
+        Args:
+            document: Its path, absolute or from the working directory.
+        """
+        settings = Settings()
+        for table in self.tables_for(document):
+            settings = overridden(settings, table)
+        return settings._replace(twins=self.twins_for(document)) if self.twins else settings
+
+    def twins_for(self, document: str) -> tuple[TwinFile, ...]:
+        """Return the other files of a document's robot."""
+        from kindsl.judgement.config.patterns import is_match
+
+        return tuple(
+            table.twin for table in self.twins if is_match(self.path, table.pattern, document)
+        )

@@ -1,0 +1,131 @@
+"""A configuration file's tables of one document, its joints and poses, written into it."""
+
+import os
+from collections.abc import Iterable, Iterator, Mapping
+
+from kindsl.judgement.analysis.fixing import in_line_style
+from kindsl.judgement.config.configuration import Configuration
+from kindsl.judgement.config.configuration_reading import configuration_of
+from kindsl.judgement.config.errors import ConfigurationError
+from kindsl.judgement.config.parameter_lines import key, parameter_lines
+from kindsl.judgement.config.toml_places import KeyPath
+from kindsl.language.semantics.parameters import JointProperties
+from kindsl.language.text.edits import TextEdit, apply_edits
+
+_KEYS = {"minimum": "min", "maximum": "max"}
+_GLOB = "*?[]!#\\"
+
+
+def with_joints(
+    file: str, text: str, document: str, joints: Mapping[str, JointProperties]
+) -> str | None:
+    """Return a configuration's text with joints of a document told; what it tells stays.
+
+    Those of which it tells nothing get a table of their own at its end. None if the file cannot be
+    extended so.
+
+    Args:
+        file: The configuration file's path, which tells its kind.
+        text: Its content; empty for a new one.
+        document: The document's path.
+        joints: Properties to write, by joint name.
+
+    Raises:
+        ConfigurationError: The file says something wrong.
+    """
+    configuration = configuration_of(file, text)
+    told = configuration.settings_for(document).joints
+    missing = {name: own for name, own in joints.items() if name not in told}
+    if not missing:
+        return text
+    header = _header(configuration)
+    lines = [f"{key(name)} = {{ {_values(own)} }}" for name, own in missing.items()]
+    new = (*_new_document(configuration, document), f"[{header}.joints]", *lines)
+    extended = _extended(text, new)
+    try:
+        told = configuration_of(file, extended).settings_for(document).joints
+    except ConfigurationError:
+        return None
+    return extended if told.keys() >= joints.keys() else None
+
+
+def with_pose(
+    file: str, text: str, document: str, name: str, joints: Mapping[str, float]
+) -> str | None:
+    """Return a configuration's text with a pose of a document; all else that it tells stays.
+
+    One of that name that the document's own table has is replaced; else it is added at the end.
+    None if the file cannot be extended so.
+
+    Args:
+        file: The configuration file's path, which tells its kind.
+        text: Its content; empty for a new one.
+        document: The document's path.
+        name: Of the pose.
+        joints: Positions by joint name, radians or metres.
+
+    Raises:
+        ConfigurationError: The file says something wrong.
+    """
+    configuration = configuration_of(file, text)
+    wanted = {**configuration.settings_for(document).poses, name: joints}
+    for extended in _with_pose(configuration, text, document, name, joints):
+        try:
+            found = configuration_of(file, extended)
+        except ConfigurationError:
+            continue
+        if found.settings_for(document).poses == wanted:
+            return extended
+    return None
+
+
+def _with_pose(
+    configuration: Configuration, text: str, document: str, name: str, joints: Mapping[str, float]
+) -> Iterator[str]:
+    """Yield ways to tell a pose: in its place, below the document's table, in a new one."""
+    pattern = _pattern(_within(configuration.path, document))
+    own = [i for i, each in enumerate(configuration.documents) if each.pattern == pattern]
+    told = [i for i in own if name in configuration.documents[i].decisions.poses]
+    if told:
+        from kindsl.judgement.config.toml_edits import with_other_numbers
+
+        keys: KeyPath = (*configuration.root, "document", told[-1], "poses", name)
+        replaced = with_other_numbers(text, keys, joints)
+        if replaced is not None:
+            yield replaced
+    table = (f"[{_header(configuration)}.poses.{key(name)}]", *parameter_lines(joints.items()))
+    if own and own[-1] == len(configuration.documents) - 1:
+        yield _extended(text, table)
+    yield _extended(text, (*_new_document(configuration, document), *table))
+
+
+def _header(configuration: Configuration) -> str:
+    return ".".join((*configuration.root, "document"))
+
+
+def _new_document(configuration: Configuration, document: str) -> tuple[str, str]:
+    pattern = _pattern(_within(configuration.path, document))
+    quoted = pattern.replace("\\", "\\\\").replace('"', '\\"')
+    return f"[[{_header(configuration)}]]", f'path = "{quoted}"'
+
+
+def _within(file: str, document: str) -> str:
+    """Return a document's path from the folder of the configuration file."""
+    return os.path.relpath(document, os.path.dirname(os.path.abspath(file))).replace(os.sep, "/")
+
+
+def _values(joint: JointProperties) -> str:
+    told = ((key, value) for key, value in joint._asdict().items() if value is not None)
+    return ", ".join(f"{_KEYS.get(key, key)} = {value!r}" for key, value in told)
+
+
+def _pattern(document: str) -> str:
+    """Return the pattern that matches one path; what patterns mean by a character is escaped."""
+    return "".join(f"\\{letter}" if letter in _GLOB else letter for letter in document)
+
+
+def _extended(text: str, lines: Iterable[str]) -> str:
+    """Return a text with lines behind it, after an empty one."""
+    end = len(text.rstrip("\r\n"))
+    new = "\n".join((*(["", ""] if end else []), *lines, ""))
+    return apply_edits(text, [in_line_style(TextEdit(end, len(text), new), text)])

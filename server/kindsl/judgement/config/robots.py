@@ -1,0 +1,105 @@
+"""The robots in a folder: one walk for the command line and for editors."""
+
+import os
+import stat
+from collections.abc import Collection, Iterator
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from kindsl.judgement.config.gitignore import Ignored
+
+SUFFIX = ".kindsl"
+# What tools put into a project beside its sources; the list is that of the linter ruff.
+TOOLS_FOLDERS = frozenset((
+    ".direnv", ".eggs", ".ipynb_checkpoints", ".mypy_cache", ".nox", ".pants.d", ".pyenv",
+    ".pytest_cache", ".pytype", ".ruff_cache", ".tox", ".venv", ".vscode", "__pypackages__",
+    "_build", "buck-out", "build", "dist", "node_modules", "site-packages", "venv",
+))  # fmt: skip
+_VERSION_CONTROL = frozenset((".bzr", ".git", ".git-rewrite", ".hg", ".jj", ".svn"))
+
+
+class _Wanted(NamedTuple):
+    """Files that a walk looks for, and folders that it skips."""
+
+    excluded: frozenset[str]
+    suffixes: tuple[str, ...]
+
+    def is_wanted(self, name: str) -> bool:
+        return name.lower().endswith(self.suffixes)
+
+
+class Obstacle(NamedTuple):
+    """A possible robot, or folder of robots, that cannot be read.
+
+    Attributes:
+        path: The file or folder.
+        reason: The system's message.
+    """
+
+    path: str
+    reason: OSError
+
+
+def walked(
+    folder: str,
+    excluded: Collection[str] = TOOLS_FOLDERS,
+    suffixes: tuple[str, ...] = (SUFFIX,),
+) -> Iterator[str | Obstacle]:
+    """Yield the robots in a folder and in the folders below, in the order of their names.
+
+    What git ignores is left out, unless that is the folder itself; so are links to folders, pipes,
+    devices, and the folders of version control.
+
+    Args:
+        folder: Where to begin, whatever it is called.
+        excluded: Names of folders that are left out.
+        suffixes: How what is wanted ends, in small letters.
+    """
+    from kindsl.judgement.config.gitignore import Ignored
+
+    wanted = _Wanted(frozenset(excluded) | _VERSION_CONTROL, suffixes)
+    yield from _walk(folder, wanted, Ignored.above(folder))
+
+
+def robots_below(folder: "Path") -> "Iterator[Path]":
+    """Yield the robots in a folder that can be read; see `walked`."""
+    from pathlib import Path
+
+    for found in walked(str(folder)):
+        if isinstance(found, str):
+            yield Path(found)
+
+
+def is_robot(name: str) -> bool:
+    """Return whether a file has the name of a robot's document."""
+    return name.lower().endswith(SUFFIX)
+
+
+def _walk(folder: str, wanted: _Wanted, ignored: "Ignored") -> Iterator[str | Obstacle]:
+    try:
+        with os.scandir(folder) as listing:
+            entries = sorted(listing, key=lambda entry: entry.name)
+    except OSError as error:
+        yield Obstacle(folder, error)
+        return
+    ignored = ignored.below(folder)
+    for entry in entries:
+        is_folder = entry.is_dir(follow_symlinks=False)
+        if entry.name in wanted.excluded if is_folder else not wanted.is_wanted(entry.name):
+            continue
+        if ignored.covers(entry.path, is_folder):
+            continue
+        if is_folder:
+            yield from _walk(entry.path, wanted, ignored)
+        else:
+            yield from _robot(entry)
+
+
+def _robot(entry: "os.DirEntry[str]") -> Iterator[str | Obstacle]:
+    try:
+        if stat.S_ISREG(entry.stat().st_mode):
+            yield entry.path
+    except OSError as error:
+        yield Obstacle(entry.path, error)

@@ -1,0 +1,129 @@
+"""KD404: unused bindings, limits and twins in a configuration file."""
+
+import re
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from typing import NamedTuple
+
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.analysis.settings import Settings, is_enabled, severity_of
+from kindsl.judgement.config.configuration import Configuration
+from kindsl.judgement.config.decisions import Decisions
+from kindsl.judgement.config.patterns import is_match
+from kindsl.judgement.config.toml_places import KeyPath
+from kindsl.judgement.rules.base import Severity
+from kindsl.judgement.rules.checks.kd404_unused_binding import RULE
+from kindsl.judgement.rules.checks.kd404_unused_binding import unused_bindings as vain_bindings
+
+_TWIN = "twin"
+_WORD = re.compile(r"\w+")
+
+
+class Names(NamedTuple):
+    """Names that a configuration file may bind in a document: its parameters, its joints."""
+
+    parameters: Collection[str]
+    joints: Collection[str]
+
+
+class _Bound(NamedTuple):
+    """A bound name: the documents that it is for (None for all), its kind, its keys."""
+
+    pattern: str | None
+    kind: str
+    keys: KeyPath
+
+    def is_in(self, names: Names) -> bool:
+        """Return whether a document has the name; one that has a twin needs none."""
+        if self.kind == _TWIN:
+            return True
+        return self.keys[-1] in (names.parameters if self.kind == "parameter" else names.joints)
+
+
+def unused_bindings(
+    configuration: Configuration,
+    settings: Settings,
+    used: Mapping[str, Names],
+    others: Callable[[], Iterable[tuple[str, Names]]],
+) -> list[Diagnostic]:
+    """Return the unused bindings, in the order of the file.
+
+    Args:
+        configuration: The file.
+        settings: Decisions about the rule.
+        used: The names in documents that it holds for, by path.
+        others: Yields path and words of further documents below its folder; asked if need be.
+    """
+    if not (configuration.has_bindings and is_enabled(RULE, settings)):
+        return []
+    severity = severity_of(RULE, None, settings)
+    findings = [
+        _finding(severity, configuration.places.get(bound.keys, (0, 0)), _message(bound, used))
+        for bound in _unused(configuration, used, others)
+    ]
+    return sorted(findings, key=lambda finding: finding.start)
+
+
+def words_of(text: str) -> Names:
+    """Return the words of a document that may be names, without parsing it."""
+    words = set(_WORD.findall(text))
+    return Names(words, words)
+
+
+def _message(bound: _Bound, used: Mapping[str, Names]) -> str:
+    name, kind = str(bound.keys[-1]), bound.kind
+    if kind == _TWIN:
+        return f"there is no document '{bound.pattern}': its twin is not compared"
+    each = (names.parameters if kind == "parameter" else names.joints for names in used.values())
+    known = sorted(frozenset[str]().union(*each))
+    told = {unused.name: unused.message for unused in vain_bindings([name], known, kind)}
+    where = "" if bound.pattern is None else f" that '{bound.pattern}' names"
+    return told.get(name, f"no document{where} has a {kind} '{name}'")
+
+
+def _unused(
+    configuration: Configuration,
+    used: Mapping[str, Names],
+    others: Callable[[], Iterable[tuple[str, Names]]],
+) -> list[_Bound]:
+    """Return the bindings that no document uses and no other one mentions."""
+    unused = _left(configuration, list(_bound(configuration)), used.items())
+    return _left(configuration, unused, others()) if unused else []
+
+
+def _left(
+    configuration: Configuration, bound: list[_Bound], uses: Iterable[tuple[str, Names]]
+) -> list[_Bound]:
+    found = list(uses)
+    return [
+        one
+        for one in bound
+        if not any(
+            one.is_in(names)
+            and (one.pattern is None or is_match(configuration.path, one.pattern, path))
+            for path, names in found
+        )
+    ]
+
+
+def _bound(configuration: Configuration) -> Iterator[_Bound]:
+    """Yield the bindings for all documents, then those for some."""
+    yield from _of_table(None, configuration.root, configuration.common)
+    for number, table in enumerate(configuration.documents):
+        keys: KeyPath = (*configuration.root, "document", number)
+        yield from _of_table(table.pattern, keys, table.decisions)
+    for number, twin in enumerate(configuration.twins):
+        yield _Bound(twin.pattern, _TWIN, (*configuration.root, "twins", number, "document"))
+
+
+def _of_table(pattern: str | None, keys: KeyPath, decisions: Decisions) -> Iterator[_Bound]:
+    for name in decisions.bindings:
+        yield _Bound(pattern, "parameter", (*keys, "parameters", name))
+    for name in decisions.joints:
+        yield _Bound(pattern, "joint", (*keys, "joints", name))
+    for pose, joints in decisions.poses.items():
+        for name in joints:
+            yield _Bound(pattern, "joint", (*keys, "poses", pose, name))
+
+
+def _finding(severity: Severity, span: tuple[int, int], message: str) -> Diagnostic:
+    return Diagnostic(RULE.code, RULE.name, severity, message, *span)

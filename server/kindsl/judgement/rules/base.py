@@ -1,0 +1,142 @@
+"""Rules and their findings."""
+
+from collections.abc import Callable, Iterator
+from enum import StrEnum
+from typing import NamedTuple
+
+from kindsl.judgement.rules.context import Context
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.declarations import Declarations, Joint, Link
+from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.places import Located
+
+
+class Severity(StrEnum):
+    """The severity of a finding."""
+
+    ERROR = "error"
+    WARNING = "warning"
+    INFORMATION = "info"
+    HINT = "hint"
+
+
+class Tag(StrEnum):
+    """The way an editor may draw a finding."""
+
+    UNNECESSARY = "unnecessary"
+    DEPRECATED = "deprecated"
+
+
+class Related(NamedTuple):
+    """Another place that belongs to a finding, and what it has to do with it."""
+
+    at: Located
+    message: str
+
+
+class Replacement(NamedTuple):
+    """Replace the text at a place; an empty place inserts."""
+
+    at: Located
+    text: str
+
+
+class Fix(NamedTuple):
+    """The fix of a finding.
+
+    Attributes:
+        title: Its title, in the imperative.
+        changes: Disjoint replacements.
+        is_safe: Whether it keeps what the document means. The claim is put to the proof: a fix
+            that changes a number, or of which that cannot be known, is not safe.
+        is_within_digits: Whether it may give a number a value that has the digits written.
+    """
+
+    title: str
+    changes: tuple[Replacement, ...]
+    is_safe: bool = False
+    is_within_digits: bool = False
+
+
+class Finding(NamedTuple):
+    """Something that a rule found.
+
+    Attributes:
+        at: Where.
+        message: One sentence without final period: what is wrong, names quoted, with units.
+        related: Other places.
+        fix: The edit that fixes it.
+        choices: Edits that fix it where several things may be meant; then there is no `fix`.
+        severity: Where it differs from the rule's.
+        tag: How to draw it.
+        explains: Codes of findings at the same place that it makes needless, but for their fixes.
+    """
+
+    at: Located
+    message: str
+    related: tuple[Related, ...] = ()
+    fix: Fix | None = None
+    severity: Severity | None = None
+    tag: Tag | None = None
+    choices: tuple[Fix, ...] = ()
+    explains: frozenset[str] = frozenset()
+
+
+class Example(NamedTuple):
+    """A document that shows a rule, with what it needs from outside.
+
+    Attributes:
+        text: A document, or single blocks.
+        targets: The generators that must accept it.
+        parameters: Values by name.
+        ranges: Least and greatest values by name, of some of the parameters.
+        fixed: The text with the fix of the rule's finding applied, if it offers one.
+    """
+
+    text: str
+    targets: tuple[str, ...] = ()
+    parameters: tuple[tuple[str, float], ...] = ()
+    ranges: tuple[tuple[str, float, float], ...] = ()
+    fixed: str | None = None
+
+
+DocumentCheck = Callable[[Model, Context], Iterator[Finding]]
+BodyCheck = Callable[[Link, tuple[Joint, ...], Context], Iterator[Finding]]
+IslandCheck = Callable[[Declarations, Context], Iterator[Finding]]
+
+
+class Rule(NamedTuple):
+    """A rule; its module's docstring is its page.
+
+    A rule has one of three checks. `check_island` sees what one island declares and its result is
+    kept until that island, or a value that it uses, changes; so whatever can be said of a link
+    alone belongs there. `check_body` sees a body and the joints by which it carries others: its
+    result is kept until the island of one of them changes. `check_document` sees the whole model;
+    its result is kept until what `reads` names changes, or an island to which a finding points. The
+    rules of the syntax have none: the parser finds them.
+
+    Attributes:
+        code: `KD` and three digits, never reused.
+        name: The defect in a word or few, hyphenated.
+        severity: Unless configured otherwise.
+        check_document: See above.
+        check_island: See above.
+        check_body: See above.
+        reads: All that `check_document` reads of the document.
+        reads_twins: Whether `check_document` reads other files of the robot, too.
+        is_default: Whether it runs without being selected or needed by a target.
+        good: Documents, or single blocks, in which it finds nothing.
+        bad: The same, in which it finds something; with the fixed text where there is a fix.
+    """
+
+    code: str
+    name: str
+    severity: Severity
+    check_document: DocumentCheck | None = None
+    check_island: IslandCheck | None = None
+    check_body: BodyCheck | None = None
+    reads: Aspect = Aspect.ALL
+    reads_twins: bool = False
+    is_default: bool = True
+    good: tuple[str | Example, ...] = ()
+    bad: tuple[str | Example, ...] = ()

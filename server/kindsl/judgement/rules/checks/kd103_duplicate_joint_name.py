@@ -1,0 +1,47 @@
+"""Two joints have the same name.
+
+## What it does
+Reports a joint with the name of an earlier joint.
+
+## Why is this bad?
+References to that name resolve to the first one; the second is not used. RobCoGen accepts the
+document and fails later: "Joint has no predecessor".
+
+## Example
+```kindsl
+r_joint wrist { ref_frame { translation = (0.0, 0.0, 0.1) rotation = (0.0, 0.0, 0.0) } }
+r_joint wrist { ref_frame { translation = (0.0, 0.0, 0.1) rotation = (PI/2.0, 0.0, 0.0) } }
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.duplicates import repeated_names
+from kindsl.judgement.rules.examples import link, robot
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.model import Model
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each joint whose name is taken."""
+    for first, again in repeated_names(model.joints):
+        message = f"joint '{again.name}' is already defined"
+        yield Finding(again.name, message, (Related(first.name, f"joint '{first.name}'"),))
+
+
+_LINKS = link("arm", 1, "hand via wrist"), link("hand", 2)
+
+RULE = Rule(
+    "KD103",
+    "duplicate-joint-name",
+    Severity.ERROR,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE,
+    good=(robot(*_LINKS, base="arm via shoulder", joints="shoulder wrist"),),
+    bad=(
+        robot(*_LINKS, base="arm via shoulder", joints="shoulder wrist wrist"),
+        robot(*_LINKS, base="arm via shoulder", joints="wrist wrist"),
+    ),
+)

@@ -1,0 +1,55 @@
+"""Two joints have the same id.
+
+## What it does
+Reports a joint that reuses the `id` of an earlier joint.
+
+## Why is this bad?
+It does no harm: ids of joints are obsolete, and both generators ignore them, since a joint has the
+id of its link. But a reader will trust the number.
+
+## Example
+```kindsl
+r_joint shoulder { id = 1 ref_frame { translation = (0.0, 0.0, 0.1) rotation = (0.0, 0.0, 0.0) } }
+r_joint elbow    { id = 1 ref_frame { translation = (0.0, 0.0, 0.3) rotation = (0.0, 0.0, 0.0) } }
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.duplicates import repeats
+from kindsl.judgement.rules.examples import joint, link, robot
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.model import Model
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each joint whose id is taken."""
+    for first, again in repeats(model.joints, lambda joint: joint.id):
+        if first.name == again.name:
+            continue
+        message = f"joint '{again.name}' reuses id {again.id} of joint '{first.name}'"
+        related = Related(first.id_place or first.name, f"id {first.id} of joint '{first.name}'")
+        yield Finding(again.id_place or again.name, message, (related,))
+
+
+def _numbered(name: str, number: int) -> str:
+    return joint(name).replace("{", f"{{ id = {number}", 1)
+
+
+def _arm(number: int) -> str:
+    links = link("upper", 1, "lower via elbow"), link("lower", 2)
+    joints = _numbered("shoulder", 1), _numbered("elbow", number)
+    return robot(*links, *joints, base="upper via shoulder")
+
+
+RULE = Rule(
+    "KD111",
+    "duplicate-joint-id",
+    Severity.INFORMATION,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE,
+    good=(_arm(2),),
+    bad=(_arm(1),),
+)

@@ -1,0 +1,61 @@
+"""A name that generated code uses for something else.
+
+## What it does
+Reports names that are keywords of C++ or of Octave, and frames called `fr_<link>`, as the
+generators call the frame of a link.
+
+## Why is this bad?
+The names of links, joints, frames and parameters become identifiers of the generated code, which
+then does not compile; and one of two frames with the same name is lost.
+
+## Example
+```kindsl
+link union { id = 1 children {} }
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Finding, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.examples import link
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.places import Name
+from kindsl.language.semantics.reserved_words import RESERVED_BY
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each reserved name."""
+    for name in _names(model):
+        if name in RESERVED_BY:
+            yield Finding(name, f"'{name}' is a keyword of {RESERVED_BY[name]}")
+    for frame in model.frames:
+        if frame.name.startswith("fr_") and frame.name[3:] in model.body_named:
+            message = f"'{frame.name}' is already the name of the frame of link '{frame.name[3:]}'"
+            yield Finding(frame.name, message)
+
+
+def _names(model: Model) -> Iterator[Name | None]:
+    yield from (declared.robot for declared in model.declared)
+    yield from (body.name for body in model.bodies)
+    yield from (joint.name for joint in model.joints)
+    yield from (frame.name for frame in model.frames)
+    yield from (parameter.name for parameter in model.parameters)
+
+
+_FRAMED = """link head {
+    id = 1
+    children {}
+    frames { %s { translation = (0.1, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }
+}"""
+
+RULE = Rule(
+    "KD113",
+    "reserved-name",
+    Severity.WARNING,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
+    good=(link("gripper", 1), _FRAMED % "fr_eye"),
+    bad=(link("union", 1), link("until", 1), _FRAMED % "fr_head"),
+)

@@ -1,0 +1,55 @@
+"""A link has two parents.
+
+## What it does
+Reports a link that is a child of more than one body.
+
+## Why is this bad?
+The language describes trees, in which a link has one parent: a closed linkage cannot be expressed.
+RobCoGen accepts the document and fails later without a place; RobCoGen2 with "Inconsistent
+arguments".
+
+## Example
+```kindsl
+link left  { id = 1 children { coupler via pin_left } }
+link right { id = 2 children { coupler via pin_right } }
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.examples import link, robot
+from kindsl.judgement.rules.reference_defects import reference_defects
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.model import Model
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each further parent of a link."""
+    for first, again in reference_defects(model).extra_parents:
+        name, other = again.child.link, first.predecessor.name
+        message = f"link '{name}' has two parents: '{other}' and '{again.predecessor.name}'"
+        related = Related(first.child, f"'{other}' carries '{name}'")
+        yield Finding(name, message, (related,))
+
+
+def _linkage(right: str) -> str:
+    links = (
+        link("left", 1, "coupler via pin_left"),
+        link("right", 2, right),
+        link("coupler", 3),
+    )
+    joints = "to_left to_right pin_left" + right.partition(" via")[2]
+    return robot(*links, base="left via to_left right via to_right", joints=joints)
+
+
+RULE = Rule(
+    "KD202",
+    "multiple-parents",
+    Severity.ERROR,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE,
+    good=(_linkage(""),),
+    bad=(_linkage("coupler via pin_right"),),
+)

@@ -1,0 +1,61 @@
+"""A link has no parent.
+
+## What it does
+Reports a link that is not a child of any body, once for its whole subtree. It is not reported if a
+wrong name elsewhere may mean it.
+
+## Why is this bad?
+The link is not part of the robot. RobCoGen accepts the document and fails later with a
+`NullPointerException`; RobCoGen2 with "Inconsistent arguments"; neither names a place.
+
+## Example
+```kindsl
+RobotBase base { children {} }
+link upper { id = 1 children {} }
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.examples import link, robot
+from kindsl.judgement.rules.reference_defects import reference_defects
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.model import Model
+from kindsl.language.text.phrases import counted
+
+_MOST_RELATED = 20
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each link without a parent."""
+    for body in reference_defects(model).orphans:
+        below = _carried(model, body)
+        message = f"link '{body.name}' has no parent"
+        if below:
+            message += f"; {counted(len(below), 'more link')} attached to it"
+        related = (Related(b.name, f"'{b.name}' is attached to it") for b in below[:_MOST_RELATED])
+        yield Finding(body.name, message, tuple(related))
+
+
+def _carried(model: Model, body: Link) -> list[Link]:
+    return model.tree.in_topological_order(body)
+
+
+_ARM = link("upper", 1, "lower via elbow"), link("lower", 2)
+
+RULE = Rule(
+    "KD203",
+    "unreachable-link",
+    Severity.ERROR,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE,
+    good=(robot(*_ARM, base="upper via shoulder", joints="shoulder elbow"),),
+    bad=(
+        robot(*_ARM, joints="elbow"),
+        robot(*_ARM, joints="shoulder elbow"),
+        robot(*_ARM, link("camera", 3), base="upper via shoulder", joints="shoulder elbow"),
+    ),
+)

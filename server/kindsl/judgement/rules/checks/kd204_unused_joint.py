@@ -1,0 +1,45 @@
+"""A joint is not used.
+
+## What it does
+Reports a joint that no `link via joint` names. It is not reported if a wrong name elsewhere may
+mean it.
+
+## Why is this bad?
+RobCoGen accepts the document and fails later with "Joint has no predecessor"; RobCoGen2 with
+`KeyError`; neither names a place.
+
+## Example
+```kindsl
+r_joint spare { ref_frame { translation = (0.0, 0.0, 0.1) rotation = (0.0, 0.0, 0.0) } }
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Finding, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.examples import link, robot
+from kindsl.judgement.rules.reference_defects import reference_defects
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.model import Model
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each unused joint."""
+    for joint in reference_defects(model).unused_joints:
+        yield Finding(joint.name, f"joint '{joint.name}' is not used")
+
+
+def _arm(joints: str) -> str:
+    return robot(link("upper", 1), base="upper via shoulder", joints=joints)
+
+
+RULE = Rule(
+    "KD204",
+    "unused-joint",
+    Severity.ERROR,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE,
+    good=(_arm("shoulder"),),
+    bad=(_arm("shoulder spare"),),
+)

@@ -1,0 +1,56 @@
+"""Two links have the same supporting joint.
+
+## What it does
+Reports a `link via joint` whose joint already connects another link.
+
+## Why is this bad?
+A joint supports one link: it is the link's degree of freedom. RobCoGen accepts the document and
+fails later; RobCoGen2 with "Inconsistent arguments"; neither names a place.
+
+## Example
+```kindsl
+children { left via finger right via finger }
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.examples import link, robot
+from kindsl.judgement.rules.reference_defects import ReferenceDefects, reference_defects
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.declarations import Joint
+from kindsl.language.semantics.model import Model
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each pair whose joint is taken."""
+    defects = reference_defects(model)
+    for first, again in defects.reused_joints:
+        name = again.child.joint
+        message = f"joint '{name}' already connects link '{first.child.link}'"
+        related = [Related(first.child, f"'{first.child.link}' moves by '{name}'")]
+        related += [Related(j.name, f"joint '{j.name}' is not used") for j in _spare(defects)]
+        yield Finding(name, message, tuple(related))
+
+
+def _spare(defects: ReferenceDefects) -> list[Joint]:
+    """Return the joint that may be meant, if just one is left."""
+    return defects.idle_joints if len(defects.idle_joints) == 1 else []
+
+
+def _hand(right: str) -> str:
+    base = f"left via finger right via {right}"
+    return robot(link("left", 1), link("right", 2), base=base, joints="finger thumb")
+
+
+RULE = Rule(
+    "KD205",
+    "reused-joint",
+    Severity.ERROR,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE,
+    good=(_hand("thumb"),),
+    bad=(_hand("finger"),),
+)

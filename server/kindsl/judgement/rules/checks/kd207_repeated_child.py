@@ -1,0 +1,92 @@
+"""A link is listed twice as a child of one body.
+
+## What it does
+Reports a child that the same body already lists, with the same joint or with another. With another
+joint it is an error for the target robcogen2.
+
+## Why is this bad?
+A link has one supporting joint. RobCoGen silently ignores one of the two; RobCoGen2 stops
+with "Inconsistent arguments".
+
+## Example
+```kindsl
+children {
+    lower via elbow
+    lower via elbow
+}
+```
+
+## Fix
+Removes the repetition if it names the same joint. Safe: it adds nothing.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import (
+    Example,
+    Finding,
+    Fix,
+    Related,
+    Replacement,
+    Rule,
+    Severity,
+    Tag,
+)
+from kindsl.judgement.rules.context import ROBCOGEN2, Context
+from kindsl.judgement.rules.examples import link, robot
+from kindsl.judgement.rules.reference_defects import reference_defects
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.declarations import Child
+from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.places import Located, Place
+
+_BREAKS = ("\r", "\n")
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each repeated child."""
+    for first, again in reference_defects(model).repeated:
+        message = (
+            f"link '{again.child.link}' is listed twice as a child of '{again.predecessor.name}'"
+        )
+        related = Related(first.child, f"'{first.child.link}' via '{first.child.joint}'")
+        is_same = again.child.joint == first.child.joint
+        fix, tag = (_removal(again.child), Tag.UNNECESSARY) if is_same else (None, None)
+        is_fatal = not is_same and ROBCOGEN2 in context.targets
+        severity = Severity.ERROR if is_fatal else Severity.WARNING
+        yield Finding(again.child, message, (related,), fix, severity, tag)
+
+
+def _removal(child: Child) -> Fix:
+    return Fix("Remove the repetition", (removal(child),), is_safe=True)
+
+
+def _arm(children: str) -> str:
+    return robot(link("arm", 1), base=f"arm via shoulder{children}", joints="shoulder")
+
+
+RULE = Rule(
+    "KD207",
+    "repeated-child",
+    Severity.WARNING,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE,
+    good=(_arm(""),),
+    bad=(
+        Example(_arm(" arm via shoulder"), fixed=_arm("")),
+        Example(_arm("\n        arm via shoulder\n"), fixed=_arm("\n")),
+        Example(_arm(" arm via shoulder  \n"), fixed=_arm(" \n")),
+        _arm(" arm via elbow"),
+    ),
+)
+
+
+def removal(at: Located) -> Replacement:
+    """Return the change that removes a piece, with its lines if nothing else is on them."""
+    text = at.island.text
+    start = len(text[: at.start].rstrip(" \t"))
+    end = len(text) - len(text[at.end :].lstrip(" \t"))
+    if text[:start].endswith(_BREAKS) and text.startswith(_BREAKS, end):
+        end += 2 if text.startswith("\r\n", end) else 1
+        return Replacement(Place(at.island, start, end), "")
+    return Replacement(Place(at.island, at.start, end), "")

@@ -1,0 +1,89 @@
+"""A link of a limb hangs on another body than its twins.
+
+## What it does
+Reports a link whose parent is not what its twins' parents let expect: `RF_shank` on `LF_thigh`
+where `LF_shank` is on `LF_thigh` and `RH_shank` on `RH_thigh`. Twins are told by their names:
+sides, rows or the numbers of limbs (`leg3_tibia`).
+
+## Why is this bad?
+Blocks are copied from limb to limb, and one name is forgotten. The robot has a limb with two ends
+and one with none, and every number of them may be right.
+
+Names that tell nothing of the parent, and robots in which many links are attached so, are left in
+peace.
+
+## Example
+```kindsl
+link LF_thigh { id = 2 children { LF_shank via LF_KFE RF_shank via RF_KFE } }
+link RF_thigh { id = 5 children {} }
+```
+
+## Fix
+Moves the pair of link and joint to the parent that the twins let expect. The fix is unsafe: it
+changes the robot.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Example, Finding, Fix, Related, Replacement, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.examples import four_legs
+from kindsl.judgement.rules.limb_places import child_of
+from kindsl.judgement.rules.limb_verdicts import limb_names
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.declarations import Child
+from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.places import Place
+from kindsl.robots.limbs.attachments import Misplaced
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each link that another body carries than its twins let expect."""
+    found = limb_names(model).elsewhere
+    for misplaced in found:
+        (name, parent, _joint), meant, twins = misplaced
+        child = child_of(model, name)
+        message = f"link '{name}' is a child of '{parent}'"
+        message += f", by its twins of '{meant}'" if meant else ", unlike its twin"
+        others = [each.attachment for each in found if each is not misplaced]
+        related = [
+            Related(child_of(model, a.link), f"'{a.link}' is a child of '{a.parent}'")
+            for a in (*others, *twins)
+        ]
+        fix = _moved(model, child, misplaced) if len(found) == 1 else None
+        yield Finding(child, message, tuple(related), fix)
+
+
+def _moved(model: Model, child: Child, misplaced: Misplaced) -> Fix | None:
+    """Return the fix that lists a child elsewhere, None where no section of children is there."""
+    parent = model.body_named.get(misplaced.meant or "")
+    section = next(parent.node.nodes("children"), None) if parent is not None else None
+    closing = list(section.tokens())[-1] if section is not None else None
+    if parent is None or closing is None or closing.text != "}":
+        return None
+    is_apart = parent.island.text[closing.start - 1].isspace()
+    entry = child.island.text[child.start : child.end]
+    added = f"{entry} " if is_apart else f" {entry} "
+    end = child.end
+    while child.island.text[end : end + 1] in (" ", "\t"):
+        end += 1
+    changes = (
+        Replacement(Place(child.island, child.start, end), ""),
+        Replacement(Place(parent.island, closing.start, closing.start), added),
+    )
+    return Fix(f"Move '{child.link}' to '{parent.name}'", changes)
+
+
+_SHANK = "RF_shank via RF_KFE"
+_HERE, _THERE = f"children {{ {_SHANK} }}", "children { LF_shank via LF_KFE }"
+_CROSSED = four_legs().replace(_HERE, "children { }").replace(_THERE, f"{_THERE[:-1]}{_SHANK} }}")
+
+RULE = Rule(
+    "KD208",
+    "limb-carried-elsewhere",
+    Severity.WARNING,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE,
+    good=(four_legs(),),
+    bad=(Example(_CROSSED, fixed=four_legs()),),
+)

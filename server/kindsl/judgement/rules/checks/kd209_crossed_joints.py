@@ -1,0 +1,92 @@
+"""Links of a limb move by each other's joints.
+
+## What it does
+Reports a link whose joint is not what its twins let expect: `RF_thigh via RF_KFE` where the other
+legs have `LF_thigh via LF_HFE`. Twins are told by their names: sides, rows or numbers. Two links of
+one arm are reported, too, where each has the joint that is named after the other, and the rest of
+the robot's links have their own: `link2 via joint3` and `link3 via joint2`.
+
+## Why is this bad?
+The joint's frame is then that of another part: the limb is bent where it should be long.
+
+## Example
+```kindsl
+link LF_hip   { id = 1 children { LF_thigh via LF_HFE } }
+link LF_thigh { id = 2 children { LF_shank via LF_KFE } }
+link RF_hip   { id = 4 children { RF_thigh via RF_KFE } }
+link RF_thigh { id = 5 children { RF_shank via RF_HFE } }
+```
+
+## Fix
+Exchanges the names of two joints that stand in each other's place. The fix is unsafe: it changes
+the robot.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Example, Finding, Fix, Related, Replacement, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.examples import four_legs, joint, link, robot
+from kindsl.judgement.rules.limb_places import child_of
+from kindsl.judgement.rules.limb_verdicts import limb_names
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.model import Model
+from kindsl.robots.limbs.attachments import Misplaced
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each link that moves by another joint than its twins let expect."""
+    told: list[Misplaced] = []
+    found = limb_names(model).crossed
+    for misplaced in found:
+        if misplaced in told:
+            continue
+        (name, _parent, joint), meant, twins = misplaced
+        partner = next((p for p in found if _are_exchanged(p, misplaced)), None)
+        message = f"link '{name}' moves by joint '{joint}'"
+        expected = f", by its {'twins' if twins else 'name'} by '{meant}'"
+        message += expected if meant else ", unlike its twin"
+        others = [partner.attachment] if partner is not None else []
+        related = [
+            Related(child_of(model, a.link).joint, f"'{a.link}' moves by '{a.joint}'")
+            for a in (*others, *twins)
+        ]
+        fix = _exchanged(model, misplaced, partner) if partner is not None else None
+        told += [partner] if partner is not None else []
+        yield Finding(child_of(model, name).joint, message, tuple(related), fix)
+
+
+def _are_exchanged(one: Misplaced, other: Misplaced) -> bool:
+    return one.meant == other.attachment.joint and other.meant == one.attachment.joint
+
+
+def _exchanged(model: Model, one: Misplaced, other: Misplaced) -> Fix:
+    here, there = (child_of(model, each.attachment.link).joint for each in (one, other))
+    changes = Replacement(here, str(there)), Replacement(there, str(here))
+    return Fix(f"Exchange joints '{here}' and '{there}'", changes)
+
+
+_CROSSED = (four_legs().replace("via RF_HFE", "via X").replace("via RF_KFE", "via RF_HFE")).replace(
+    "via X", "via RF_KFE"
+)
+
+
+def _arm(second: str, third: str) -> str:
+    chain = (f"link2 via {second}", f"link3 via {third}", "link4 via joint4", "")
+    links = [link(f"link{number}", number, below) for number, below in enumerate(chain, 1)]
+    joints = [joint(f"joint{number}") for number in range(1, 5)]
+    return robot(*links, *joints, base="link1 via joint1")
+
+
+RULE = Rule(
+    "KD209",
+    "crossed-joints",
+    Severity.WARNING,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE,
+    good=(four_legs(), _arm("joint2", "joint3")),
+    bad=(
+        Example(_CROSSED, fixed=four_legs()),
+        Example(_arm("joint3", "joint2"), fixed=_arm("joint2", "joint3")),
+    ),
+)

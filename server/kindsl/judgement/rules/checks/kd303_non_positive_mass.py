@@ -1,0 +1,83 @@
+"""A mass is negative or zero.
+
+## What it does
+Reports a negative mass of a moving link as an error, and a mass of zero as a warning. The value may
+be an expression; parameters are taken at their bound values. A fixed base may have any mass.
+
+## Why is this bad?
+A link without mass at the end of a chain makes the joint-space inertia matrix singular: forward
+dynamics divides by zero. Both generators accept it silently.
+
+## Example
+```kindsl
+mass = -1.5
+```
+
+## Fix
+Writes the mass without its sign where the body is possible then. Unsafe: it is a guess.
+"""
+
+from collections.abc import Iterator, Mapping
+
+from kindsl.judgement.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
+from kindsl.judgement.rules.broken_text import has_problem_within
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.examples import STEEL_BALL, link
+from kindsl.judgement.rules.inertia.digits import likely_half_widths, numbers_written
+from kindsl.judgement.rules.inertia.judgements import Verdict, is_moving, verdict_of
+from kindsl.language.semantics.declarations import Declarations, Inertia
+from kindsl.language.semantics.expressions import Expression
+from kindsl.language.semantics.numbers import mass_distribution
+from kindsl.language.text.quantities import with_unit
+from kindsl.mechanics.rigid.body import eigensystem, second_moments_about_com
+
+
+def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each mass that is not positive."""
+    for body in declared.bodies():
+        inertia = body.inertia
+        mass = inertia.mass if inertia is not None else None
+        value = mass.value(context.values) if mass is not None else None
+        if inertia is None or mass is None or value is None or value > 0.0:
+            continue
+        if not is_moving(body) or has_problem_within(mass):
+            continue
+        if value < 0.0:
+            message = f"mass of '{body.name}' is negative: {with_unit(value, 'kg')}"
+            yield Finding(mass, message, fix=_without_sign(inertia, mass, context.values))
+        else:
+            message = f"mass of the moving link '{body.name}' is zero"
+            yield Finding(mass, message, severity=Severity.WARNING)
+
+
+def _without_sign(inertia: Inertia, mass: Expression, values: Mapping[str, float]) -> Fix | None:
+    """Return the fix that takes the sign away, None where the body would be impossible still."""
+    written = mass_distribution(inertia, values)
+    if written is None or mass.literal is None or has_problem_within(inertia):
+        return None
+    body = written._replace(mass=-written.mass)
+    pairs = eigensystem(second_moments_about_com(body))
+    half = likely_half_widths(numbers_written(inertia, values))
+    if verdict_of(body, half, pairs) is not Verdict.POSSIBLE:
+        return None
+    text = mass.text.removeprefix("-")
+    return Fix(f"Write {text}", (Replacement(mass, text),))
+
+
+def _ball(mass: str) -> str:
+    return link("ball", 1, inertia=STEEL_BALL.replace("4.1", mass, 1))
+
+
+RULE = Rule(
+    "KD303",
+    "non-positive-mass",
+    Severity.ERROR,
+    check_island=check_island,
+    good=(_ball("4.1"), _ball("m_ball")),
+    bad=(
+        Example(_ball("-4.1"), fixed=_ball("4.1")),
+        link("ball", 1, inertia=STEEL_BALL.replace("4.1", "-4.1", 1).replace("0.0041", "-0.0041")),
+        _ball("0.0"),
+        _ball("-m_ball[4.1]"),
+    ),
+)

@@ -1,0 +1,66 @@
+"""Moments were given about the centre of mass.
+
+## What it does
+Says of an impossible inertia (KD301, KD302) that it would be consistent if its moments were taken
+about the centre of mass, or shifted once where they were shifted twice. All mistakes that explain
+the numbers are weighed against each other: another reference point, wrong signs or order, another
+unit, a wrong mass, a placeholder, a copy. The most likely one is told, its rivals as places beside
+it, each with what speaks for it: the density, axes of the link that become principal, a twin on the
+other side, the next joint, what other links weigh. Other links of the document with the same slip
+count too, and where every link shows it, it is told once. A unit or a mass is fixed first; what
+remains is judged again.
+
+## Why is this bad?
+The language wants moments and products about the origin of the link frame, or of the frame that
+`ref_frame` names. CAD programs and URDF give them about the centre of mass. This is the commonest
+real mistake: three published models were corrected exactly so in their histories.
+
+## Example
+```kindsl
+inertia_params {
+    mass = 2.0
+    CoM = (0.0, 0.0, 0.3)
+    Ix=0.02 Iy=0.02 Iz=0.002 Ixy=0.0 Ixz=0.0 Iyz=0.0
+}
+```
+`Ix` and `Iy` miss 2.0 * 0.3^2 = 0.18 kg·m².
+
+## Fix
+Adds `m (c.c 1 - c c')` to the tensor (Huygens and Steiner): `m (y^2 + z^2)` to `Ix`, `m x y` to the
+product `Ixy`, and so on, in the author's precision. Offered only
+where no other cause is left. Unsafe: it is a guess, though a likely one.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.examples import link
+from kindsl.judgement.rules.inertia.suspects import explained
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.model import Model
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each inertia that is possible if given about the CoM."""
+    yield from explained(model, context, "KD306")
+
+
+def _upper(moment: str) -> str:
+    inertia = f"""inertia_params {{
+        mass = 2.0
+        CoM = (0.0, 0.0, 0.3)
+        Ix={moment} Iy={moment} Iz=0.002 Ixy=0.0 Ixz=0.0 Iyz=0.0
+    }}"""
+    return link("upper", 1, inertia=inertia)
+
+
+RULE = Rule(
+    "KD306",
+    "inertia-about-com",
+    Severity.INFORMATION,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
+    good=(_upper("0.2"),),
+    bad=(Example(_upper("0.020"), fixed=_upper("0.2")),),
+)

@@ -1,0 +1,60 @@
+"""Products of inertia have the wrong sign.
+
+## What it does
+Says of an impossible inertia (KD301, KD302) that it would be consistent if the signs of some
+products, or of one component of the CoM, were changed, or the order of numbers: two moments or two
+coordinates of the CoM swapped, the moments written in URDF's order, or about other axes. KD306
+tells how causes are weighed.
+
+## Why is this bad?
+The language wants the products themselves, `Ixy = sum m x y`. The off-diagonal entries of an
+inertia tensor, as in URDF, MJCF and most CAD programs, are `-Ixy`. A pasted tensor has all signs
+wrong, a mirrored leg often one.
+
+## Example
+```kindsl
+inertia_params {
+    mass = 2.0
+    CoM = (0.2, 0.0, 0.3)
+    Ix=0.22 Iy=0.32 Iz=0.12 Ixy=0.0 Ixz=-0.12 Iyz=0.0
+}
+```
+The mass alone contributes 2.0 * 0.2 * 0.3 = 0.12 kg·m² to `Ixz`.
+
+## Fix
+Changes these signs, or the order. Offered only where no other cause is left. Unsafe: it is a guess,
+though a likely one.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.examples import link
+from kindsl.judgement.rules.inertia.suspects import explained
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.model import Model
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each inertia that is possible with other signs."""
+    yield from explained(model, context, "KD307")
+
+
+_INERTIA = """inertia_params {
+        mass = 2.0
+        CoM = (0.2, 0.1, 0.3)
+        Ix=0.22 Iy=0.28 Iz=0.12 Ixy=%s Ixz=%s Iyz=%s
+    }"""
+_LINK = link("upper", 1, inertia=_INERTIA)
+_RIGHT, _WRONG = ("0.04", "0.12", "0.06"), ("-0.04", "-0.12", "-0.06")
+
+RULE = Rule(
+    "KD307",
+    "inertia-signs",
+    Severity.INFORMATION,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
+    good=(_LINK % _RIGHT,),
+    bad=(Example(_LINK % _WRONG, fixed=_LINK % _RIGHT),),
+)

@@ -1,0 +1,52 @@
+"""Moments of inertia were given in another unit.
+
+## What it does
+Reports an impossible inertia (KD301, KD302), or one of implausible density (KD311), that would be
+consistent and plausible with its moments in another unit. KD306 explains how causes are weighed.
+
+## Why is this bad?
+CAD programs give g·mm², kg·mm² or g·cm², finite elements t·mm². The language wants kg·m², which is
+1 000 000 000 g·mm².
+
+## Example
+```kindsl
+inertia_params {
+    mass = 0.5
+    CoM = (0.0, 0.0, 0.0)
+    Ix=150000.0 Iy=150000.0 Iz=90000.0 Ixy=0.0 Ixz=0.0 Iyz=0.0
+}
+```
+
+## Fix
+Converts the moments, keeping the significant digits. Offered only where no other cause is left, and
+not where RobCoGen2 would treat all moments as zero (KD507), nor, for that target, where it would
+treat one that matters as zero. Unsafe: it is a guess, though a likely one.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.examples import inertia, link
+from kindsl.judgement.rules.inertia.suspects import explained
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.model import Model
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each inertia that a power of ten makes a body's."""
+    yield from explained(model, context, "KD308")
+
+
+_LINK = link("motor", 1, inertia=inertia("0.5", "0.0", "%s", "%s", "%s"))
+_MOMENTS = ("0.00015", "0.00015", "0.00009")
+
+RULE = Rule(
+    "KD308",
+    "inertia-scale",
+    Severity.INFORMATION,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
+    good=(_LINK % _MOMENTS,),
+    bad=(Example(_LINK % ("150000.0", "150000.0", "90000.0"), fixed=_LINK % _MOMENTS),),
+)

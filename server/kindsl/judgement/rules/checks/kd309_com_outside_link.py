@@ -1,0 +1,54 @@
+"""The centre of mass is far away from the link.
+
+## What it does
+Compares a moving link's centre of mass with the known places of the link: its own joint, the
+joints of its children, its frames. Reports a distance of more than the link's length and three
+times its radius of gyration together, and a radius of gyration of more than five times the length,
+unless its density is reported (KD311): both come from the same moments.
+
+## Why is this bad?
+A body's mass is where the body is. Mostly a digit is lost, a unit is wrong, or the numbers
+belong to another frame.
+
+## Example
+```kindsl
+link forearm {
+    id = 2
+    inertia_params { mass = 1.2 CoM = (0.0, 0.0, 1.5)
+        Ix=2.71 Iy=2.71 Iz=0.001 Ixy=0.0 Ixz=0.0 Iyz=0.0 }
+    children { hand via wrist }
+}
+```
+with a wrist at 0.3 m.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Finding, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.examples import inertia, joint, link, robot
+from kindsl.judgement.rules.inertia.shapes import shape_doubts
+from kindsl.language.semantics.declarations import Joint, Link
+
+
+def check_body(body: Link, joints: tuple[Joint, ...], context: Context) -> Iterator[Finding]:
+    """Yield a finding where the mass of a link is not where the link is."""
+    for verdict in shape_doubts(body, joints, context, "KD309"):
+        if body.inertia is not None and body.inertia.com is not None:
+            yield Finding(body.inertia.com, verdict.sentence)
+
+
+def _arm(com: str, moment: str) -> str:
+    forearm = link("forearm", 1, "hand via wrist", inertia("1.2", com, moment, moment, "0.001"))
+    joints = joint("elbow"), joint("wrist", 0.3)
+    return robot(forearm, link("hand", 2), *joints, base="forearm via elbow")
+
+
+RULE = Rule(
+    "KD309",
+    "com-outside-link",
+    Severity.WARNING,
+    check_body=check_body,
+    good=(_arm("0.15", "0.037"), _arm("150.0", "27100.0")),
+    bad=(_arm("1.5", "2.71"),),
+)

@@ -1,0 +1,127 @@
+"""An inertia is a placeholder.
+
+## What it does
+Reports a mass of 1.0 with three moments of 1.0, and the same mass and moments in three or more
+moving links of different parts. Parts are recognised by names without sides and numbers: `LF_hip`
+and `RH_hip` are one part, and so are `segment1` and `segment2`.
+
+Says of an impossible inertia (KD301, KD302) or one of implausible density (KD311) that it is a
+placeholder where its three moments are one round number and the products zero, and which link of
+another part has the same moments, or the same centre of mass. KD306 tells how causes are weighed.
+
+## Why is this bad?
+A placeholder looks like data. Simulations run, and are wrong.
+
+## Example
+```kindsl
+inertia_params {
+    mass = 1.0
+    CoM = (0.0, 0.0, 0.0)
+    Ix=1.0 Iy=1.0 Iz=1.0 Ixy=0.0 Ixz=0.0 Iyz=0.0
+}
+```
+"""
+
+from collections.abc import Iterable, Iterator
+from itertools import starmap
+
+from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.examples import link, robot
+from kindsl.judgement.rules.inertia.judgements import is_moving, keyword
+from kindsl.judgement.rules.inertia.suspects import explained
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.declarations import Inertia, Link
+from kindsl.language.semantics.model import Model, model_part
+from kindsl.language.syntax.document import Chunk
+from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.language.text.facts import kept
+from kindsl.robots.limbs.names import label_of
+
+_ENOUGH = 3
+_MOST_RELATED = 20
+Numbers = tuple[float | None, ...]
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each unit inertia, and one for each inertia that many links have."""
+    told = list(explained(model, context, "KD310"))
+    yield from told
+    places = {(id(finding.at.island), finding.at.start) for finding in told}
+    groups: dict[Numbers, list[tuple[Link, Inertia]]] = {}
+    for chunk in model.document.chunks:
+        for numbers, body, inertia in _moving(chunk):
+            groups.setdefault(numbers, []).append((body, inertia))
+    for numbers, group in groups.items():
+        if numbers[:4] == (1.0, 1.0, 1.0, 1.0):
+            yield from starmap(_placeholder, group)
+        elif numbers[0] and None not in numbers and any(numbers[1:]) and _are_unlike(group):
+            finding = _shared(group)
+            if (id(finding.at.island), finding.at.start) not in places:
+                yield finding
+
+
+@kept
+def _moving(chunk: Chunk) -> list[tuple[Numbers, Link, Inertia]]:
+    """Return the moving bodies of a chunk with their numbers."""
+    part = model_part(chunk)
+    bodies = ((body, body.inertia) for body in (*part.bases, *part.links) if is_moving(body))
+    return [(_numbers(inertia), body, inertia) for body, inertia in bodies if inertia is not None]
+
+
+def _are_unlike(group: Iterable[tuple[Link, Inertia]]) -> bool:
+    """Return whether some bodies are as many parts as one inertia cannot be of."""
+    parts: set[tuple[str, ...]] = set()
+    for body, _ in group:
+        parts.add(label_of(str(body.name)).part)
+        if len(parts) >= _ENOUGH:
+            return True
+    return False
+
+
+def _placeholder(body: Link, inertia: Inertia) -> Finding:
+    message = f"inertia of '{body.name}' is a placeholder: mass and moments are 1.0"
+    return Finding(keyword(inertia), message)
+
+
+def _numbers(inertia: Inertia) -> Numbers:
+    mass = inertia.mass.literal if inertia.mass is not None else None
+    moments = (inertia.moments.get(name) for name in MOMENTS)
+    return mass, *(moment.literal if moment is not None else None for moment in moments)
+
+
+def _shared(group: list[tuple[Link, Inertia]]) -> Finding:
+    first, inertia = group[0]
+    others = group[1:]
+    message = f"'{first.name}' and {len(others)} differently shaped links "
+    message += "share the same mass and moments"
+    related = [Related(keyword(i), f"inertia of '{b.name}'") for b, i in others[:_MOST_RELATED]]
+    return Finding(keyword(inertia), message, tuple(related))
+
+
+_INERTIA = """inertia_params {
+        mass = 1.0
+        CoM = (0.0, 0.0, 0.0)
+        Ix=%s Iy=%s Iz=%s Ixy=0.0 Ixz=0.0 Iyz=0.0
+    }"""
+_SAME = _INERTIA % ("0.01", "0.01", "0.01")
+
+
+def _arm(third: str) -> str:
+    links = (
+        link("upper", 1, "lower via elbow", _SAME),
+        link("lower", 2, "hand via wrist", _SAME),
+        link("hand", 3, inertia=third),
+    )
+    return robot(*links, base="upper via shoulder", joints="shoulder elbow wrist")
+
+
+RULE = Rule(
+    "KD310",
+    "placeholder-inertia",
+    Severity.WARNING,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
+    good=(_arm(_INERTIA % ("0.02", "0.02", "0.02")),),
+    bad=(_arm(_SAME), link("upper", 1, inertia=_INERTIA % ("1.0", "1.0", "1.0"))),
+)

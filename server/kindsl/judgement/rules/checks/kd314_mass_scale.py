@@ -1,0 +1,58 @@
+"""A mass is wrong by a power of ten.
+
+## What it does
+Says of an impossible inertia (KD301, KD302) or one of implausible density (KD311) that it would be
+consistent and plausible if its mass were in grams, or ten times as great or small. What the robot's
+other links weigh counts. KD306 tells how causes are weighed.
+
+## Why is this bad?
+CAD programs give grams where the language wants kilograms, and a digit is easily lost. The moments
+about the centre of mass then seem negative, or the body denser than any metal, so that the moments
+are blamed.
+
+## Example
+```kindsl
+inertia_params {
+    mass = 2400.0
+    CoM = (0.0, 0.0, 0.15)
+    Ix=0.073 Iy=0.073 Iz=0.004 Ixy=0.0 Ixz=0.0 Iyz=0.0
+}
+```
+of an upper arm of 2.4 kg.
+
+## Fix
+Converts the mass. Offered only where no other cause is left. Unsafe: it is a guess, though a likely
+one.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.examples import link
+from kindsl.judgement.rules.inertia.suspects import explained
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.model import Model
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each inertia whose mass is the suspect."""
+    yield from explained(model, context, "KD314")
+
+
+_INERTIA = """inertia_params {
+        mass = %s
+        CoM = (0.0, 0.0, 0.15)
+        Ix=0.073 Iy=0.073 Iz=0.004 Ixy=0.0 Ixz=0.0 Iyz=0.0
+    }"""
+_LINK = link("upper", 1, inertia=_INERTIA)
+
+RULE = Rule(
+    "KD314",
+    "mass-scale",
+    Severity.INFORMATION,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
+    good=(_LINK % "2.4",),
+    bad=(Example(_LINK % "2400.0", fixed=_LINK % "2.4"),),
+)

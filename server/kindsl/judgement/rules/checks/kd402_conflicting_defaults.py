@@ -1,0 +1,47 @@
+"""A parameter has two different defaults.
+
+## What it does
+Reports a default that differs from the first one of the same parameter.
+
+## Why is this bad?
+RobCoGen2 silently takes the first and ignores the others.
+
+## Example
+```kindsl
+translation = (reach[0.5], 0.0, reach[0.4])
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.examples import joint
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.model import Model
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each default that is not the first one's value."""
+    for parameter in model.parameters:
+        defaults = [use.default for use in parameter.uses if use.default is not None]
+        for other in defaults[1:]:
+            if other.value({}) != defaults[0].value({}):
+                message = f"parameter '{parameter.name}' has conflicting defaults: "
+                message += f"{defaults[0].text} and {other.text}"
+                yield Finding(other, message, (Related(defaults[0], "the first default"),))
+
+
+def _joint(second: str) -> str:
+    return joint("elbow").replace("0.0, 0.0, 0.3", f"reach[0.5], 0.0, {second}")
+
+
+RULE = Rule(
+    "KD402",
+    "conflicting-defaults",
+    Severity.ERROR,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
+    good=(_joint("reach[0.50]"), _joint("reach")),
+    bad=(_joint("reach[0.4]"),),
+)

@@ -1,0 +1,60 @@
+"""One parameter stands for quantities of different kinds.
+
+## What it does
+Reports a parameter that is a length in one place and an angle or a mass, centre of mass or moment
+in another.
+
+## Why is this bad?
+The generators sort parameters into lengths, angles and dynamics, one structure each, and put this
+one into several: setting one of them leaves the others unchanged. Metres and radians are seldom
+meant to be the same number.
+
+## Example
+```kindsl
+translation = (offset, 0.0, 0.0)
+rotation    = (offset, 0.0, 0.0)
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.examples import joint
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.declarations import ValueKind
+from kindsl.language.semantics.model import Model
+
+_WORDS = {
+    ValueKind.LENGTH: "a length",
+    ValueKind.ANGLE: "an angle",
+    ValueKind.DYNAMICS: "a property of inertia",
+}
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each further class of a parameter, at its first place."""
+    for parameter in model.parameters:
+        known = {parameter.kind}
+        for use in parameter.uses:
+            if use.kind not in known:
+                known.add(use.kind)
+                here, first = _WORDS[use.kind], _WORDS[parameter.kind]
+                message = f"parameter '{parameter.name}' is {here} here and {first} elsewhere: "
+                message += "the generators keep two values"
+                yield Finding(use.name, message, (Related(parameter.name, f"{first} here"),))
+
+
+def _joint(angle: str) -> str:
+    return joint("elbow", rotation=f"{angle}, 0.0, 0.0").replace("0.3", "offset")
+
+
+RULE = Rule(
+    "KD403",
+    "mixed-parameter-class",
+    Severity.WARNING,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
+    good=(_joint("tilt"),),
+    bad=(_joint("offset"),),
+)

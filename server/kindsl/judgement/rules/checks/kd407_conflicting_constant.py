@@ -1,0 +1,47 @@
+"""A named constant has two different values.
+
+## What it does
+Reports a `<k=...>` whose value differs from the first one of the same name.
+
+## Why is this bad?
+RobCoGen2 silently takes one of them.
+
+## Example
+```kindsl
+translation = (<reach=0.5>, 0.0, <reach=0.4>)
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.examples import joint
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.model import Model
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each value that is not the first one."""
+    for constant in model.constants:
+        values = [use.value for use in constant.uses if use.value is not None]
+        for other in values[1:]:
+            if other.value({}) != values[0].value({}):
+                message = f"constant '{constant.name}' is {other.text} here"
+                message += f" and {values[0].text} elsewhere"
+                yield Finding(other, message, (Related(values[0], "the first value"),))
+
+
+def _joint(second: str) -> str:
+    return joint("elbow").replace("0.0, 0.0, 0.3", f"<reach=0.5>, 0.0, {second}")
+
+
+RULE = Rule(
+    "KD407",
+    "conflicting-constant",
+    Severity.ERROR,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
+    good=(_joint("<reach>"), _joint("<reach=0.50>")),
+    bad=(_joint("<reach=0.4>"),),
+)

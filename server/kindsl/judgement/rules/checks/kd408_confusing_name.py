@@ -1,0 +1,120 @@
+"""A name in a value is easily mistaken for something else.
+
+## What it does
+Reports `pi`, `Pi` and `pI`, `π` where it has no value, a parameter with the name of a link or a
+joint, a parameter whose name begins with `pi` where the document is not for one target alone, and a
+unit behind a number, unless that name has a value.
+
+## Why is this bad?
+`pi` is a parameter of that name for RobCoGen and the number for RobCoGen2: one text with two
+meanings. Of `pitch` RobCoGen2 reads `pi` and stops at `tch`. `π` is a parameter like any other, not
+the number. `2.275kg` is the product of 2.275 and a parameter `kg`.
+
+## Example
+```kindsl
+rotation = (pi/2.0, 0.0, 0.0)
+```
+
+## Fix
+Writes `PI`, or the number in kilograms, metres or radians. Unsafe: for RobCoGen the parameter
+disappears.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Example, Finding, Fix, Related, Replacement, Rule, Severity
+from kindsl.judgement.rules.broken_text import is_doubtful, is_greek_pi
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.examples import joint
+from kindsl.judgement.rules.units import NumberWithUnit, numbers_with_unit
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.places import Located, Place
+from kindsl.language.syntax.readings import two_readings
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each confusing name."""
+    yield from _small_pi(model)
+    for parameter in model.parameters:
+        if is_doubtful(parameter):
+            continue
+        name = str(parameter.name)
+        if is_greek_pi(name) and name not in context.values:
+            message = f"'{name}' is a parameter, not the constant PI"
+            for use in parameter.uses:
+                yield Finding(use.name, message, fix=_replacement(use.name, name))
+            continue
+        units = numbers_with_unit(parameter, context.values)
+        for found in units:
+            message = (
+                f"'{found.text}' is {found.number} times a parameter '{name}': numbers have no unit"
+            )
+            yield Finding(found.place, message, fix=_in_si(found))
+        if units:
+            continue
+        other = model.body_named.get(name) or model.joint_named.get(name)
+        if other is not None:
+            what = "link" if name in model.body_named else "joint"
+            related = Related(other.name, f"{what} '{name}'")
+            yield Finding(
+                parameter.name, f"parameter '{name}' has the same name as a {what}", (related,)
+            )
+        elif name[:2].lower() == "pi" and not context.targets:
+            message = f"robcogen2 reads parameter '{name}' as '{name[:2]}' and stops"
+            yield Finding(parameter.name, message)
+
+
+def _small_pi(model: Model) -> Iterator[Finding]:
+    for island in model.islands:
+        for found in two_readings(island):
+            if found.kind == "pi":
+                yield _ambiguous(Place(island, found.start, found.end), found.text)
+
+
+def _ambiguous(place: Place, text: str) -> Finding:
+    message = f"'{text}' is a parameter for robcogen and the number for robcogen2"
+    return Finding(place, message, fix=_replacement(place, text))
+
+
+def _in_si(found: NumberWithUnit) -> Fix:
+    return Fix(f"Write {found.in_si}", (Replacement(found.place, found.in_si),))
+
+
+def _replacement(place: Located, text: str) -> Fix:
+    return Fix(f"Replace '{text}' with 'PI'", (Replacement(place, "PI"),))
+
+
+RULE = Rule(
+    "KD408",
+    "confusing-name",
+    Severity.WARNING,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
+    good=(
+        joint("elbow", rotation="PI/2.0, tilt, 0.0"),
+        joint("elbow", rotation="2.0 m, 0.5tilt, 0.0"),
+        Example(joint("elbow", rotation="1.57rad, 0.0, 0.0"), parameters=(("rad", 1.0),)),
+    ),
+    bad=(
+        Example(
+            joint("elbow", rotation="pi/2.0, 0.0, 0.0"),
+            fixed=joint("elbow", rotation="PI/2.0, 0.0, 0.0"),
+        ),
+        Example(
+            joint("elbow", rotation="-π/2.0, 0.0, 0.0"),
+            fixed=joint("elbow", rotation="-PI/2.0, 0.0, 0.0"),
+        ),
+        Example(
+            joint("elbow", rotation="90.0 deg, 0.0, 0.0"),
+            fixed=joint("elbow", rotation="PI/2.0, 0.0, 0.0"),
+        ),
+        Example(joint("elbow").replace("0.3", "300.0mm"), fixed=joint("elbow")),
+        Example(
+            joint("elbow", rotation="0.125rad, 0.0, 0.0"),
+            fixed=joint("elbow", rotation="0.125, 0.0, 0.0"),
+        ),
+        joint("elbow", rotation="elbow, 0.0, 0.0"),
+        joint("elbow", rotation="0.0, pitch, 0.0"),
+    ),
+)

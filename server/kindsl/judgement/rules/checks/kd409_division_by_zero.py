@@ -1,0 +1,65 @@
+"""A value is divided by zero.
+
+## What it does
+Reports a quotient whose divisor is zero, as written or at the bound values of its parameters.
+
+## Why is this bad?
+RobCoGen accepts it and generates code that computes with infinity.
+
+## Example
+```kindsl
+rotation = (PI/0.0, 0.0, 0.0)
+```
+"""
+
+from collections.abc import Iterator, Mapping
+
+from kindsl.judgement.rules.base import Finding, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.examples import joint
+from kindsl.language.semantics.declarations import Declarations, ValueKind, link_values, pose_values
+from kindsl.language.semantics.expressions import Expression
+from kindsl.language.semantics.places import Place
+from kindsl.language.syntax.tree import Island, Node
+from kindsl.language.syntax.value_forms import formed_values
+
+
+def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each divisor that is zero."""
+    for body in declared.bodies():
+        if formed_values(body.island):
+            yield from _check(link_values(body), context)
+    for moved in declared.joints:
+        if formed_values(moved.island):
+            yield from _check(pose_values(moved.pose), context)
+
+
+def _check(values: Iterator[tuple[Expression, ValueKind]], context: Context) -> Iterator[Finding]:
+    for value, _ in values:
+        if value.literal is None:
+            yield from _divisions(value.node, value.island, context.values)
+
+
+def _divisions(node: Node, island: Island, values: Mapping[str, float]) -> Iterator[Finding]:
+    parts = [child for child in node.children if isinstance(child, Node)]
+    if node.kind == "divide" and len(parts) == 2:
+        divisor = Expression(parts[1], island)
+        if divisor.value(values) == 0.0:
+            place = Place(island, node.start, node.end)
+            what = "zero" if divisor.literal == 0.0 else f"'{divisor.text}', which is zero"
+            yield Finding(place, f"'{island.text[place.start : place.end]}' divides by {what}")
+    for part in parts:
+        yield from _divisions(part, island, values)
+
+
+RULE = Rule(
+    "KD409",
+    "division-by-zero",
+    Severity.ERROR,
+    check_island=check_island,
+    good=(joint("elbow", rotation="PI/2.0, 0.0, 0.0"),),
+    bad=(
+        joint("elbow", rotation="PI/0.0, 0.0, 0.0"),
+        joint("elbow", rotation="PI/scale[0.0], 0.0, 0.0"),
+    ),
+)

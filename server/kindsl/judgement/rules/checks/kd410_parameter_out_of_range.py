@@ -1,0 +1,63 @@
+"""A parameter's value lies outside its range.
+
+## What it does
+Reports a parameter whose value, from the document or from outside, is below `min` or above `max`
+in `kindsl.toml`.
+
+## Why is this bad?
+Either the value or the range is wrong. The preview's sliders cannot show such a value, and the
+checks over the range do not cover it.
+
+## Example
+```toml
+[parameters.forearm_length]
+value = 0.9
+min = 0.2
+max = 0.5
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.examples import joint
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.parameters import Binding
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each parameter outside its range, at its first place."""
+    for parameter in model.parameters:
+        binding = context.bindings.get(parameter.name)
+        value = context.values.get(parameter.name)
+        if binding is not None and value is not None:
+            limit = _broken_limit(binding, value)
+            if limit:
+                message = f"parameter '{parameter.name}' is {value:g}, {limit}"
+                yield Finding(parameter.name, message)
+
+
+def _broken_limit(binding: Binding, value: float) -> str:
+    if binding.minimum is not None and value < binding.minimum:
+        return f"below its minimum {binding.minimum:g}"
+    if binding.maximum is not None and value > binding.maximum:
+        return f"above its maximum {binding.maximum:g}"
+    return ""
+
+
+def _joint(value: float) -> Example:
+    text = joint("elbow").replace("0.3", "length")
+    return Example(text, parameters=(("length", value),), ranges=(("length", 0.2, 0.5),))
+
+
+RULE = Rule(
+    "KD410",
+    "parameter-out-of-range",
+    Severity.WARNING,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
+    good=(_joint(0.3), _joint(0.5)),
+    bad=(_joint(0.9), _joint(0.1)),
+)

@@ -1,0 +1,192 @@
+"""A number of one limb differs from its twins.
+
+## What it does
+Compares limbs that are meant to be alike: three or more legs, arms or fingers of one body, told
+apart by sides and rows (`LF_hip`, `RH_hip`) or by numbers (`leg3_coxa`). Link frames of mirrored
+limbs may lie in other ways; what counts is whether some mirroring or turning of the limb makes all
+numbers those of its twins. Where all limbs agree but one, and one translation or rotation of it
+would make it agree too, that one is reported; where all joints agree, the mass, the centre of mass
+and the moments that one limb only has so.
+
+## Why is this bad?
+Limbs are copied and then edited by hand. A sign that was forgotten or a number that was changed in
+one limb only makes a robot that looks right and moves wrong.
+
+Limbs that differ in several places are meant to differ, and are left in peace. Hands and tools are
+compared by themselves: they may be mounted in any way. Parameters count as equal where they have
+the same name.
+
+## Example
+```kindsl
+r_joint LF_HFE { ref_frame { translation = (0.08, 0.0, 0.0) ... } }
+r_joint RF_HFE { ref_frame { translation = (0.08, 0.0, 0.0) ... } }
+r_joint LH_HFE { ref_frame { translation = (0.08, 0.0, 0.0) ... } }
+r_joint RH_HFE { ref_frame { translation = (0.8, 0.0, 0.0) ... } }
+```
+
+## Fix
+Writes what the twins have at the place, if it is the only one that explains the difference. The
+fix is unsafe: it changes the robot. There is none where the twins' inertias are impossible.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Example, Finding, Fix, Related, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.examples import four_legs
+from kindsl.judgement.rules.inertia.judgements import TEN, is_impossible, is_round
+from kindsl.judgement.rules.inertia.shapes import is_told_of
+from kindsl.judgement.rules.inertia.suspects import told_causes
+from kindsl.judgement.rules.limb_places import OF_A_LINK, PARTS, located, numbers_at, place_at, told
+from kindsl.judgement.rules.limb_verdicts import limb_slips
+from kindsl.judgement.rules.limb_writing import as_numbers, rewriting, written
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.numbers import written_pose
+from kindsl.mechanics.rigid.body import MassDistribution, seen_from
+from kindsl.robots.limbs.comparison import LOOSE
+from kindsl.robots.limbs.verdicts import LimbVerdict
+from kindsl.robots.mechanism.link_inertia import link_inertia, written_inertia
+
+_MOST_NAMED = 2
+_THEIRS = "would be theirs"
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each limb that its twins outvote."""
+    slips = limb_slips(model, context)
+    for verdict in slips.verdicts:
+        place = verdict.places[0]
+        if verdict.is_convicted and place.what != "kind":
+            if place.what in OF_A_LINK and _is_told_better(model, context, verdict):
+                continue
+            message, fix = _message(model, context, verdict)
+            if fix is None and _is_cause_told(model, context, verdict, message):
+                continue
+            others = [Related(located(model, p), f"or {told(p)}") for p in verdict.places[1:]]
+            twins = [place_at(model, twin, place.what) for twin in verdict.twins]
+            others += [Related(located(model, p), told(p)) for p in twins]
+            yield Finding(located(model, place), message, tuple(others), fix)
+
+
+def _message(model: Model, context: Context, verdict: LimbVerdict) -> tuple[str, Fix | None]:
+    place = verdict.places[0]
+    own, texts = numbers_at(model, place), _texts(model, context, verdict, LOOSE.share)
+    changed = [i for i, text in enumerate(texts) if text != own[i].text]
+    is_of_many = place.what in ("moments", "inertia")
+    verb = "differ" if place.what == "moments" else "differs"
+    if not changed:
+        why = _why(model, context, verdict) if is_of_many and verdict.repairs else ""
+        return f"{' or '.join(map(told, verdict.places))} {verb} from its twins{why}", None
+    may_be_right = place.what in OF_A_LINK and _are_impossible(model, context, verdict.twins)
+    if place.what == "inertia" and all(
+        x.text.lstrip("-") == y.lstrip("-") for x, y in zip(own, texts, strict=True)
+    ):
+        turned = told(place._replace(what="angles"))
+        return f"signs of {told(place)} differ from its twins, unless {turned} is wrong", None
+    name, here, there = told(place), as_numbers(own), as_numbers(texts)
+    if place.what in ("mass", "com") and (copy := _copied(model, verdict)):
+        whole = told(place._replace(what="inertia"))
+        return f"{whole} differs from its twins: {copy}", None
+    if is_of_many:
+        why = _why(model, context, verdict)
+        if why or len(changed) > _MOST_NAMED:
+            texts = _texts(model, context, verdict, 0.0)
+            fix = rewriting(f"Set {name} to that of its twins", own, texts)
+            return f"{name} {verb} from its twins{why}", None if may_be_right else fix
+        names = [TEN[PARTS[place.what]][i] for i in changed]
+        name = f"{' and '.join(names)} of '{place.link}'"
+        here = " and ".join(own[i].text for i in changed)
+        there = " and ".join(texts[i] for i in changed)
+    message = f"{name} {'are' if ' and ' in here else 'is'} {here}, by its twins {there}"
+    if may_be_right:
+        return f"{message}, which are physically impossible", None
+    return message, rewriting(f"Set {name} to {there}", own, texts)
+
+
+def _texts(model: Model, context: Context, verdict: LimbVerdict, share: float) -> tuple[str, ...]:
+    """Return the numbers of the twins as they should be written, none where that is not known.
+
+    Inertias are compared loosely, and so the twin's last digits are not those meant: the author's
+    own are kept that differ by no more than a share of the greatest.
+    """
+    place = verdict.places[0]
+    own = numbers_at(model, place)
+    if not own or not verdict.repairs:
+        return ()
+    places = [place_at(model, twin, place.what) for twin in verdict.twins]
+    twins = [numbers for p in places if (numbers := numbers_at(model, p))]
+    assignments = limb_slips(model, context).assignments
+    kinds = list(PARTS.values())[:3] if place.what == "inertia" else [slice(len(own))]
+    kinds = kinds if place.what in OF_A_LINK else []
+    return written(own, twins, verdict.repairs[0].meant, assignments, kinds, share) or ()
+
+
+def _copied(model: Model, verdict: LimbVerdict) -> str:
+    # Imported for a misfit only, since it delays the linter's start.
+    from kindsl.judgement.rules.inertia.unlike_twins import copied_from
+
+    return copied_from(model, model.body_named[verdict.places[0].link], verdict.twins)
+
+
+def _why(model: Model, context: Context, verdict: LimbVerdict) -> str:
+    """Return what was done to the moments of a body, if its twins and other links tell."""
+    # Imported for a misfit only, since it delays the linter's start.
+    from kindsl.judgement.rules.inertia.unlike_twins import copied_from, slips_of, without
+
+    place, body = verdict.places[0], model.body_named[verdict.places[0].link]
+    said = f"{'they' if place.what == 'moments' else 'it'} {_THEIRS}"
+    why = copied_from(model, body, verdict.twins)
+    seen, own = link_inertia(body, context.values), body.inertia
+    written = written_inertia(own, context.values) if own is not None else None
+    if not why and isinstance(seen, MassDistribution) and isinstance(written, MassDistribution):
+        if is_round(written.moments):
+            return f": Ix, Iy and Iz are all {written.moments[0]:g}, a placeholder"
+        ten = [seen.mass, *seen.com, *seen.moments]
+        ten[PARTS[place.what]] = verdict.repairs[0].meant[0]
+        mass, x, y, z, *moments = ten
+        meant = MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
+        slips = slips_of(written, [_as_written(body, meant, context)])
+        why = next(iter(without(slips, said)), "")
+    return why and f": {why}"
+
+
+def _as_written(body: Link, meant: MassDistribution, context: Context) -> MassDistribution:
+    """Return a mass distribution in the frame in which that of a body is written."""
+    name = body.inertia.frame if body.inertia is not None else None
+    frame = next((f for f in body.frames if name is not None and f.name == name), None)
+    pose = written_pose(frame.pose, context.values) if frame is not None else None
+    return seen_from(meant, pose.inverse()) if pose is not None else meant
+
+
+def _is_told_better(model: Model, context: Context, verdict: LimbVerdict) -> bool:
+    """Return whether a cause is looked for that makes a body possible, as its twins are."""
+    body = model.body_named[verdict.places[0].link]
+    return is_told_of(body, model, context) and not (
+        is_impossible(body, context) and _are_impossible(model, context, verdict.twins)
+    )
+
+
+def _is_cause_told(model: Model, context: Context, verdict: LimbVerdict, message: str) -> bool:
+    """Return whether the inertia's own numbers have told what its twins tell, too."""
+    at, (_, _, cause) = located(model, verdict.places[0]), message.partition(f" {_THEIRS} if ")
+    return bool(cause) and any(
+        told.at == at and f"consistent if {cause}" in told.message
+        for _, told in told_causes(model, context)
+    )
+
+
+def _are_impossible(model: Model, context: Context, twins: tuple[str, ...]) -> bool:
+    return any(is_impossible(model.body_named[name], context) for name in twins)
+
+
+RULE = Rule(
+    "KD509",
+    "differs-from-twins",
+    Severity.WARNING,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
+    good=(four_legs(), four_legs(LH="0.1, 0.0, 0.0", RH="0.1, 0.0, 0.0")),
+    bad=(Example(four_legs(RH="0.8, 0.0, 0.0"), fixed=four_legs()),),
+)

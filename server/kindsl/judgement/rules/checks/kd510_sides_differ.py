@@ -1,0 +1,90 @@
+"""A number of the left limb does not mirror the right one.
+
+## What it does
+Compares a left and a right limb, when there are no more that could outvote one of them. Where a
+single translation or rotation keeps them from being mirror images, or copies, and a sign, an order
+or a unit explains it, or in limbs of three links and more one number that was typed otherwise, both
+are reported in one finding. Where
+all joints agree, it is one CoM that a sign or an order of its coordinates keeps from that of the
+other side.
+
+## Why is this bad?
+One of the two is wrong: the robot is not symmetric, though it looks so. Which of them is right
+only the author can tell.
+
+## Example
+```kindsl
+r_joint left_elbow  { ref_frame { translation = (0.3, 0.0, 0.02) ... } }
+r_joint right_elbow { ref_frame { translation = (0.03, 0.0, 0.02) ... } }
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Finding, Fix, Related, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.examples import two_arms
+from kindsl.judgement.rules.inertia.shapes import is_told_of
+from kindsl.judgement.rules.limb_places import OF_A_LINK, located, numbers_at, told
+from kindsl.judgement.rules.limb_verdicts import limb_slips
+from kindsl.judgement.rules.limb_writing import as_numbers, rewriting, written
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.model import Model
+from kindsl.robots.limbs.verdicts import LimbVerdict, MeantNumbers
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each left and right limb that one slip keeps from being alike."""
+    for verdict in limb_slips(model, context).verdicts:
+        if not verdict.is_convicted and verdict.repairs:
+            (here, _), (there, _) = verdict.repairs
+            bodies = [model.body_named[p.link] for p in verdict.places if p.what in OF_A_LINK]
+            if any(is_told_of(body, model, context) for body in bodies):
+                continue
+            own, twin = numbers_at(model, here), numbers_at(model, there)
+            if own and twin:
+                like_twin = _texts(model, context, *verdict.repairs)
+                message = f"{told(here)} is {as_numbers(own)}, " + (
+                    f"by {told(there)} it would be {as_numbers(like_twin)}"
+                    if like_twin
+                    else f"and {told(there)} {as_numbers(twin)}"
+                )
+                message += ": one slip keeps the two sides from being alike"
+                others = [Related(located(model, p), told(p)) for p in verdict.places if p != here]
+                choices = tuple(_choices(model, context, verdict))
+                yield Finding(located(model, here), message, tuple(others), choices=choices)
+
+
+def _choices(model: Model, context: Context, verdict: LimbVerdict) -> Iterator[Fix]:
+    """Yield what makes the sides alike, if the place is known: the one written as the other."""
+    for repair, other in (verdict.repairs, verdict.repairs[::-1]):
+        fix = _fix(model, context, repair, other)
+        if fix is not None and len(verdict.places) == 2:
+            yield fix
+
+
+def _fix(model: Model, context: Context, repair: MeantNumbers, other: MeantNumbers) -> Fix | None:
+    texts = _texts(model, context, repair, other)
+    if texts is None:
+        return None
+    title = f"Set {told(repair.place)} to {as_numbers(texts)}"
+    return rewriting(title, numbers_at(model, repair.place), texts)
+
+
+def _texts(
+    model: Model, context: Context, repair: MeantNumbers, other: MeantNumbers
+) -> tuple[str, ...] | None:
+    """Return the numbers at a place as the other side has them, None where none can be written."""
+    own, twin = numbers_at(model, repair.place), numbers_at(model, other.place)
+    return written(own, [twin], repair.meant, limb_slips(model, context).assignments)
+
+
+RULE = Rule(
+    "KD510",
+    "sides-differ",
+    Severity.WARNING,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
+    good=(two_arms("0.3, -0.1, 0.02"), two_arms("0.37, 0.0, -0.1")),
+    bad=(two_arms("0.03, -0.1, 0.02"), two_arms("-0.1, 0.3, 0.02")),
+)

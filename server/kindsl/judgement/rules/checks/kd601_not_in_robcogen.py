@@ -1,0 +1,57 @@
+"""A construct that RobCoGen does not support.
+
+## What it does
+Reports constructs of the language that RobCoGen 0.x refuses: products with `*`, defaults such as
+`x[1.0]`, constants `<k=1.0>`, numbers with exponents, keywords as names, and so on. An error for
+the target robcogen; else it is off, and a hint if it is selected.
+
+## Why is this bad?
+RobCoGen answers "no viable alternative" and generates nothing. A base that is listed as a child,
+which it does not resolve, is reported here too.
+
+## Example
+```kindsl
+translation = (1.0e-3, 0.0, 0.0)
+```
+
+## Fix
+Writes an equivalent that both generators support, if there is one: `0.001`. Safe: the value stays.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
+from kindsl.judgement.rules.context import ROBCOGEN, Context
+from kindsl.judgement.rules.examples import STEEL_BALL, joint, link, robot
+from kindsl.judgement.rules.refusals import refused_by
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.model import Model
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each construct that RobCoGen refuses."""
+    yield from refused_by(ROBCOGEN, model, context)
+
+
+def _arm(height: str, fixed: str | None = None) -> Example:
+    shoulder = joint("shoulder").replace("0.3", height)
+    text = robot(link("arm", 1), shoulder, base="arm via shoulder")
+    text = text.replace("ground {", "ground {\n    " + STEEL_BALL, 1)
+    example = Example(text, (ROBCOGEN,), (("reach", 0.3),))
+    return example._replace(fixed=text.replace(height, fixed)) if fixed else example
+
+
+RULE = Rule(
+    "KD601",
+    "not-in-robcogen",
+    Severity.ERROR,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.SYMBOLS | Aspect.LAYOUT,
+    is_default=False,
+    good=(_arm("0.003"), _arm("reach/2.0")),
+    bad=(
+        _arm("3.0e-3", "0.003"),
+        _arm("2.0*reach", "reach/0.5"),
+        _arm("reach[0.3]"),
+    ),
+)

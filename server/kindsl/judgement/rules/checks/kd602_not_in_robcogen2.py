@@ -1,0 +1,57 @@
+"""A construct that RobCoGen2 does not support.
+
+## What it does
+Reports constructs of the language that RobCoGen2 refuses: block comments, escaped names, products
+without `*`, names that begin with `pi`, and so on. An error for the target robcogen2; else it is
+off, and a hint if it is selected. For the target robcogen2 it also reports the first defect of
+names, ids or the tree at which RobCoGen2 stops with `KeyError` or `Inconsistent arguments` while it
+loads the document; other rules report that defect too.
+
+## Why is this bad?
+RobCoGen2 stops and generates nothing.
+
+## Example
+```kindsl
+translation = (2.0 reach, 0.0, 0.0)
+```
+
+## Fix
+Writes an equivalent that both generators support, if there is one. Safe: the value stays.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
+from kindsl.judgement.rules.context import ROBCOGEN2, Context
+from kindsl.judgement.rules.examples import joint
+from kindsl.judgement.rules.refusals import refused_by
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.model import Model
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each construct that RobCoGen2 refuses."""
+    yield from refused_by(ROBCOGEN2, model, context)
+
+
+def _joint(height: str, comment: str = "") -> Example:
+    text = comment + joint("shoulder").replace("0.3", height)
+    return Example(text, (ROBCOGEN2,), (("reach", 0.3), ("pitch", 0.1)))
+
+
+RULE = Rule(
+    "KD602",
+    "not-in-robcogen2",
+    Severity.ERROR,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.SYMBOLS | Aspect.LAYOUT,
+    is_default=False,
+    good=(_joint("0.3"), _joint("reach/2.0"), _joint("0.3", "// seen from above\n")),
+    bad=(
+        _joint("2.0 reach")._replace(fixed=_joint("reach/0.5").text),
+        _joint("pitch"),
+        _joint("0.3", "/* seen from above */\n")._replace(
+            fixed=_joint("0.3", "// seen from above\n").text
+        ),
+    ),
+)

@@ -1,0 +1,47 @@
+"""The links are not in the order of their ids.
+
+## What it does
+Reports a link that follows one with a greater id.
+
+## Why is this bad?
+All generated code is ordered by id. A reader who looks for the fourth joint variable looks for the
+fourth link.
+
+## Example
+```kindsl
+link lower { id = 2 children {} }
+link upper { id = 1 children { lower via elbow } }
+```
+"""
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.examples import link, robot
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.model import Model
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding at the first link that is out of order."""
+    for before, body in pairwise(body for body in model.links if body.name):
+        if before.id is not None and body.id is not None and body.id < before.id:
+            message = f"links are not in order of id: '{body.name}' ({body.id}) follows"
+            related = Related(before.name, f"id {before.id}")
+            yield Finding(body.name, f"{message} '{before.name}' ({before.id})", (related,))
+            return
+
+
+_UPPER, _LOWER = link("upper", 1, "lower via elbow"), link("lower", 2)
+
+RULE = Rule(
+    "KD701",
+    "unordered-links",
+    Severity.INFORMATION,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE,
+    good=(robot(_UPPER, _LOWER, base="upper via shoulder", joints="shoulder elbow"),),
+    bad=(robot(_LOWER, _UPPER, base="upper via shoulder", joints="shoulder elbow"),),
+)

@@ -1,0 +1,51 @@
+"""A frame that adds nothing.
+
+## What it does
+Reports a frame that coincides with the frame of its link and that no inertia is given in.
+
+## Why is this bad?
+The generators already have the link frame, as `fr_<link>`. Converters from URDF leave such frames
+behind for every fixed joint without an offset. Other unused frames are for users of the robot and
+are not reported.
+
+## Example
+```kindsl
+frames { battery { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Finding, Rule, Severity, Tag
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.examples import link
+from kindsl.language.semantics.declarations import Declarations, Frame, pose_values
+
+
+def check_island(declared: Declarations, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each frame that is its link's frame."""
+    for body in declared.bodies():
+        used = body.inertia.frame if body.inertia is not None else None
+        for frame in body.frames:
+            if frame.name != used and _is_link_frame(frame):
+                message = f"frame '{frame.name}' is the frame of link '{body.name}' itself"
+                yield Finding(frame.name, message, tag=Tag.UNNECESSARY)
+
+
+def _is_link_frame(frame: Frame) -> bool:
+    values = [value.literal for value, _ in pose_values(frame.pose)]
+    return len(values) == 6 and all(value == 0.0 for value in values)
+
+
+_FRAMED = link("head", 1).removesuffix("}\n") + (
+    "    frames { camera { translation = (0.0, 0.0, %s) rotation = (0.0, 0.0, 0.0) } }\n}\n"
+)
+
+RULE = Rule(
+    "KD703",
+    "unused-frame",
+    Severity.HINT,
+    check_island=check_island,
+    good=(_FRAMED % "0.1",),
+    bad=(_FRAMED % "0.0",),
+)

@@ -1,0 +1,21 @@
+"""A syntax error in a transforms document.
+
+## What it does
+Reports, in a `.dtdsl` document, each word that is not allowed at its place, a missing word or
+bracket at the next word, and sections that are repeated or out of order.
+
+## Why is this bad?
+RobCoGen stops at the first one.
+
+## Example
+```
+Transforms {
+    base=fr_trunk target=fr_foot
+}
+```
+A comma is missing between the frames.
+"""
+
+from kindsl.judgement.rules.base import Rule, Severity
+
+RULE = Rule("KD800", "transforms-syntax-error", Severity.ERROR)

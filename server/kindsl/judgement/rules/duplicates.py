@@ -1,0 +1,41 @@
+"""Things that share what should tell them apart."""
+
+from collections.abc import Callable, Hashable, Iterable
+from typing import Protocol, TypeVar
+
+from kindsl.language.semantics.places import Name
+
+
+class Named(Protocol):
+    """Whatever has a name."""
+
+    @property
+    def name(self) -> Name:
+        """Its name, empty where it is missing."""
+
+
+_Thing = TypeVar("_Thing")
+_NamedThing = TypeVar("_NamedThing", bound=Named)
+
+
+def repeats(
+    things: Iterable[_Thing], key: Callable[[_Thing], Hashable]
+) -> list[tuple[_Thing, _Thing]]:
+    """Return each thing whose key an earlier one has, behind the first such.
+
+    Empty keys are left out.
+    """
+    first: dict[Hashable, _Thing] = {}
+    found: list[tuple[_Thing, _Thing]] = []
+    for thing in things:
+        value = key(thing)
+        if value is not None and value != "":
+            known = first.setdefault(value, thing)
+            if known is not thing:
+                found.append((known, thing))
+    return found
+
+
+def repeated_names(things: Iterable[_NamedThing]) -> list[tuple[_NamedThing, _NamedThing]]:
+    """Return each thing whose name an earlier one has, behind the first such."""
+    return repeats(things, lambda thing: str(thing.name))

@@ -1,0 +1,278 @@
+"""Judgements on the inertia of each link: possible or not.
+
+Every number written stands for all that round to it. A body is called impossible only if along one
+axis no choice of its numbers within these intervals gives a second moment, or a moment of inertia,
+that is not negative: that axis then proves it, whatever the other numbers are. The axes tried are
+those of the smallest ones about the CoM. See `digits` for the intervals that prove and those that
+are likely.
+"""
+
+from collections.abc import Mapping, Sequence
+from enum import Enum
+from operator import mul
+from typing import NamedTuple
+
+from kindsl.judgement.rules.base import Finding, Severity
+from kindsl.judgement.rules.broken_text import has_problem_within
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.inertia.digits import (
+    Bounds,
+    all_written_as,
+    bounds_by_digits,
+    likely_half_widths,
+    numbers_written,
+)
+from kindsl.language.semantics.declarations import Declarations, Inertia, Link, inertia_values
+from kindsl.language.semantics.expressions import ParameterUse, symbols
+from kindsl.language.semantics.lowering import declarations
+from kindsl.language.semantics.numbers import mass_distribution
+from kindsl.language.semantics.places import Place
+from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.language.text.facts import Fact
+from kindsl.mechanics.rigid.body import (
+    ROUNDING_OF_MOMENTS,
+    Eigenpair,
+    MassDistribution,
+    Symmetric,
+    eigensystem,
+    greatest_moment,
+    greatest_second_moment,
+    is_clearly_positive,
+    principal_moments,
+    second_moments_about_com,
+)
+from kindsl.robots.mechanism.body_verdicts import (
+    GREATEST_DENSITY,
+    GREATEST_LENGTH,
+    density_of,
+    is_dense_as_matter,
+    is_plainly_dense_as_matter,
+)
+
+_JUDGEMENTS: "Fact[tuple[Context | None, list[Judgement]]]" = Fact("judgements")
+# The numbers of an inertia in words, as `MassDistribution` has them.
+TEN = ("mass", "x of the CoM", "y of the CoM", "z of the CoM", *MOMENTS)
+_SINGULAR = 1e-9
+
+
+class Verdict(Enum):
+    """The defect of a mass distribution, if any."""
+
+    POSSIBLE = "possible"
+    SINGULAR = "singular"
+    WITHIN_ROUNDING = "impossible as written, possible within its digits"
+    IMPLAUSIBLE = "possible, but of no material"
+    TRIANGLE = "triangle inequality"
+    INDEFINITE = "not positive definite"
+
+
+IMPOSSIBLE = frozenset((Verdict.TRIANGLE, Verdict.INDEFINITE))
+
+
+class Judgement(NamedTuple):
+    """A link whose inertia deserves a remark.
+
+    Attributes:
+        link: The link.
+        inertia: Its inertia.
+        body: The numbers.
+        half: How far each is likely to be from what is written.
+        second_moments: Eigenvalues and axes of the second moments about the CoM, ascending.
+        verdict: The verdict, as the numbers are likely to be meant.
+        is_proved: Whether no body's numbers are so, in whatever manner each was rounded.
+    """
+
+    link: Link
+    inertia: Inertia
+    body: MassDistribution
+    half: MassDistribution
+    second_moments: tuple[Eigenpair, Eigenpair, Eigenpair]
+    verdict: Verdict
+    is_proved: bool
+
+    @property
+    def moments(self) -> tuple[float, float, float]:
+        """Principal moments about the CoM, ascending, kg·m²."""
+        return principal_moments(self.second_moments)
+
+    @property
+    def is_impossible(self) -> bool:
+        """True if no choice within the likely digits makes the body possible."""
+        return self.verdict in IMPOSSIBLE
+
+
+def judgements(declared: Declarations, context: Context) -> Sequence[Judgement]:
+    """Return the moving links of an island whose inertia is not plainly possible.
+
+    Computed once for each island, or for each context where parameters are in it.
+    """
+    if not declared.links and not declared.bases:
+        return ()
+    facts = (declared.links or declared.bases)[0].island.facts
+    known = facts.get(_JUDGEMENTS)
+    if known is not None and (known[0] is None or known[0] is context):
+        return known[1]
+    moving = [body for body in declared.bodies() if is_moving(body) and body.inertia is not None]
+    judged = [j for j in (_judge(link, context.values) for link in moving) if j is not None]
+    is_literal = all(is_plain(link.inertia) for link in moving if link.inertia is not None)
+    return facts.keep(_JUDGEMENTS, (None if is_literal else context, judged))[1]
+
+
+def is_impossible(link: Link, context: Context) -> bool:
+    """Return whether the inertia of a link is reported as that of no body."""
+    found = judgements(declarations(link.island), context)
+    return any(judgement.link is link and judgement.is_impossible for judgement in found)
+
+
+def is_moving(body: Link) -> bool:
+    """Return whether the inertia of a body matters: that of a fixed base does not."""
+    return not body.is_base or body.is_floating
+
+
+def is_placeholder(body: MassDistribution) -> bool:
+    """Return whether mass and moments are all 1.0, which no body is by chance."""
+    return body.mass == 1.0 and body.moments[:3] == (1.0, 1.0, 1.0)
+
+
+def is_round(moments: Symmetric) -> bool:
+    """Return whether all moments are one number of one digit within a hundredth, no products."""
+    size = float(f"{moments[0]:.1e}")
+    meant = (size, size, size, 0.0, 0.0, 0.0)
+    is_same = all(abs(a - b) <= 0.01 * size for a, b in zip(moments, meant, strict=True))
+    return 0.0 < size <= 1.0 and is_same and f"{size:.1e}"[2] == "0"
+
+
+def is_plain(inertia: Inertia) -> bool:
+    """Return whether all values of an inertia are plain numbers."""
+    com = inertia.com.components if inertia.com is not None else ()
+    values = (*inertia.moments.values(), *com)
+    return all(value.literal is not None for value in values) and (
+        inertia.mass is None or inertia.mass.literal is not None
+    )
+
+
+def at_values(inertia: Inertia, values: Mapping[str, float]) -> str:
+    """Return at which parameters' values an inertia was looked at: ` at m = 2`, or nothing."""
+    used = _used(inertia, values).items()
+    told = [f"{name} = {value:g}" for name, value in used if not name.startswith("<")]
+    return f" at {', '.join(told)}" if told else ""
+
+
+def impossible(found: Judgement, message: str, values: Mapping[str, float]) -> Finding:
+    """Return the finding of an inertia that no body has; an error where its digits prove it."""
+    severity = Severity.ERROR if found.is_proved else Severity.WARNING
+    told = message + at_values(found.inertia, values)
+    return Finding(keyword(found.inertia), told, severity=severity)
+
+
+def keyword(inertia: Inertia) -> Place:
+    """Return the place of the section's keyword, to report the whole section at."""
+    word = inertia.node.children[0]
+    return Place(inertia.island, word.start, word.end)
+
+
+def verdict_of(
+    body: MassDistribution,
+    half: MassDistribution,
+    pairs: tuple[Eigenpair, Eigenpair, Eigenpair],
+) -> Verdict:
+    """Return what the second moments about the CoM say of a body with positive mass.
+
+    Args:
+        body: As written.
+        half: How far each number may be from what is written.
+        pairs: Eigenpairs of the second moments about the CoM, ascending.
+    """
+    noise = ROUNDING_OF_MOMENTS * _size(body)
+    if pairs[0].value > _SINGULAR * (pairs[0].value + pairs[1].value + pairs[2].value) > 0.0:
+        return Verdict.POSSIBLE
+    if greatest_moment(body, half, pairs[2].axis) < -noise:
+        return Verdict.INDEFINITE
+    if greatest_second_moment(body, half, pairs[0].axis) < -noise:
+        return Verdict.TRIANGLE
+    if pairs[0].value < -max(noise, _SINGULAR * abs(pairs[2].value)):
+        return Verdict.WITHIN_ROUNDING
+    return Verdict.SINGULAR
+
+
+def is_impossible_within(bounds: Bounds, pairs: tuple[Eigenpair, Eigenpair, Eigenpair]) -> bool:
+    """Return whether an axis proves that no body has numbers within bounds.
+
+    Args:
+        bounds: Of the numbers.
+        pairs: Eigenpairs of the second moments about the CoM, ascending, of a body within them.
+    """
+    middle, half = bounds
+    noise = ROUNDING_OF_MOMENTS * (_size(middle) + _size(half))
+    if greatest_moment(middle, half, pairs[2].axis) < -noise:
+        return True
+    return greatest_second_moment(middle, half, pairs[0].axis) < -noise
+
+
+def _size(body: MassDistribution) -> float:
+    """Return how large the numbers are that second moments are computed of."""
+    return sum(map(abs, body.moments)) + body.mass * sum(c * c for c in body.com)
+
+
+def _judge(link: Link, values: Mapping[str, float]) -> Judgement | None:
+    inertia = link.inertia
+    if inertia is None or has_problem_within(inertia):
+        return None
+    body = mass_distribution(inertia, values)
+    if body is None or body.mass <= 0.0 or is_placeholder(body):
+        return None
+    second_moments = second_moments_about_com(body)
+    if is_clearly_positive(second_moments):
+        if is_plainly_dense_as_matter(body.mass, second_moments):
+            return None
+    elif max(map(abs, body.com)) > GREATEST_LENGTH:
+        return None
+    pairs = eigensystem(second_moments)
+    half = likely_half_widths(numbers_written(inertia, values))
+    verdict = verdict_of(body, half, pairs)
+    if verdict is Verdict.POSSIBLE:
+        if can_be_of_matter(body, half, pairs):
+            return None
+        verdict = Verdict.IMPLAUSIBLE
+    is_proved = verdict in IMPOSSIBLE and _is_proved_impossible(inertia, values, pairs)
+    return Judgement(link, inertia, body, half, pairs, verdict, is_proved)
+
+
+def _is_proved_impossible(
+    inertia: Inertia, values: Mapping[str, float], pairs: tuple[Eigenpair, Eigenpair, Eigenpair]
+) -> bool:
+    # A value's digits are those of the shortest decimal number that is equal to it.
+    known = {name: all_written_as(repr(value)) for name, value in _used(inertia, values).items()}
+    bounds = bounds_by_digits(inertia, known)
+    return bounds is not None and is_impossible_within(bounds, pairs)
+
+
+def _used(inertia: Inertia, values: Mapping[str, float]) -> dict[str, float]:
+    """Return the values that an inertia uses, of parameters by name, of constants by `<name>`."""
+    unknown = (value for value in inertia_values(inertia) if value.literal is None)
+    uses = [use for value in unknown for use in symbols(value)]
+    names = dict.fromkeys(
+        str(use.name) if isinstance(use, ParameterUse) else f"<{use.name}>" for use in uses
+    )
+    return {name: values[name] for name in names if name in values}
+
+
+def can_be_of_matter(
+    body: MassDistribution, half: MassDistribution, pairs: tuple[Eigenpair, Eigenpair, Eigenpair]
+) -> bool:
+    """Return whether the density is plausible for some choice of the numbers within the digits."""
+    if is_dense_as_matter(body.mass, pairs):
+        return True
+    return is_dense_as_matter(body.mass, _widened(body, half, pairs))
+
+
+def _widened(
+    body: MassDistribution, half: MassDistribution, pairs: tuple[Eigenpair, Eigenpair, Eigenpair]
+) -> tuple[Eigenpair, Eigenpair, Eigenpair]:
+    """Return the eigenpairs with values moved towards a plausible density, within the digits."""
+    reach = sum(half.moments) + 2.0 * body.mass * sum(map(mul, map(abs, body.com), half.com))
+    is_heavy = density_of(body.mass, pairs) > GREATEST_DENSITY
+    first, second, third = (
+        Eigenpair(max(value + (reach if is_heavy else -reach), 0.0), axis) for value, axis in pairs
+    )
+    return first, second, third

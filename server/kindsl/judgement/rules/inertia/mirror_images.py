@@ -1,0 +1,41 @@
+"""Inertias of a left and a right part that are nearly mirror images."""
+
+from math import isclose
+
+from kindsl.judgement.rules.inertia.judgements import TEN
+from kindsl.mechanics.rigid.body import MassDistribution
+from kindsl.robots.limbs.mounts import REFLECTIONS
+from kindsl.robots.limbs.weighing import seen_by
+
+_SIGNIFICANT = 0.05
+_MOST_DIFFERENCES = 2
+_ROUNDED = 1e-3
+
+
+def mirror_difference(names: tuple[str, str], *both: MassDistribution) -> str:
+    """Return how a right inertia is not the image of a left one, nothing if it is, or unlike."""
+    left, right = names
+    here, there = ([body.mass, *body.com, *body.moments] for body in both)
+    pairs = list(zip(map(abs, here), map(abs, there), strict=True))
+    kinds = [max(map(max, pairs[part])) for part in (slice(1), slice(1, 4), slice(4, 10))]
+    sizes = [_SIGNIFICANT * kinds[(i > 0) + (i > 3)] for i in range(len(TEN))]
+    differing = [i for i, (a, b) in enumerate(pairs) if abs(a - b) > sizes[i]]
+    exact = sum(a == b for a, b in pairs)
+    if 0 < len(differing) <= _MOST_DIFFERENCES and exact + len(differing) == len(TEN):
+        if len(differing) == 2 and _are_swapped(*(pairs[i] for i in differing)):
+            swapped = " and ".join(TEN[i] for i in differing)
+            return f"'{right}' is not the mirror image of '{left}': {swapped} were swapped"
+        told = (f"{TEN[i]} is {there[i]:g} against {here[i]:g}" for i in differing)
+        return f"'{right}' is not the mirror image of '{left}': {', '.join(told)}"
+    images = (seen_by(both[0], C) for C in REFLECTIONS)
+    as_images = (zip((b.mass, *b.com, *b.moments), there, sizes, strict=True) for b in images)
+    if exact == len(TEN) and not any(
+        all(abs(a - b) <= size for a, b, size in each) for each in as_images
+    ):
+        return f"signs of '{right}' do not match a mirror image of '{left}'"
+    return ""
+
+
+def _are_swapped(one: tuple[float, float], other: tuple[float, float]) -> bool:
+    """Return whether two numbers of one part are those of the other in reverse order."""
+    return all(isclose(a, b, rel_tol=_ROUNDED) for a, b in zip(one, other[::-1], strict=True))

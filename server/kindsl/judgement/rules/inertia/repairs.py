@@ -1,0 +1,182 @@
+"""Findings of the rules KD306, KD307 and KD308, and the fix that they offer."""
+
+from collections.abc import Iterator, Sequence
+
+from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Severity
+from kindsl.judgement.rules.context import ROBCOGEN, ROBCOGEN2, Context
+from kindsl.judgement.rules.inertia.causes import Cause
+from kindsl.judgement.rules.inertia.digits import (
+    WrittenDigits,
+    likely_half_widths,
+    numbers_written,
+    rewritten_number,
+)
+from kindsl.judgement.rules.inertia.explanations import Explained, explanations
+from kindsl.judgement.rules.inertia.judgements import (
+    IMPOSSIBLE,
+    Judgement,
+    at_values,
+    can_be_of_matter,
+    is_moving,
+    keyword,
+    verdict_of,
+)
+from kindsl.judgement.rules.inertia.likelihood import density
+from kindsl.judgement.rules.inertia.slips import Slip
+from kindsl.judgement.rules.inertia.told import likely_cause, rivals, shared_cause, title
+from kindsl.judgement.rules.number_writing import rescaled, rewritten
+from kindsl.judgement.rules.tiny_values import is_negligible, is_tiny
+from kindsl.language.semantics.expressions import Expression
+from kindsl.language.semantics.model import Model
+from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.language.text.facts import Fact
+from kindsl.language.text.quantities import with_unit
+from kindsl.mechanics.rigid.body import MassDistribution, eigensystem, second_moments_about_com
+from kindsl.robots.mechanism.body_verdicts import density_of
+
+_LIKELY, _SURE = 0.5, 0.85
+# In kg/m³: two slips at once that make a body denser than lead are too much to believe.
+_DENSEST_OF_TWO = 12e3
+_MOST_RELATED = 20
+_LEAST_SHARED = 3
+_EVIDENCE = frozenset(("KD311",))
+# The code of the rule that tells it, and what it tells.
+_Told = tuple[str, Finding]
+_TELLINGS = Fact[tuple[object, _Told | None]]("told causes")
+
+
+def findings(suspects: Sequence[Judgement], model: Model, context: Context) -> list[_Told]:
+    """Return what is told of inertias that need an explanation, with the code of its rule."""
+    explained = explanations(suspects, model, context)
+    told = [each for e in explained if (each := _told(e, context)) is not None]
+    shared = _shared(explained, told, model)
+    return told if shared is None else [shared]
+
+
+def _told(explained: Explained, context: Context) -> _Told | None:
+    """Return what is told of one inertia; made again only where its likely causes have changed."""
+    found, causes = explained
+    at = at_values(found.inertia, context.values)
+
+    def telling() -> _Told | None:
+        # Less likely than not: the numbers may be right as they are written.
+        if sum(cause.probability for cause in causes) < _LIKELY:
+            return None
+        return causes[0].hypothesis.code, _finding(explained, at, context)
+
+    return found.link.facts.made_of(_TELLINGS, (causes, at, context.targets), telling)
+
+
+def _shared(explained: Sequence[Explained], told: Sequence[_Told], model: Model) -> _Told | None:
+    """Return the one finding of a document in which every body shows the same slip."""
+    fixes = [finding.fix for _, finding in told if finding.fix is not None]
+    if not _LEAST_SHARED <= len(fixes) == len(explained):
+        return None
+    kinds = {causes[0].hypothesis.kind for _, causes in explained}
+    moving = [body for body in model.bodies if is_moving(body) and body.inertia is not None]
+    if len(kinds) != 1 or len(moving) != len(fixes):
+        return None
+    (first, (cause, *_)), *others = explained
+    changes = tuple(change for fix in fixes for change in fix.changes)
+    related = [
+        Related(keyword(e.found.inertia), f"inertia of '{e.found.link.name}'") for e in others
+    ]
+    message = shared_cause(len(explained), cause)
+    whole = Fix(f"{title(cause.hypothesis)} in all links", changes)
+    finding = Finding(
+        keyword(first.inertia), message, tuple(related[:_MOST_RELATED]), whole, Severity.INFORMATION
+    )
+    return cause.hypothesis.code, finding
+
+
+def _finding(explained: Explained, at: str, context: Context) -> Finding:
+    found, causes = explained
+    section = keyword(found.inertia)
+    told = f"inertia of '{found.link.name}'"
+    if not found.is_impossible:
+        density = density_of(found.body.mass, found.second_moments)
+        told += f" implies a density of {with_unit(density, 'kg/m³')} and"
+    fix = _fix(found, causes[0], context) if len(causes) == 1 else None
+    return Finding(
+        section,
+        likely_cause(told, causes, at),
+        tuple(Related(section, rival) for rival in rivals(causes)),
+        fix,
+        Severity.INFORMATION if found.is_impossible else Severity.WARNING,
+        explains=_EVIDENCE,
+    )
+
+
+def _fix(found: Judgement, cause: Cause, context: Context) -> Fix | None:
+    is_guess = cause.hypothesis.is_last_resort and not cause.has_twin
+    if cause.probability < _SURE or is_guess or not title(cause.hypothesis):
+        return None
+    is_dense = density(cause.hypothesis.body.mass, cause.shape) > _DENSEST_OF_TWO
+    if len(cause.hypothesis.slips) > 1 and is_dense and not cause.has_twin:
+        return None
+    changes = _changes(found, cause)
+    if not changes or not _holds(found, changes, cause.is_left_odd, context):
+        return None
+    return Fix(title(cause.hypothesis), tuple(changes))
+
+
+def _changes(found: Judgement, cause: Cause) -> list[Replacement] | None:
+    """Return the changes that write the numbers as they were meant."""
+    h, (mass, *others) = cause.hypothesis, _ten_values(found)
+    if Slip.MASS in h.slips:
+        return rescaled([mass], [h.body.mass])
+    if h.body.com != found.body.com:
+        return rewritten(others[:3], h.body.com)
+    return (rescaled if h.power else rewritten)(others[3:], h.body.moments)
+
+
+def _holds(
+    found: Judgement, changes: Sequence[Replacement], is_left_odd: bool, context: Context
+) -> bool:
+    """Return whether no rule finds anything in the numbers as they would stand there.
+
+    What a simple slip leaves odd is judged again.
+    """
+    texts = {change.at.start: change.text for change in changes}
+    written = numbers_written(found.inertia, context.values)
+    numbers = [
+        rewritten_number(texts[value.start]) if value.start in texts else number
+        for value, number in zip(_ten_values(found), written, strict=True)
+    ]
+    plain = _literals(numbers)
+    if len(plain) < len(numbers):
+        return False
+    mass, x, y, z, *moments = plain
+    if context.targets != {ROBCOGEN} and all(map(is_tiny, filter(None, moments[:3]))):
+        return False
+    is_lost = _has_tiny(moments) and not _has_tiny(_literals(written)[4:])
+    if ROBCOGEN2 in context.targets and is_lost:
+        return False
+    body = MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
+    if is_left_odd:
+        return True
+    pairs = eigensystem(second_moments_about_com(body))
+    half = likely_half_widths(numbers)
+    if verdict_of(body, half, pairs) in IMPOSSIBLE:
+        return False
+    return can_be_of_matter(body, half, pairs)
+
+
+def _literals(numbers: Sequence[WrittenDigits]) -> list[float]:
+    return [number.literal for number in numbers if number.literal is not None]
+
+
+def _has_tiny(moments: Sequence[float]) -> bool:
+    """Return whether KD507 would find one of six moments too small for robcogen2."""
+    plain, products = moments[:3], moments[3:]
+    lost = (p for p in products if is_tiny(p) and not is_negligible(p, plain))
+    return any(map(is_tiny, plain)) or any(lost)
+
+
+def _ten_values(found: Judgement) -> Iterator[Expression]:
+    """Yield the ten values in the order of `MassDistribution`."""
+    inertia = found.inertia
+    assert inertia.mass is not None and inertia.com is not None
+    yield inertia.mass
+    yield from inertia.com.components
+    yield from (inertia.moments[name] for name in MOMENTS)

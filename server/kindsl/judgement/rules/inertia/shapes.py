@@ -1,0 +1,75 @@
+"""Doubts about the bodies of a robot, as the rules report them.
+
+`body_verdicts` takes numbers as they are. What is reported of a density leaves room for the digits
+written besides.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.inertia.judgements import Verdict, is_impossible, is_moving, judgements
+from kindsl.language.semantics.declarations import Joint, Link, Pose
+from kindsl.language.semantics.lowering import declarations
+from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.numbers import written_pose
+from kindsl.language.semantics.unknown import Unknown
+from kindsl.language.text.facts import Fact
+from kindsl.mechanics.rigid.pose import Vector3
+from kindsl.robots.mechanism.body_verdicts import BodyVerdict, body_verdicts
+from kindsl.robots.mechanism.link_inertia import link_inertia
+
+_VERDICTS = Fact[tuple[object, list[BodyVerdict]]]("shape")
+_OF_DENSITY = "KD311"
+
+
+def shape_doubts(
+    body: Link, joints: tuple[Joint, ...], context: Context, code: str
+) -> Iterator[BodyVerdict]:
+    """Yield what one rule reports of a body's shape; it is judged once for all of them."""
+    verdicts = body.facts.made_of(
+        _VERDICTS, (joints, context.values), lambda: list(shape_verdicts(body, joints, context))
+    )
+    yield from (verdict for verdict in verdicts if verdict.code == code)
+
+
+def is_told_of(body: Link, model: Model, context: Context) -> bool:
+    """Return whether a body is reported as impossible, or behind its joint."""
+    joints = model.tree.joints_on(body)
+    return is_impossible(body, context) or any(shape_doubts(body, joints, context, "KD511"))
+
+
+def shape_verdicts(
+    body: Link, joints: tuple[Joint, ...], context: Context
+) -> Iterator[BodyVerdict]:
+    """Yield what is reported of one body's shape, nothing of a fixed base.
+
+    Args:
+        body: The body.
+        joints: Those by which it carries others.
+        context: The parameters' values.
+    """
+    if body.inertia is None or not is_moving(body):
+        return
+    numbers = link_inertia(body, context.values)
+    if not isinstance(numbers, Unknown):
+        for verdict in body_verdicts(str(body.name), numbers, *link_ends(body, joints, context)):
+            if verdict.code != _OF_DENSITY or _is_of_no_material(body, context):
+                yield verdict
+
+
+def link_ends(
+    body: Link, joints: tuple[Joint, ...], context: Context
+) -> tuple[tuple[Vector3, ...], tuple[Vector3, ...]]:
+    """Return the known origins of the children's joints and of the frames, in the link frame."""
+    children = _places([joint.pose for joint in joints], context)
+    return children, _places([frame.pose for frame in body.frames], context)
+
+
+def _places(poses: list[Pose], context: Context) -> tuple[Vector3, ...]:
+    placed = (written_pose(pose, context.values) for pose in poses)
+    return tuple(place.translation for place in placed if place is not None)
+
+
+def _is_of_no_material(body: Link, context: Context) -> bool:
+    judged = judgements(declarations(body.island), context)
+    return any(j.link is body and j.verdict is Verdict.IMPLAUSIBLE for j in judged)

@@ -1,0 +1,285 @@
+"""Mistakes in copying ten numbers, in one table, and the numbers as they were meant.
+
+A row has its rule, its weight against the others and what that rests on. Two at a time are tried as
+far as `_PAIRS` says, for a share of their weight. A unit is fixed first, and what remains judged
+again: what may have been done to the moments besides only speaks for the unit.
+"""
+
+from collections.abc import Callable, Container, Iterator, Sequence
+from enum import StrEnum
+from itertools import combinations
+from typing import NamedTuple, TypeVar
+
+from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.mechanics.rigid.body import MassDistribution, Symmetric, shifted
+from kindsl.mechanics.rigid.pose import Vector3
+
+_Values = TypeVar("_Values", Symmetric, Vector3)
+
+Kind = tuple[object, ...]
+
+_PRODUCTS = (3, 4, 5)
+# What people write moments in: CAD programs in grams or kilograms, finite elements in tonnes.
+_UNITS = (
+    (-9, "g·mm²", 1.0),
+    (-6, "kg·mm²", 1.0),
+    (-7, "g·cm²", 1.0),
+    (-4, "kg·cm²", 1.0),
+    (-3, "t·mm²", 0.25),
+)
+_OTHER_POWERS = (-1, 1, -2, 2, 3, 4, 6)
+_RARE = 2.5e-5
+# A second slip is looked for beside the units of CAD programs only.
+_GREATEST_OF_PAIR = -4
+_MASSES = ((-3, "g", 1.0), (-1, "", 0.1), (1, "", 0.1))
+# Where the six moments stand in the rows of half a matrix, as in URDF, and with axes turned round.
+_ROWS = (0, 3, 5, 1, 2, 4)
+_TURNS = (((1, 2, 0, 5, 3, 4), "y, z and x"), ((2, 0, 1, 4, 5, 3), "z, x and y"))
+
+
+class Slip(StrEnum):
+    """A simple mistake."""
+
+    SIGNS = "signs"
+    REFERENCE = "reference"
+    TWICE = "shifted twice"
+    SCALE = "scale"
+    COM_SIGN = "sign of the CoM"
+    COM_ORDER = "two coordinates of the CoM swapped"
+    SWAP = "two moments swapped"
+    ROWS = "moments in rows of the tensor"
+    AXES = "moments about other axes"
+    MASS = "mass"
+    PLACEHOLDER = "placeholder"
+    COPY = "copied from another link"
+
+
+class Hypothesis(NamedTuple):
+    """A mistake that may have been made, and the numbers without it.
+
+    Attributes:
+        slips: The mistakes, none if all is right.
+        body: The numbers as they were meant; as written where that is not known.
+        half: How far each of them may be from that.
+        weight: How common the mistake is, against the others.
+        names: The numbers whose sign is wrong, or that were swapped; the link that was copied.
+        power: The moments, or the mass, are to be multiplied by ten to this power.
+        unit: The unit that explains that, or empty.
+        is_partial: Whether only some of the products' signs are wrong.
+        has_products: Whether there are signs to be wrong.
+        simple: The one slip to fix first where another one may remain, None for itself.
+    """
+
+    slips: tuple[Slip, ...]
+    body: MassDistribution
+    half: MassDistribution
+    weight: float
+    names: tuple[str, ...] = ()
+    power: int = 0
+    unit: str = ""
+    is_partial: bool = False
+    has_products: bool = True
+    simple: "Hypothesis | None" = None
+
+    @property
+    def code(self) -> str:
+        """The rule that tells it: that of its first slip."""
+        return TABLE[self.slips[0]].code
+
+    @property
+    def is_last_resort(self) -> bool:
+        """True if it is a digit too many or too few, which can fix nearly everything."""
+        return Slip.SCALE in self.slips and not self.unit
+
+    @property
+    def kind(self) -> Kind:
+        """The part that is equal where the same mistake was made at another link."""
+        return self.slips, self.power, self.is_partial and self.names
+
+    @property
+    def kinds(self) -> tuple[Kind, ...]:
+        """The kinds of mistake that it may be: without products, wrong signs do not show."""
+        if self.has_products or self.slips[:1] != (Slip.REFERENCE,):
+            return (self.kind,)
+        with_signs = self._replace(slips=(Slip.REFERENCE, Slip.SIGNS, *self.slips[1:]))
+        return self.kind, with_signs.kind
+
+
+def hypotheses(
+    body: MassDistribution, half: MassDistribution, among: Container[Slip] = frozenset(Slip)
+) -> Iterator[Hypothesis]:
+    """Yield all mistakes of the table that give numbers, one or two of them at a time.
+
+    Args:
+        body: As written.
+        half: How far each number may be from what is written.
+        among: The mistakes that are tried first.
+    """
+    written = Hypothesis((), body, half, 1.0, has_products=any(body.moments[3:]))
+    for slip, row in TABLE.items():
+        for single in row.meant(written) if slip in among else ():
+            h = _with(slip, single, row.weight)
+            yield h
+            for other, share, of_some in _PAIRS.get(slip, ()):
+                if slip is Slip.SCALE and h.power > _GREATEST_OF_PAIR:
+                    continue
+                for both in TABLE[other].meant(h):
+                    weight = TABLE[other].weight * (of_some if both.is_partial else share)
+                    simple = h if slip is Slip.SCALE else None
+                    yield _with(other, both, weight)._replace(simple=simple)
+
+
+def _with(slip: Slip, h: Hypothesis, weight: float) -> Hypothesis:
+    return h._replace(slips=(slip, *h.slips), weight=weight * h.weight)
+
+
+def _other_signs(h: Hypothesis) -> Iterator[Hypothesis]:
+    """Yield products negated: all of them first, as in a pasted tensor."""
+    present = [index for index in _PRODUCTS if h.body.moments[index]]
+    for count in (len(present), *range(1, len(present))) if present else ():
+        share = 1.0 if count == len(present) else 0.35 if count == 1 else 0.1
+        for chosen in combinations(present, count):
+            yield h._replace(
+                body=h.body._replace(moments=_negated(h.body.moments, chosen)),
+                weight=share * h.weight,
+                names=tuple(MOMENTS[index] for index in chosen),
+                is_partial=count < len(present),
+            )
+
+
+def _about_origin(h: Hypothesis) -> Iterator[Hypothesis]:
+    if any(h.body.com):
+        yield h._replace(body=shifted(h.body))
+
+
+def _shifted_once(h: Hypothesis) -> Iterator[Hypothesis]:
+    if any(h.body.com):
+        yield h._replace(body=shifted(h.body, -1.0))
+
+
+def _scaled(h: Hypothesis) -> Iterator[Hypothesis]:
+    for power, unit, share in (*_UNITS, *((power, "", _RARE) for power in _OTHER_POWERS)):
+        yield h._replace(
+            body=h.body._replace(moments=_times(10.0**power, h.body.moments)),
+            half=h.half._replace(moments=_times(10.0**power, h.half.moments)),
+            weight=share * h.weight,
+            power=power,
+            unit=unit,
+        )
+
+
+def _other_com_sign(h: Hypothesis) -> Iterator[Hypothesis]:
+    for index, axis in enumerate("xyz"):
+        if h.body.com[index]:
+            body = h.body._replace(com=_negated(h.body.com, (index,)))
+            yield h._replace(body=body, names=(f"the {axis} of the CoM",), is_partial=True)
+
+
+def _other_com_order(h: Hypothesis) -> Iterator[Hypothesis]:
+    for one, other in combinations(range(3), 2):
+        if h.body.com[one] != h.body.com[other]:
+            order = _exchanged(range(3), one, other)
+            yield h._replace(
+                body=h.body._replace(com=_ordered(h.body.com, order)),
+                half=h.half._replace(com=_ordered(h.half.com, order)),
+                names=("xyz"[one], f"{'xyz'[other]} of the CoM"),
+            )
+
+
+def _swapped(h: Hypothesis) -> Iterator[Hypothesis]:
+    for group in ((0, 1, 2), (3, 4, 5)):
+        for one, other in combinations(group, 2):
+            if h.body.moments[one] != h.body.moments[other]:
+                yield _in_order(h, _exchanged(range(6), one, other), MOMENTS[one], MOMENTS[other])
+
+
+def _by_rows(h: Hypothesis) -> Iterator[Hypothesis]:
+    if h.has_products:
+        yield _in_order(h, _ROWS)
+
+
+def _about_other_axes(h: Hypothesis) -> Iterator[Hypothesis]:
+    for order, names in _TURNS:
+        yield _in_order(h, order, names)
+
+
+def _other_mass(h: Hypothesis) -> Iterator[Hypothesis]:
+    for power, unit, share in _MASSES:
+        yield h._replace(
+            body=h.body._replace(mass=h.body.mass * 10.0**power),
+            half=h.half._replace(mass=h.half.mass * 10.0**power),
+            weight=share * h.weight,
+            power=power,
+            unit=unit,
+        )
+
+
+def _unknown(_: Hypothesis) -> Iterator[Hypothesis]:
+    """Return nothing: the numbers that were meant leave no trace."""
+    return iter(())
+
+
+class SlipRow(NamedTuple):
+    """A mistake as the table has it.
+
+    Attributes:
+        code: The rule that tells it.
+        weight: How common it is, against moments about the CoM.
+        data: Evidence that the weight rests on.
+        meant: The numbers that may have been meant.
+    """
+
+    code: str
+    weight: float
+    data: str
+    meant: Callable[[Hypothesis], Iterator[Hypothesis]]
+
+
+TABLE = {
+    Slip.REFERENCE: SlipRow("KD306", 1.0, "corrected so in 3 published histories", _about_origin),
+    Slip.SIGNS: SlipRow("KD307", 1.0, "URDF, MJCF and most CAD programs negate them", _other_signs),
+    Slip.SCALE: SlipRow("KD308", 0.4, "each unit as CAD programs have it; else a digit", _scaled),
+    Slip.MASS: SlipRow("KD314", 0.1, "in no published history; CAD programs give g", _other_mass),
+    Slip.COM_SIGN: SlipRow("KD307", 0.15, "HyQ's legs, mirrored by hand", _other_com_sign),
+    Slip.SWAP: SlipRow("KD307", 0.02, "in no published history", _swapped),
+    Slip.ROWS: SlipRow("KD307", 0.02, "the order of URDF's attributes", _by_rows),
+    Slip.TWICE: SlipRow("KD306", 0.02, "in no published history", _shifted_once),
+    Slip.COM_ORDER: SlipRow("KD307", 0.01, "in no published history", _other_com_order),
+    Slip.AXES: SlipRow("KD307", 0.01, "the UR5 of three repositories", _about_other_axes),
+    Slip.PLACEHOLDER: SlipRow(
+        "KD310", 20.0, "equal round moments are no body's by chance", _unknown
+    ),
+    Slip.COPY: SlipRow("KD310", 5.0, "nor are the same digits in two unlike links", _unknown),
+}
+
+# With which slip another one is tried, and the share of its weight that is left: of all signs
+# or none, and of some. URDF negates what it has in rows.
+_PAIRS = {
+    Slip.SIGNS: ((Slip.REFERENCE, 0.8, 0.01),),
+    Slip.SCALE: ((Slip.REFERENCE, 0.03, 0.03), (Slip.SIGNS, 0.03, 0.002)),
+    Slip.ROWS: ((Slip.SIGNS, 0.5, 0.01),),
+}
+
+
+def _negated(values: _Values, chosen: Sequence[int]) -> _Values:
+    return tuple(-v if i in chosen else v for i, v in enumerate(values))  # type: ignore[return-value]
+
+
+def _times(factor: float, moments: Symmetric) -> Symmetric:
+    return tuple(factor * moment for moment in moments)  # type: ignore[return-value]
+
+
+def _in_order(h: Hypothesis, order: Sequence[int], *names: str) -> Hypothesis:
+    return h._replace(
+        body=h.body._replace(moments=_ordered(h.body.moments, order)),
+        half=h.half._replace(moments=_ordered(h.half.moments, order)),
+        names=names,
+    )
+
+
+def _ordered(values: _Values, order: Sequence[int]) -> _Values:
+    return tuple(values[index] for index in order)  # type: ignore[return-value]
+
+
+def _exchanged(places: Sequence[int], one: int, other: int) -> list[int]:
+    return [other if place == one else one if place == other else place for place in places]

@@ -1,0 +1,123 @@
+"""Sentences about mistakes in an inertia."""
+
+from collections.abc import Sequence
+
+from kindsl.judgement.rules.inertia.causes import Cause
+from kindsl.judgement.rules.inertia.likelihood import density, vanishing_products
+from kindsl.judgement.rules.inertia.slips import Hypothesis, Slip
+from kindsl.language.text.phrases import listed
+from kindsl.language.text.quantities import with_unit
+
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+_WITHOUT_MEANING = (Slip.PLACEHOLDER, Slip.COPY)
+_CLAUSES = {
+    Slip.REFERENCE: "the moments were taken about the CoM rather than the frame origin",
+    Slip.TWICE: "the moments were shifted to the frame origin once, not twice",
+    Slip.ROWS: "the moments were in the order xx xy xz yy yz zz",
+    Slip.AXES: "the moments were about the axes {}",
+    Slip.PLACEHOLDER: "is a placeholder: Ix, Iy and Iz are all {}",
+}
+_STEPS = {
+    Slip.REFERENCE: "Shift the moments to the frame origin",
+    Slip.TWICE: "Shift the moments back once",
+    Slip.ROWS: "Put the moments in order",
+    Slip.AXES: "Turn the moments to the link's axes",
+    Slip.SWAP: "Swap {} and {}",
+    Slip.COM_ORDER: "Swap {} and {}",
+}
+
+
+def likely_cause(found: str, causes: Sequence[Cause], at: str = "") -> str:
+    """Return what the most likely explanation of a link's inertia says.
+
+    Args:
+        found: The words before, `inertia of 'x'`.
+        causes: The explanations, the most likely first.
+        at: The parameters' values.
+    """
+    first = _by_itself(causes)[0]
+    if first.hypothesis.slips[0] in _WITHOUT_MEANING:
+        return f"{found} {clause(first.hypothesis)}{at}"
+    likely = "would most likely" if len(causes) > 1 else "would"
+    return f"{found} {likely} be consistent if {clause(first.hypothesis)}{at} ({_why(first)})"
+
+
+def rivals(causes: Sequence[Cause]) -> list[str]:
+    """Return a sentence for each explanation but the first."""
+    return [
+        f"or it {clause(cause.hypothesis)}"
+        if cause.hypothesis.slips[0] in _WITHOUT_MEANING
+        else f"or if {clause(cause.hypothesis)} ({_why(cause)})"
+        for cause in _by_itself(causes)[1:]
+    ]
+
+
+def _by_itself(causes: Sequence[Cause]) -> list[Cause]:
+    """Return explanations without the reasons that all of them have."""
+    common = set.intersection(*(set(c.reasons) for c in causes)) if len(causes) > 1 else set()
+    return [c._replace(reasons=tuple(r for r in c.reasons if r not in common)) for c in causes]
+
+
+def shared_cause(n_links: int, cause: Cause) -> str:
+    """Return what one explanation of all links' inertias says."""
+    h = cause.hypothesis
+    told = " and ".join(
+        "the signs of the products were changed"
+        if slip is Slip.SIGNS and not h.is_partial
+        else _slip(slip, h)
+        for slip in h.slips
+    )
+    return f"inertias of all {n_links} moving links would be consistent if {told}"
+
+
+def title(hypothesis: Hypothesis) -> str:
+    """Return what the fix does, in the imperative."""
+    first, *others = (_step(slip, hypothesis) for slip in hypothesis.slips)
+    others = [step[0].lower() + step[1:] for step in others]
+    return listed([first, *others])
+
+
+def clause(hypothesis: Hypothesis) -> str:
+    """Return what was done wrong, to stand behind `if`."""
+    return " and ".join(_slip(slip, hypothesis) for slip in hypothesis.slips)
+
+
+def _slip(slip: Slip, h: Hypothesis) -> str:
+    if slip in (Slip.SIGNS, Slip.COM_SIGN):
+        return f"the {'sign' if len(h.names) == 1 else 'signs'} of {listed(h.names)} were changed"
+    if slip in (Slip.SWAP, Slip.COM_ORDER):
+        return f"{listed(h.names)} were swapped"
+    if slip in (Slip.MASS, Slip.SCALE):
+        what = "the mass were" if slip is Slip.MASS else "the moments were"
+        return f"{what} in {h.unit}" if h.unit else f"{what} {_times(h.power)}"
+    if slip is Slip.COPY:
+        return f"has the {h.names[1]} of '{h.names[0]}', which is another part"
+    return _CLAUSES[slip].format(*h.names)
+
+
+def _step(slip: Slip, h: Hypothesis) -> str:
+    if slip in (Slip.SCALE, Slip.MASS):
+        what, unit = ("mass", "kg") if slip is Slip.MASS else ("moments", "kg·m²")
+        return f"Convert the {what} to {unit}" if h.unit else f"Multiply the {what} by {_ten(h)}"
+    if slip in (Slip.SIGNS, Slip.COM_SIGN):
+        return f"Change sign of {', '.join(h.names)}"
+    return _STEPS.get(slip, "").format(*h.names)
+
+
+def _times(power: int) -> str:
+    return f"multiplied by {10**power}" if power > 0 else f"divided by {10**-power}"
+
+
+def _ten(h: Hypothesis) -> str:
+    return f"10{str(h.power).translate(_RAISED)}"
+
+
+def _why(cause: Cause) -> str:
+    """Return what speaks for a mistake."""
+    said = [f"density {with_unit(density(cause.hypothesis.body.mass, cause.shape), 'kg/m³')}"]
+    x, y, z = cause.hypothesis.body.com
+    is_telling = any((x * y, x * z, y * z))
+    if is_telling and all(vanishing_products(cause.shape)):
+        said.append("principal axes along the link's")
+    remaining = ["what remains is judged again"] if cause.is_left_odd else []
+    return ", ".join((*said, *cause.reasons, *remaining))

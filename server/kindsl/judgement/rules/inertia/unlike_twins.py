@@ -1,0 +1,38 @@
+"""The slip, or the other link, that explains a possible inertia which is not that of its twins."""
+
+from collections.abc import Container, Iterable, Sequence
+
+from kindsl.judgement.rules.inertia.slips import Hypothesis, hypotheses
+from kindsl.judgement.rules.inertia.surroundings import may_be_image, same_moments
+from kindsl.judgement.rules.inertia.told import clause
+from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.model import Model
+from kindsl.mechanics.rigid.body import MassDistribution
+from kindsl.robots.limbs.weighing import differing
+
+_MOST = 3
+
+
+def copied_from(model: Model, link: Link, twins: Container[str]) -> str:
+    """Return of which link that is no twin the moments are, empty where they are of none."""
+    other = next((name for name in same_moments(model, link) if name not in twins), None)
+    return f"its moments are those of '{other}', which is another part" if other else ""
+
+
+def without(slips: Sequence[Hypothesis], said: str) -> list[str]:
+    """Return what an inertia would be without each slip."""
+    return [f"{said} if {clause(slip)}" for slip in slips]
+
+
+def slips_of(own: MassDistribution, meant: Iterable[MassDistribution]) -> list[Hypothesis]:
+    """Return the slips without which a body is one of those meant, the commonest first.
+
+    A unit beside a shift would leave nothing of the moments as they are written.
+    """
+    likely = [each for each in set(meant) if each.mass * own.mass > 0.0 and may_be_image(own, each)]
+    fitting = (
+        h
+        for h in (hypotheses(own, own) if likely else ())
+        if not (h.is_last_resort or h.simple) and any(not differing(h.body, m) for m in likely)
+    )
+    return sorted(fitting, key=lambda h: -h.weight)[:_MOST]

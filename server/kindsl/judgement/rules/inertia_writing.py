@@ -1,0 +1,120 @@
+"""Changes that give a body the mass properties that a pasted passage has."""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Replacement
+from kindsl.language.semantics.declarations import Inertia, Link
+from kindsl.language.semantics.places import Place
+from kindsl.language.syntax.indentation import indentation
+from kindsl.language.syntax.tree import Node
+from kindsl.language.syntax.vocabulary import MOMENTS, words_of
+from kindsl.language.text.lines import is_first_on_line
+from kindsl.robots.cad.properties import MassProperties
+
+_STEP = "    "
+
+
+def body_around(bodies: tuple[Link, ...], at: Place) -> Link | None:
+    """Return the body in whose braces a passage stands."""
+    return next((body for body in bodies if body.start < at.start and at.end <= body.end), None)
+
+
+def inertia_changes(body: Link, found: MassProperties, at: Place) -> tuple[Replacement, ...]:
+    """Return the changes that put mass properties in a passage's place, or in that of the old ones.
+
+    An inertia that is whole keeps its layout and its comments.
+
+    Args:
+        body: Their link or base.
+        found: The numbers to write.
+        at: The passage, of whole lines.
+    """
+    inertia, sections = body.inertia, _sections(body)
+    ids = [section for section in sections if section.kind == "id"]
+    if inertia is None and all(
+        section.end <= at.start if section in ids else at.end <= section.start
+        for section in sections
+    ):
+        start = _line_start(at.island.text, at.start)
+        block = _block(body, found)
+        if at.island.text[start : at.start].strip():
+            start, block = at.start, block.lstrip()
+        return (Replacement(Place(body.island, start, at.end), block),)
+    changes = new_inertia(body, found)
+    if inertia is not None and len(changes) == 1 and inertia.start <= at.start <= inertia.end:
+        return changes
+    return (without_lines(at), *changes)
+
+
+def new_inertia(body: Link, found: MassProperties) -> tuple[Replacement, ...]:
+    """Return the changes that give a body other mass properties, wherever they come from."""
+    inertia = body.inertia
+    if inertia is None:
+        ids = [section for section in _sections(body) if section.kind == "id"]
+        behind = ids[0] if ids else next(c for c in body.node.children if c.kind == "{")
+        new = _with_newlines(body, f"\n{_block(body, found)}")
+        return (Replacement(Place(body.island, behind.end, behind.end), new),)
+    if _is_whole(inertia) and _frame(body, found) == (inertia.frame or ""):
+        return tuple(_values(inertia, found))
+    block = _block(body, found).lstrip()
+    return (Replacement(Place(body.island, inertia.start, inertia.end), block),)
+
+
+def _sections(body: Link) -> list[Node]:
+    return [child for child in body.node.children if isinstance(child, Node)]
+
+
+def _block(body: Link, found: MassProperties) -> str:
+    indent, inertia = _indent(body), body.inertia
+    keyword = next(inertia.node.tokens()).text if inertia is not None else words_of("inertia")[0]
+    return _with_newlines(body, indent + found.block(keyword, indent, _frame(body, found)))
+
+
+def without_lines(at: Place) -> Replacement:
+    """Return the change that removes a passage, and its lines if nothing else is in them."""
+    text = at.island.text
+    start, end = _line_start(text, at.start), at.end
+    while end < len(text) and text[end] in " \t\r":
+        end += 1
+    if text[start : at.start].strip() or text[end : end + 1] not in ("", "\n"):
+        return Replacement(at, "")
+    return Replacement(Place(at.island, start, min(end + 1, len(text))), "")
+
+
+def _frame(body: Link, found: MassProperties) -> str:
+    """Return the body's frame that the numbers are in: the one named there, or that of before."""
+    if found.system in {str(frame.name) for frame in body.frames}:
+        return found.system
+    return str(body.inertia.frame or "") if body.inertia is not None else ""
+
+
+def _is_whole(inertia: Inertia) -> bool:
+    com = inertia.com
+    values = [inertia.mass, *inertia.moments.values(), *(com.components if com else ())]
+    is_written = all(value is not None and value.start < value.end for value in values)
+    return is_written and com is not None and len(inertia.moments) == len(MOMENTS)
+
+
+def _values(inertia: Inertia, found: MassProperties) -> Iterator[Replacement]:
+    assert inertia.mass is not None and inertia.com is not None
+    texts = (found.mass, *found.com, *found.moments)
+    moments = (inertia.moments[name] for name in MOMENTS)
+    for value, text in zip((inertia.mass, *inertia.com.components, *moments), texts, strict=True):
+        yield Replacement(Place(inertia.island, value.start, value.end), text)
+
+
+def _indent(body: Link) -> str:
+    """Return the blanks before the sections of a body."""
+    text = body.island.text
+    for child in body.node.children:
+        if isinstance(child, Node) and is_first_on_line(text, child.start):
+            return indentation(text, child.start)
+    return indentation(text, body.start) + _STEP
+
+
+def _with_newlines(body: Link, block: str) -> str:
+    return block.replace("\n", "\r\n") if "\r\n" in body.island.text else block
+
+
+def _line_start(text: str, position: int) -> int:
+    return max(text.rfind("\n", 0, position), text.rfind("\r", 0, position)) + 1

@@ -1,0 +1,94 @@
+"""The values of twins at a place, in the author's hand: in his words where they say it."""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from kindsl.judgement.rules.base import Fix, Replacement
+from kindsl.judgement.rules.number_writing import as_fraction_of_pi, decimals, opposite
+from kindsl.language.semantics.expressions import Expression
+from kindsl.language.text.decimals import fixed_decimal
+from kindsl.robots.limbs.comparison import LOOSE
+
+_SAME = 1e-9
+_NEAR_PI = 1e-6
+_MOST_DECIMALS = 6
+
+
+def written(
+    own: Sequence[Expression],
+    twins: Sequence[Sequence[Expression]],
+    meant: Sequence[Sequence[float]],
+    assignments: Sequence[Mapping[str, float]],
+    kinds: Sequence[slice] = (),
+    share: float = LOOSE.share,
+) -> tuple[str, ...] | None:
+    """Return numbers as they should be written, None where that takes a new formula.
+
+    Args:
+        own: The written values.
+        twins: Values of its twins at this place, with whatever signs and in whatever order.
+        meant: The values at each assignment.
+        assignments: Of the parameters.
+        kinds: Those of a kind, where the author's own may differ a little to be kept.
+        share: How much, of the greatest number of its kind.
+    """
+    texts = []
+    for index, expression in enumerate(own):
+        kind = next((each for each in kinds if index in range(10)[each]), slice(len(own)))
+        words = [e for twin in twins for e in twin[kind]]
+        wanted = [numbers[index] for numbers in meant]
+        size = max(abs(x) for numbers in meant for x in numbers[kind])
+        little = max(share, _SAME) * size if kinds else _SAME
+        said = _said(expression, words, wanted, assignments, little, _SAME * (size if kinds else 1))
+        if said is None:
+            return None
+        texts.append(said)
+    return tuple(texts)
+
+
+def as_numbers(numbers: Sequence[Expression | str]) -> str:
+    """Return some numbers for people, as they are written."""
+    texts = [e if isinstance(e, str) else e.text for e in numbers]
+    return f"({', '.join(texts)})" if len(texts) > 1 else texts[0]
+
+
+def rewriting(title: str, own: Sequence[Expression], texts: Sequence[str]) -> Fix:
+    """Return the fix that writes other numbers."""
+    pairs = zip(own, texts, strict=True)
+    return Fix(title, tuple(Replacement(old, new) for old, new in pairs if old.text != new))
+
+
+def _said(
+    own: Expression,
+    words: Sequence[Expression],
+    wanted: Sequence[float],
+    assignments: Sequence[Mapping[str, float]],
+    within: float,
+    exactly: float,
+) -> str | None:
+    """Return a text with these values: one that stands there, its opposite, or a plain number."""
+    for text, sign, expression in _candidates(own, words):
+        values = [expression.value(each) for each in assignments]
+        allowed = within if expression is own else exactly
+        if all(
+            value is not None and abs(sign * value - want) <= allowed
+            for value, want in zip(values, wanted, strict=True)
+        ):
+            return text
+    if max(wanted) - min(wanted) > exactly:
+        return None
+    if any("PI" in each.text for each in (own, *words)):
+        fraction = as_fraction_of_pi(wanted[0], _NEAR_PI)
+        if fraction is not None:
+            return fraction
+    n_decimals = max(decimals(e.text) for e in (own, *words) if e.literal is not None)
+    return fixed_decimal(
+        wanted[0], min(n_decimals, _MOST_DECIMALS) if exactly == _SAME else n_decimals
+    )
+
+
+def _candidates(
+    own: Expression, words: Sequence[Expression]
+) -> Iterator[tuple[str, float, Expression]]:
+    for expression in (own, *words):
+        yield expression.text, 1.0, expression
+        yield opposite(expression), -1.0, expression

@@ -1,0 +1,52 @@
+"""All rules, found by walking `checks`: a file named after a code holds one."""
+
+from functools import cache
+from importlib import import_module
+from types import ModuleType
+
+from kindsl.judgement.rules import checks
+from kindsl.judgement.rules.base import Rule
+from kindsl.language.text.modules import module_names
+
+# Rules that parsers, the configuration or comments tell of.
+_WITHOUT_CHECK = ("kd0", "kd404", "kd704", "kd706", "kd8", "kd902")
+
+
+@cache
+def all_rules() -> tuple[Rule, ...]:
+    """Return the rules in the order of their codes."""
+    return tuple(rule_module(name).RULE for name in _module_names())
+
+
+@cache
+def checking_rules() -> tuple[Rule, ...]:
+    """Return the rules that look at a model, without loading those that others tell of."""
+    names = (name for name in _module_names() if not name.startswith(_WITHOUT_CHECK))
+    return tuple(rule_module(name).RULE for name in names)
+
+
+@cache
+def all_codes() -> tuple[str, ...]:
+    """Return the codes of all rules, without loading one."""
+    return tuple(sorted(name.partition("_")[0].upper() for name in _module_names()))
+
+
+def rule_named(code: str) -> Rule | None:
+    """Return the rule with a code or a name, whatever its case."""
+    wanted = code.lower()
+    return next((r for r in all_rules() if wanted in (r.code.lower(), r.name)), None)
+
+
+def page_of(rule: Rule) -> str:
+    """Return the docs page of a rule: the docstring of its module."""
+    names = [name for name in _module_names() if name.startswith(f"{rule.code.lower()}_")]
+    return (rule_module(names[0]).__doc__ or "").strip()
+
+
+def rule_module(name: str) -> ModuleType:
+    """Import a rule's module by its file's stem."""
+    return import_module(f"kindsl.judgement.rules.checks.{name}")
+
+
+def _module_names() -> list[str]:
+    return [name for name in module_names(checks) if name.startswith("kd")]

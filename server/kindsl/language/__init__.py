@@ -1,0 +1,4 @@
+"""Knows what the text says.
+
+Must not know of any use that is made of it.
+"""

@@ -1,0 +1,201 @@
+"""Values as written: what they mean, and how exactly they were given."""
+
+from collections.abc import Iterator, Mapping
+from math import pi
+from typing import NamedTuple, cast
+
+from kindsl.language.semantics.places import Construct, Name
+from kindsl.language.syntax.tree import Island, Node, Token
+from kindsl.language.syntax.value_forms import is_signed_product
+
+_MOST_DECIMALS = 300
+
+
+class Expression(Construct):
+    """A value as written.
+
+    Attributes:
+        literal: Its value if it is a plain decimal number, else None.
+    """
+
+    __slots__ = ("literal",)
+
+    def __init__(self, node: Node, island: Island) -> None:
+        self.node = node
+        self.island = island
+        self.literal = number_of(node.children[0]) if node.kind == "number" else None
+
+    @property
+    def text(self) -> str:
+        """As written, characters as what they stand for."""
+        if self.node.kind == "number":
+            return cast(Token, self.node.children[0]).text
+        written = self.island.text[self.start : self.end]
+        return written if written.isascii() else " ".join(t.text for t in self.node.tokens())
+
+    def value(self, bindings: Mapping[str, float]) -> float | None:
+        """Return the value in SI units, or None where a name is unbound or nothing is defined.
+
+        Args:
+            bindings: Values of parameters by name, and of constants by `<name>`.
+        """
+        return self.literal if self.literal is not None else _value(self.node, bindings)
+
+    def rounding(self, bindings: Mapping[str, float]) -> float:
+        """Return how far the true value may be from the written one, to first order.
+
+        A decimal number stands for all that round to it: half a unit of its last digit.
+        """
+        return _rounding(self.node, bindings)
+
+
+class ParameterUse(NamedTuple):
+    """A parameter in a value, with the default that stands there, if any."""
+
+    name: Name
+    default: Expression | None
+
+
+class ConstantUse(NamedTuple):
+    """A named constant in a value; `value` is None where it is only referred to."""
+
+    name: Name
+    value: Expression | None
+
+
+def number_of(token: Node | Token) -> float | None:
+    """Return the value of a number token, or None if it is none (`0x10`, missing)."""
+    try:
+        return float(cast(Token, token).text)
+    except ValueError:
+        return None
+
+
+def name_of(node: Node) -> str:
+    """Return the name directly in a node, empty where there is none."""
+    token = _name_token(node)
+    return token.text.lstrip("^") if token is not None else ""
+
+
+def half_unit(text: str) -> float:
+    """Return half a unit of the last digit of a decimal number as written."""
+    mantissa, _, exponent = text.lower().partition("e")
+    _, _, decimals = mantissa.partition(".")
+    unit = float(f"1e{exponent}") if exponent else 1.0
+    return 0.5 * unit / 10.0 ** min(len(decimals), _MOST_DECIMALS)
+
+
+def symbols(expression: Expression) -> Iterator[ParameterUse | ConstantUse]:
+    """Yield the parameters and constants of a value, in the order of the text."""
+    yield from _symbols(expression.node, expression.island)
+
+
+def is_undecided(expression: Expression) -> bool:
+    """Return whether the generators read a value in two ways, and no target says which."""
+    pending = [expression.node]
+    while pending:
+        node = pending.pop()
+        if node.kind == "undecided":
+            return True
+        pending += (child for child in node.children if isinstance(child, Node))
+    return False
+
+
+_USES: dict[str, type[ParameterUse | ConstantUse]] = {
+    "parameter": ParameterUse,
+    "defaulted": ParameterUse,
+    "juxtaposed_parameter": ParameterUse,
+    "constant": ConstantUse,
+    "constant_use": ConstantUse,
+}
+
+
+def _symbols(node: Node, island: Island) -> Iterator[ParameterUse | ConstantUse]:
+    parts = [child for child in node.children if isinstance(child, Node)]
+    token = _name_token(node) if node.kind in _USES else None
+    if token is not None and token.text:
+        name = Name.at(token.text.lstrip("^"), island, token.start, token.end)
+        yield _USES[node.kind](name, Expression(parts[0], island) if parts else None)
+    else:
+        # What has no name, as `PI[0.5]` and unfinished text, is only what stands in it.
+        for part in parts:
+            yield from _symbols(part, island)
+
+
+def _name_token(node: Node) -> Token | None:
+    tokens = (child for child in node.children if isinstance(child, Token))
+    return next((token for token in tokens if token.kind == "NAME"), None)
+
+
+def _value(node: Node, bindings: Mapping[str, float]) -> float | None:
+    kind = node.kind
+    if kind == "number":
+        return number_of(node.children[0])
+    if kind == "pi":
+        return pi
+    if kind == "undecided":
+        return None
+    if kind == "parameter":
+        return bindings.get(name_of(node))
+    if kind == "defaulted":
+        bound = bindings.get(name_of(node))
+        return bound if bound is not None else _operand(node, bindings)
+    if kind == "juxtaposed_pi":
+        return _product(number_of(node.children[0]), pi)
+    if kind == "juxtaposed_parameter":
+        return _product(number_of(node.children[0]), bindings.get(name_of(node)))
+    if kind == "constant_use":
+        return bindings.get(f"<{name_of(node)}>")
+    if kind in ("group", "plus", "constant"):
+        return _operand(node, bindings)
+    if kind == "negate":
+        return _product(-1.0, _operand(node, bindings))
+    return _binary(node, bindings)
+
+
+def _binary(node: Node, bindings: Mapping[str, float]) -> float | None:
+    operands = [_value(child, bindings) for child in node.children if isinstance(child, Node)]
+    if len(operands) != 2:
+        return None
+    left, right = operands
+    if left is None or right is None:
+        return None
+    if node.kind == "multiply":
+        return left * right
+    if node.kind == "divide":
+        return left / right if right else None
+    if node.kind == "add":
+        return left + right
+    return -left * right if is_signed_product(node) else left - right
+
+
+def _operand(node: Node, bindings: Mapping[str, float]) -> float | None:
+    return _value(next(child for child in node.children if isinstance(child, Node)), bindings)
+
+
+def _product(left: float | None, right: float | None) -> float | None:
+    return None if left is None or right is None else left * right
+
+
+def _rounding(node: Node, bindings: Mapping[str, float]) -> float:
+    if node.kind == "number":
+        token = node.children[0]
+        return half_unit(token.text) if isinstance(token, Token) and number_of(token) else 0.0
+    parts = [child for child in node.children if isinstance(child, Node)]
+    if is_signed_product(node):
+        return abs(_value(parts[1], bindings) or 0.0) * _rounding(parts[0], bindings)
+    if node.kind in ("add", "subtract", "group", "plus", "negate"):
+        return sum(_rounding(part, bindings) for part in parts)
+    if node.kind in ("multiply", "divide"):
+        return _rounding_of_product(node, parts, bindings)
+    return 0.0
+
+
+def _rounding_of_product(node: Node, parts: list[Node], bindings: Mapping[str, float]) -> float:
+    left, right = (_value(part, bindings) or 0.0 for part in parts)
+    left_error, right_error = (_rounding(part, bindings) for part in parts)
+    if node.kind == "multiply":
+        return abs(right) * left_error + abs(left) * right_error
+    if not right:
+        return 0.0
+    return (left_error + abs(left / right) * right_error) / abs(right)

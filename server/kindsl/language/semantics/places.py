@@ -1,0 +1,76 @@
+"""Places in a document that stay valid while other islands are edited."""
+
+from typing import NamedTuple, Protocol
+
+from kindsl.language.syntax.tree import Island, Node
+
+
+class Located(Protocol):
+    """Whatever lies at a place: a name, an expression, a section, a whole link."""
+
+    @property
+    def island(self) -> Island:
+        """The island it lies in."""
+
+    @property
+    def start(self) -> int:
+        """First code point, counted from the island's start."""
+
+    @property
+    def end(self) -> int:
+        """One past the last code point, counted from the island's start."""
+
+
+class Place(NamedTuple):
+    """A range of an island's text."""
+
+    island: Island
+    start: int
+    end: int
+
+
+class Name(str):
+    """A name as it is meant (without the escape `^`), and where it stands.
+
+    It compares and prints as its text, so models read naturally.
+    """
+
+    __slots__ = ("end", "island", "start")
+
+    island: Island
+    start: int
+    end: int
+
+    @classmethod
+    def at(cls, text: str, island: Island, start: int, end: int) -> "Name":
+        """Return the name `text` that stands from `start` to `end` of an island."""
+        name = cls(text)
+        name.island = island
+        name.start = start
+        name.end = end
+        return name
+
+
+class Construct:
+    """The meaning of a node of the syntax; it lies where the node lies.
+
+    Attributes:
+        node: Its syntax.
+        island: Where it stands.
+    """
+
+    __slots__ = ("island", "node")
+
+    def __init__(self, node: Node, island: Island) -> None:
+        self.node = node
+        self.island = island
+
+    @property
+    def start(self) -> int:
+        """First code point, from the island's start."""
+        return self.node.start
+
+    @property
+    def end(self) -> int:
+        """One past the last code point, from the island's start."""
+        return self.node.end

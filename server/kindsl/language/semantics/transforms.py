@@ -1,0 +1,102 @@
+"""The meaning of names in a transforms document, and their defects."""
+
+from collections.abc import Iterable, Iterator
+
+from kindsl.language.semantics.model import Model
+from kindsl.language.syntax.transforms_text import Defect, Pair, PlacedName, TransformsDocument
+from kindsl.language.text.nearest import hint, nearest_name
+
+LINK_PREFIX = "fr_"
+
+
+def frame_names(model: Model) -> dict[str, str]:
+    """Return the name here of each frame of a model, with the name there.
+
+    A link's own frame is `fr_` and the link's name; an optional frame keeps its name and wins.
+    """
+    bodies = [model.base, *model.links] if model.base is not None else [*model.links]
+    own = {f"{LINK_PREFIX}{body.name}": str(body.name) for body in bodies}
+    return {**own, **{str(f.name): str(f.name) for body in bodies for f in body.frames}}
+
+
+def joint_frame_names(model: Model) -> dict[str, str]:
+    """Return the name of each joint's frame, fixed to the parent, with the joint's name."""
+    return {f"{LINK_PREFIX}{joint.name}": str(joint.name) for joint in model.joints}
+
+
+def unknown_frames(document: TransformsDocument, model: Model) -> Iterator[Defect]:
+    """Yield frames that the robot does not have."""
+    known = {**joint_frame_names(model), **frame_names(model)}
+    seen = set()
+    for word in _all_words(document):
+        if word.text not in known and word.text not in seen:
+            seen.add(word.text)
+            close = hint(nearest_name(word.text, known))
+            yield Defect(f"the robot has no frame '{word.text}'{close}", word.start, word.end)
+
+
+def undeclared_frames(document: TransformsDocument, _: Model | None) -> Iterator[Defect]:
+    """Yield frames of pairs that `Frames` does not list."""
+    declared = {word.text for word in document.frames}
+    for pair in (*document.transforms, *document.jacobians):
+        for word in pair:
+            if word.text not in declared:
+                yield Defect(f"'{word.text}' is not listed under 'Frames'", word.start, word.end)
+
+
+def repetitions(document: TransformsDocument, _: Model | None) -> Iterator[Defect]:
+    """Yield frames under `Frames`, and pairs, that were there before."""
+    listed: set[str] = set()
+    for word in document.frames:
+        if word.text in listed:
+            yield Defect(f"frame '{word.text}' is already listed", word.start, word.end)
+        listed.add(word.text)
+    for what, pairs in (("transform", document.transforms), ("Jacobian", document.jacobians)):
+        seen: set[tuple[str, str]] = set()
+        for base, target in pairs:
+            key = (base.text, target.text)
+            if key in seen:
+                message = f"the {what} of '{target.text}' in '{base.text}' is already listed"
+                yield Defect(message, base.start, target.end)
+            seen.add(key)
+
+
+def other_robot(document: TransformsDocument, model: Model) -> Iterator[Defect]:
+    """Yield the robot's name if it is not the model's."""
+    word = document.robot
+    if word is not None and model.name and word.text != model.name:
+        yield Defect(f"the robot is '{model.name}', not '{word.text}'", word.start, word.end)
+
+
+def _all_words(document: TransformsDocument) -> Iterator[PlacedName]:
+    yield from document.frames
+    for pair in (*document.transforms, *document.jacobians):
+        yield from _both(pair)
+
+
+def _both(pair: Pair) -> tuple[PlacedName, PlacedName]:
+    return pair.base, pair.target
+
+
+def transforms_document(model: Model) -> str:
+    """Return the document that wants each link's and frame's pose, and the Jacobians of tips.
+
+    Tips are the frames on links without children, such as feet and tools, or such a link itself if
+    it has none. All is seen from the base; without one, from the first link.
+    """
+    frames = list(frame_names(model))
+    base, poses = frames[0], _pairs(frames[0], frames)
+    jacobians = _pairs(base, _tips(model))
+    listed = f"Frames {{\n    {', '.join(frames)}\n}}"
+    return f"Robot {model.name}\n{listed}\nTransforms {{\n{poses}}}\nJacobians {{\n{jacobians}}}\n"
+
+
+def _pairs(base: str, targets: Iterable[str]) -> str:
+    return "".join(f"    base={base}, target={name}\n" for name in targets if name != base)
+
+
+def _tips(model: Model) -> Iterator[str]:
+    for body in model.bodies:
+        if not body.children and not body.is_base:
+            own = f"{LINK_PREFIX}{body.name}"
+            yield from [str(frame.name) for frame in body.frames] or [own]

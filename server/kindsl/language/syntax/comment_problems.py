@@ -1,0 +1,57 @@
+"""Problems of comments, and bytes that are no UTF-8; asked of every island."""
+
+import re
+from collections.abc import Iterator, Sequence
+
+from kindsl.language.syntax.tree import Edit, Problem, Repair
+
+OPEN_COMMENT = "KD003"
+# What reading a file makes of bytes that are no UTF-8.
+UNDECODABLE = re.compile("[\udc80-\udcff]+")
+
+_MOST_PROBLEMS = 20
+_MOST_BYTES = 8
+
+
+def comment_problems(text: str, spans: Sequence[tuple[int, int]]) -> list[Problem]:
+    """Return what is wrong in comments: bytes that are no UTF-8, an end that is missing."""
+    problems = [] if text.isascii() else [*summary(list(undecodable(text, spans)))]
+    if spans:
+        start, end = spans[-1]  # only the last can be open
+        comment = text[start:end]
+        if comment.startswith("/*") and (len(comment) < 4 or not comment.endswith("*/")):
+            problems.append(_open_comment(comment, start))
+    return problems
+
+
+def _open_comment(comment: str, start: int) -> Problem:
+    line_end = len(comment.splitlines()[0].rstrip()) + start
+    repair = Repair("Insert '*/'", (Edit(line_end, line_end, " */"),), False)
+    return Problem(OPEN_COMMENT, "comment is not closed by '*/'", start, start + 2, repair)
+
+
+def undecodable(text: str, spans: Sequence[tuple[int, int]]) -> Iterator[Problem]:
+    """Yield each run of bytes in some spans of a text that are no UTF-8."""
+    for start, end in spans:
+        for run in UNDECODABLE.finditer(text, start, end):
+            yield Problem("KD004", bytes_message(run[0]), *run.span())
+
+
+def bytes_message(run: str) -> str:
+    """Return what to say of bytes that are no UTF-8."""
+    told = " ".join(f"0x{ord(character) - 0xDC00:02X}" for character in run[:_MOST_BYTES])
+    return f"undecodable {'byte' if len(run) == 1 else 'bytes'} {told}, a document is UTF-8"
+
+
+def summary(problems: Sequence[Problem]) -> tuple[Problem, ...]:
+    """Return the problems, the last ones as one where they are many."""
+    if len(problems) <= _MOST_PROBLEMS:
+        return tuple(problems)
+    shown = 1 if len(problems) > 5 * _MOST_PROBLEMS else _MOST_PROBLEMS - 1
+    rest = problems[shown:]
+    edits = tuple(edit for problem in rest if problem.repair for edit in problem.repair.edits)
+    message = f"{len(rest)} more invalid characters"
+    is_safe = all(problem.repair is None or problem.repair.is_safe for problem in rest)
+    repair = Repair("Remove the invalid characters", edits, is_safe) if edits else None
+    last = Problem("KD004", message, rest[0].start, rest[0].end, repair)
+    return (*problems[:shown], last)

@@ -1,0 +1,53 @@
+"""Lost braces, as the layout tells of them."""
+
+from collections.abc import Sequence
+
+from kindsl.language.syntax.tree import Token
+from kindsl.language.text.lines import is_first_on_line
+
+
+def indentation(text: str, position: int) -> str:
+    """Return the blanks at the beginning of the line that holds a position."""
+    start = max(text.rfind("\n", 0, position), text.rfind("\r", 0, position)) + 1
+    end = start
+    while end < len(text) and text[end] in " \t":
+        end += 1
+    return text[start:end]
+
+
+def lost_closing(text: str, tokens: Sequence[Token]) -> int | None:
+    """Return the index of the first `}` that stands further left than the block it would close.
+
+    The brace of that block is the lost one. None where the layout tells nothing.
+    """
+    openings: list[int] = []
+    for index, token in enumerate(tokens):
+        if token.kind == "{":
+            openings.append(len(indentation(text, token.start)))
+        elif token.kind == "}" and openings:
+            indent = openings.pop()
+            column = len(indentation(text, token.start))
+            if column < indent and is_first_on_line(text, token.start):
+                return index
+    return None
+
+
+def surplus_closing(text: str, tokens: Sequence[Token]) -> int | None:
+    """Return the index of the `}` that closes too much, as the layout shows it.
+
+    It is the first that stands further right than the block it closes, or the one before where
+    that one stands at no block's own column.
+    """
+    openings: list[int] = []
+    suspect: int | None = None
+    for index, token in enumerate(tokens):
+        if token.kind == "{":
+            openings.append(len(indentation(text, token.start)))
+        elif token.kind == "}":
+            column = len(indentation(text, token.start))
+            indent = openings.pop() if openings else -1
+            is_first = is_first_on_line(text, token.start)
+            if column > indent and is_first:
+                return index if suspect is None else suspect
+            suspect = None if is_first and column == indent else index
+    return None

@@ -1,0 +1,157 @@
+"""An island that needs repair, from its tokens to its tree and problems.
+
+Apart from `parser.py` because correct documents never load it.
+"""
+
+from bisect import bisect_left, bisect_right, insort
+from collections.abc import Sequence
+
+from kindsl.language.syntax.characters import without_invalid
+from kindsl.language.syntax.comment_problems import OPEN_COMMENT
+from kindsl.language.syntax.habits.table import adapted
+from kindsl.language.syntax.meaning import meaning_problems
+from kindsl.language.syntax.passages import URDF_ELEMENTS, Foreign, Passage, foreign_passages
+from kindsl.language.syntax.recovery.island import recover
+from kindsl.language.syntax.scanner import BAD
+from kindsl.language.syntax.tables import PUNCTUATION
+from kindsl.language.syntax.tree import Island, Node, Problem, Token
+from kindsl.language.syntax.typeset import tokens_as_meant
+
+_ECHO = 12
+_MOST_TOKENS = 100_000
+
+
+def mended(
+    text: str,
+    tokens: list[Token],
+    spans: tuple[tuple[int, int], ...],
+    about_comments: Sequence[Problem],
+) -> Island:
+    """Return the island of tokens that do not fit the grammar as they are.
+
+    Args:
+        text: The island's text.
+        tokens: Its tokens.
+        spans: Its comments.
+        about_comments: Problems in them.
+    """
+    passages = foreign_passages(text)
+    tokens = tokens_as_meant(text, _outside(tokens, passages), spans)
+    if len(tokens) > _MOST_TOKENS:
+        tokens = _shortened(text, tokens)
+    good, invalid, problems = without_invalid(text, tokens)
+    usual = adapted(text, good)
+    is_cut = any(problem.code == OPEN_COMMENT for problem in about_comments)
+    recovered = recover(text, usual.tokens, is_cut=is_cut)
+    written, skipped = recovered.tokens, recovered.skipped
+    foreign = [_foreign(text, passage) for passage in passages]
+    invalid += [*usual.skipped, *foreign]
+    if invalid:
+        written = tuple(sorted((*written, *invalid), key=lambda t: (t.start, t.end)))
+        skipped = (*skipped, *invalid)
+    touched = touched_nodes(recovered.nodes, [*recovered.skipped, *foreign])
+    said = [*problems, *usual.problems, *recovered.problems, *about_comments]
+    said += _not_echoing(recovered.leftovers, said, tokens)
+    said += _not_explained(meaning_problems(text, recovered.nodes, touched), said)
+    said = [problem for problem in said if not _is_within(problem.start, passages)]
+    said += map(_taken_over, passages)
+    said.sort(key=lambda problem: problem.start)
+    return Island(text, recovered.nodes, _with_leads(written), skipped, spans, tuple(said))
+
+
+def _outside(tokens: list[Token], passages: Sequence[Passage]) -> list[Token]:
+    return [t for t in tokens if not _is_within(t.start, passages)] if passages else tokens
+
+
+def _is_within(position: int, passages: Sequence[Passage]) -> bool:
+    return any(passage.start <= position < passage.end for passage in passages)
+
+
+def _foreign(text: str, passage: Passage) -> Token:
+    """Return a passage of another format as one token."""
+    return Token(BAD, text[passage.start : passage.end], 0, passage.start, passage.end)
+
+
+def _taken_over(passage: Passage) -> Problem:
+    """Return the problem of a passage; who reads what it says words it better."""
+    if passage.kind is Foreign.URDF:
+        return Problem("KD001", URDF_ELEMENTS, passage.start, passage.end)
+    return Problem("KD011", "mass properties", passage.start, passage.end)
+
+
+def _shortened(text: str, tokens: list[Token]) -> list[Token]:
+    """Return the tokens with all beyond the most that are mended as one."""
+    start, end = tokens[_MOST_TOKENS].start, tokens[-1].end
+    rest = Token(BAD, text[start:end], tokens[_MOST_TOKENS].lead, start, end)
+    return [*tokens[:_MOST_TOKENS], rest]
+
+
+def _not_echoing(
+    leftovers: Sequence[Problem], said: Sequence[Problem], tokens: Sequence[Token]
+) -> list[Problem]:
+    """Return the problems of left out text that are not right behind a repair or each other.
+
+    There the repair was wrong: it is one mistake.
+    """
+    starts = [token.start for token in tokens]
+    ends = sorted(bisect_left(starts, problem.end) for problem in said)
+    kept: list[Problem] = []
+    for problem in leftovers:
+        first = bisect_left(starts, problem.start)
+        index = bisect_right(ends, first)
+        if index == 0 or first - ends[index - 1] > _ECHO:
+            kept.append(problem)
+        insort(ends, bisect_left(starts, problem.end))
+    return kept
+
+
+def _not_explained(problems: Sequence[Problem], said: Sequence[Problem]) -> list[Problem]:
+    """Return the problems whose place no other problem covers or touches."""
+    return [
+        problem
+        for problem in problems
+        if not any(
+            other.start <= problem.end and problem.start <= other.end
+            for other in said
+            if other.code in ("KD005", "KD010") or problem.code in ("KD005", "KD006")
+        )
+    ]
+
+
+def _with_leads(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
+    """Return the tokens, each led by what lies between it and the one before."""
+    done = 0
+    for token in tokens:
+        token.lead = done
+        done = token.end
+    return tokens
+
+
+def touched_nodes(nodes: Sequence[Node], skipped: Sequence[Token]) -> frozenset[int]:
+    """Return the `id` of each node that has a supplied or a skipped token in it.
+
+    What such a block has or lacks is explained by its repair.
+    """
+    touched: set[int] = set()
+    places = sorted(token.start for token in skipped)
+    around: dict[int, int] = {}
+    pending = list(nodes)
+    while pending:
+        node = pending.pop()
+        index = bisect_left(places, node.start)
+        is_cut = index < len(places) and places[index] < node.end
+        tokens = (child for child in node.children if isinstance(child, Token))
+        if is_cut or any(map(is_repaired, tokens)):
+            one: int | None = id(node)
+            while one is not None and one not in touched:
+                touched.add(one)
+                one = around.get(one)
+        inner = [child for child in node.children if isinstance(child, Node)]
+        around.update((id(child), id(node)) for child in inner)
+        pending += inner
+    return frozenset(touched)
+
+
+def is_repaired(token: Token) -> bool:
+    """Return whether a token is not what the text has there."""
+    return token.is_missing or (token.kind in PUNCTUATION and token.text != token.kind)

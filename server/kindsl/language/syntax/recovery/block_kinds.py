@@ -1,0 +1,232 @@
+"""The kind of the block at a token, also where its keyword is lost, misspelt or wrong."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from kindsl.language.syntax.recovery.costs import cost
+from kindsl.language.syntax.scanner import word_kind
+from kindsl.language.syntax.tables import HOLDS
+from kindsl.language.syntax.token_names import (
+    BLOCK_KINDS,
+    BLOCK_STARTS,
+    SPELLINGS,
+    called,
+    shown,
+    supplied,
+    unknown_keyword,
+)
+from kindsl.language.syntax.tree import Edit, Problem, Repair, Token
+from kindsl.language.syntax.vocabulary import BLOCK_WORDS, NAMES, POSE, token_kind, token_kinds
+from kindsl.language.text.nearest import nearest_words
+
+LONGEST_FIRST = sorted(BLOCK_WORDS, key=len, reverse=True)
+_JOINT_KINDS = {
+    "revolute": "r_joint",
+    "rotational": "r_joint",
+    "rotary": "r_joint",
+    "continuous": "r_joint",
+    "hinge": "r_joint",
+    "prismatic": "p_joint",
+    "translational": "p_joint",
+    "linear": "p_joint",
+    "sliding": "p_joint",
+    "slider": "p_joint",
+}
+_BODY = frozenset({"{", "FLOATING"})
+_LINK_SECTIONS = token_kinds({*HOLDS["link"]} - {*HOLDS["joint"]})
+_POSE = token_kinds(POSE)
+_REACH = 200
+
+
+class Opening(NamedTuple):
+    """The opening of a block.
+
+    Attributes:
+        start: The construct it begins.
+        replaces: The tokens that stand there and are not as they should be.
+        tokens: Tokens read in their place.
+        problem: The problem to report.
+    """
+
+    start: str
+    replaces: tuple[Token, ...] = ()
+    tokens: tuple[Token, ...] = ()
+    problem: Problem | None = None
+
+
+def opening(tokens: Sequence[Token], index: int, previous: str = "") -> Opening | None:
+    """Return how a block begins at a token, None where none does.
+
+    Args:
+        tokens: The island's tokens.
+        index: Where the block would begin.
+        previous: The kind of the block before.
+    """
+    token = tokens[index]
+    start = BLOCK_STARTS.get(token.kind)
+    if start is not None:
+        return _checked(tokens, index, start)
+    if not token.text[:1].isidentifier():
+        return _in_place_of_junk(tokens, index, previous)
+    following = tokens[index + 1] if index + 1 < len(tokens) else None
+    if following is None:
+        return None
+    if following.kind in _BODY and _is_word(token):
+        return _unglued(token) or _without_keyword(tokens, index, previous)
+    behind = tokens[index + 2] if index + 2 < len(tokens) else None
+    if _is_word(following) and behind is not None and behind.kind in _BODY:
+        return _misspelt(tokens, index, previous)
+    return None
+
+
+def _is_word(token: Token) -> bool:
+    return token.kind in NAMES
+
+
+def _checked(tokens: Sequence[Token], index: int, start: str) -> Opening:
+    """Return the opening of a keyword, another one where the block's content says so."""
+    if start in ("head", "end"):
+        return Opening(start)
+    written = "joint" if start == "joint" else "link"
+    content = kind_by_content(tokens, index, written)
+    if content in (None, written):
+        return Opening(start)
+    kind, token = BLOCK_KINDS[content], tokens[index]
+    message = f"expected {called(kind)} instead of '{token.text}'"
+    return _replaced(token, content, Problem("KD001", message, token.start, token.end))
+
+
+def _replaced(token: Token, start: str, problem: Problem, words: tuple[str, ...] = ()) -> Opening:
+    """Return the opening of a block with a keyword in place of a token; without words, any."""
+    kind = BLOCK_KINDS[start]
+    words = words or _spellings(kind)
+    told = _with_repairs(problem, f"Replace '{shown(token.text)}' with", words, token.end)
+    read = Token(kind, words[0], token.lead, token.start, token.end)
+    return Opening(start, (token,), (read,), told)
+
+
+def _spellings(kind: str) -> tuple[str, ...]:
+    """Return the keywords of a kind, r_joint before p_joint."""
+    return tuple(sorted(SPELLINGS.get(kind, (kind,)), reverse=True))
+
+
+def _with_repairs(
+    problem: Problem, what: str, words: tuple[str, ...], end: int, behind: str = ""
+) -> Problem:
+    """Return a problem with the repair of writing a keyword, or with the choice between several."""
+    repairs = tuple(
+        Repair(f"{what} '{word}'", (Edit(problem.start, end, word + behind),), False)
+        for word in words
+    )
+    if len(repairs) > 1:
+        return problem._replace(choices=repairs)
+    return problem._replace(repair=repairs[0])
+
+
+def _unglued(token: Token) -> Opening | None:
+    """Return the opening of `linkl1 {`, which robcogen2 reads as `link l1 {`."""
+    for word in LONGEST_FIRST:
+        if token.text.startswith(word) and len(token.text) > len(word):
+            pair = unglue(token, word)
+            if pair is not None:
+                return Opening(BLOCK_STARTS[pair[0].kind], (token,), pair)
+    return None
+
+
+def unglue(token: Token, word: str) -> tuple[Token, Token] | None:
+    """Return a keyword and the name glued to it, None where the rest is no name."""
+    rest = token.text[len(word) :]
+    if not rest.isidentifier():
+        return None
+    middle = token.start + len(word)
+    return (
+        Token(word_kind(word), word, token.lead, token.start, middle),
+        Token(word_kind(rest), rest, middle, middle, token.end),
+    )
+
+
+def _without_keyword(tokens: Sequence[Token], index: int, previous: str) -> Opening | None:
+    start = _guess(tokens, index, previous)
+    if start is None:
+        return None
+    name = tokens[index]
+    kind = BLOCK_KINDS[start]
+    message = f"expected {called(kind)} before '{shown(name.text)}'"
+    problem = Problem("KD001", message, name.start, name.start)
+    problem = _with_repairs(problem, "Insert", _spellings(kind), name.start, " ")
+    keyword = supplied(kind, name.lead)
+    return Opening(start, (name,), (keyword, name), problem)
+
+
+def _misspelt(tokens: Sequence[Token], index: int, previous: str) -> Opening | None:
+    token = tokens[index]
+    meant = block_words(token.text)
+    start = BLOCK_STARTS[word_kind(meant[0])] if meant else _guess(tokens, index, previous)
+    if start is None:
+        return None
+    content = kind_by_content(tokens, index)
+    if content is not None and (content == "joint") != (start == "joint"):
+        start, meant = content, ()
+    kind = BLOCK_KINDS[start]
+    if not meant:
+        message = f"expected {called(kind)} instead of '{shown(token.text)}'"
+        return _replaced(token, start, Problem("KD010", message, token.start, token.end))
+    message = unknown_keyword(token.text, meant)
+    return _replaced(token, start, Problem("KD010", message, token.start, token.end), meant)
+
+
+def block_words(word: str) -> tuple[str, ...]:
+    """Return the keywords that begin a block and may be meant by a word; r_joint before p_joint."""
+    known = _JOINT_KINDS.get(word.casefold().partition("_")[0])
+    found = (known,) if known else nearest_words(word, BLOCK_WORDS)
+    kinds = {word_kind(each) for each in found}
+    return tuple(sorted(found, reverse=True)) if len(kinds) == 1 else found[:1]
+
+
+def _in_place_of_junk(tokens: Sequence[Token], index: int, previous: str) -> Opening | None:
+    """Return the opening of a block whose keyword is a number or a sign."""
+    behind = tokens[index + 1 : index + 3]
+    if len(behind) < 2 or not _is_word(behind[0]) or behind[1].kind not in _BODY:
+        return None
+    start = _guess(tokens, index + 1, previous)
+    if start is None:
+        return None
+    token = tokens[index]
+    message = f"expected {called(BLOCK_KINDS[start])} instead of '{shown(token.text)}'"
+    problem = Problem("KD001", message, token.start, token.end)
+    return _replaced(token, start, problem)
+
+
+def _guess(tokens: Sequence[Token], index: int, previous: str) -> str | None:
+    """Return the construct of a block without a keyword, by its content."""
+    content = kind_by_content(tokens, index)
+    if content == "link":
+        kinds = [token.kind for token in tokens[index : index + 6]]
+        if "FLOATING" in kinds or (previous == "head" and "id" not in kinds):
+            return "base"
+    if content is None and index <= 1 and tokens[-1].kind == "{" and len(tokens) <= 3:
+        return "head"
+    return content
+
+
+def kind_by_content(tokens: Sequence[Token], index: int, written: str = "") -> str | None:
+    """Return `link` or `joint` for the block named at `index`, None if that cannot be told.
+
+    Whichever the sections up to the next block speak for, and what is written, if any is.
+    """
+    scores = {"link": 0.0, "joint": 0.0}
+    if written:
+        scores[written] += cost("believe a keyword")
+    previous = ""
+    for token in tokens[index + 1 : index + _REACH]:
+        if token.kind in BLOCK_STARTS and token.kind != "}":
+            break
+        if token.kind in _LINK_SECTIONS:
+            is_frames = token.kind == token_kind("frames")
+            scores["link"] += cost("believe frames" if is_frames else "believe a section")
+        elif previous == "ref_frame" and (token.kind == "{" or token.kind in _POSE):
+            scores["joint"] += cost("believe a section")
+        previous = token.kind
+    if scores["link"] == scores["joint"]:
+        return None
+    return max(scores, key=lambda kind: scores[kind])

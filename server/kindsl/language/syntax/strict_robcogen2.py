@@ -1,0 +1,240 @@
+"""Text as robcogen2 reads it, character by character: nothing is supplied, nothing skipped.
+
+robcogen2 has no tokens. Its grammar (textX, robot-model-tools 0.3.0) takes at each place what may
+stand there, the first alternative that fits: so a keyword is a name where a name stands, a word may
+begin right behind a keyword or a number, and digits are those of any alphabet.
+"""
+
+import re
+from collections.abc import Callable
+from functools import cache
+from typing import NamedTuple
+
+from kindsl.language.syntax.portability import ROBCOGEN2
+from kindsl.language.syntax.tables import IGNORED, KEYWORDS, ORDERS, PATTERNS, WORDS
+from kindsl.language.syntax.tree import Token
+from kindsl.language.syntax.value_forms import targets_of
+from kindsl.language.syntax.vocabulary import MOMENTS, SECTIONS
+
+_TRIVIA = re.compile(
+    f"(?:{'|'.join(PATTERNS[kind] for kind in IGNORED if ROBCOGEN2 in targets_of(kind))})*+"
+)
+_NAME = re.compile(r"[^\d\W]\w*")
+_PI = re.compile(r"[Pp|][Ii|]")
+_INT = re.compile(r"[-+]?[0-9]+")
+_STRICT_FLOAT = re.compile(
+    r"[+-]?(?:(?:\d+\.\d*|\.\d+)(?:[eE][+-]?\d+)?|\d+[eE][+-]?\d+)(?<=[\w.])(?![\w.])"
+)
+_NUMBER_KINDS = [
+    (kind, re.compile(pattern))
+    for kind, pattern in PATTERNS.items()
+    if kind in ("POWER_FLOAT", "SCIENTIFIC", "FLOAT")
+]
+
+
+class StrictReading(NamedTuple):
+    """A piece of text as robcogen2 reads it.
+
+    Attributes:
+        blocks: A letter for each block that it reads: `h`, `b`, `l`, `j`, `e`.
+        tokens: Its input, of the kinds that the grammar's tables have.
+        failure: Where it stops, code points from the start; None where it reads all.
+    """
+
+    blocks: str
+    tokens: tuple[Token, ...]
+    failure: int | None
+
+
+def strict_reading(text: str) -> StrictReading:
+    """Return how far robcogen2 reads a row of blocks, in whatever order they stand."""
+    reader = _Reader(text)
+    blocks = ""
+    while not reader.is_at_end():
+        letter = next((letter for letter, block in _BLOCKS if block(reader)), None)
+        if letter is None:
+            break
+        blocks += letter
+    failure = None if reader.is_at_end() else reader.furthest
+    return StrictReading(blocks, tuple(reader.tokens), failure)
+
+
+class _Reader:
+    """A place in a text, and what was read up to there.
+
+    Every method that reads returns whether it could, and reads nothing if not.
+    """
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.place = 0
+        self.furthest = 0
+        self.tokens: list[Token] = []
+
+    def is_at_end(self) -> bool:
+        return self._next() == len(self.text)
+
+    def words(self, sequence: str) -> bool:
+        """Read keywords, signs, and whatever stands for `NAME`, `VECTOR`, `FRAMES?`, ..."""
+        place, count = self.place, len(self.tokens)
+        for word, part, is_optional in _steps(sequence):
+            is_read = part(self) if part is not None else self._word(word)
+            if not (is_read or is_optional):
+                self.place = place
+                del self.tokens[count:]
+                return False
+        return True
+
+    def any_of(self, *sequences: str) -> bool:
+        return any(map(self.words, sequences))
+
+    def _next(self) -> int:
+        match = _TRIVIA.match(self.text, self.place)
+        return match.end() if match is not None else self.place
+
+    def _word(self, word: str) -> bool:
+        start = self._next()
+        if not self.text.startswith(word, start):
+            self.furthest = max(self.furthest, start)
+            return False
+        return self._take(KEYWORDS.get(word, word), start, start + len(word))
+
+    def matching(self, kind: str, pattern: re.Pattern[str]) -> bool:
+        start = self._next()
+        match = pattern.match(self.text, start)
+        if match is None:
+            self.furthest = max(self.furthest, start)
+            return False
+        return self._take(kind or _number_kind(match[0]), start, match.end())
+
+    def name(self) -> bool:
+        return self.matching("NAME", _NAME)
+
+    def number(self) -> bool:
+        return self.matching("", _STRICT_FLOAT) or self.matching("INT", _INT)
+
+    def pi(self) -> bool:
+        start = self._next()
+        if not self.matching("PI", _PI):
+            return False
+        word = self.text[start : self.place]
+        if word != "PI":
+            self.tokens[-1].kind = "LOWER_PI" if word.isalpha() else "PIPE_PI"
+        return True
+
+    def parameter(self) -> bool:
+        if _PI.match(self.text, self._next()) or not self.name():
+            return False
+        return self.words("[ NUMBER ]") or True
+
+    def value(self) -> bool:
+        return self.parameter() or self.any_of("NUMBER", "PI", "< NAME = NUMBER >", "< NAME >")
+
+    def expression(self) -> bool:
+        return self._lone_number() or self.any_of(
+            "NUMBER * VALUE", "- VALUE / NUMBER", "VALUE / NUMBER", "- VALUE", "VALUE"
+        )
+
+    def _lone_number(self) -> bool:
+        """Read a number that no sign stands before and nothing is made of, as most values are."""
+        place, start = self.place, self._next()
+        if self.text.startswith("-", start) or not self.number():
+            return False
+        end = self._next()
+        if self.text.startswith(("*", "/"), end):
+            self.place = place
+            self.tokens.pop()
+            return False
+        self.furthest = max(self.furthest, end)
+        return True
+
+    def moments(self) -> bool:
+        left = list(MOMENTS)
+        while left:
+            found = next((name for name in left if self.words(f"{name} = EXPRESSION")), None)
+            if found is None:
+                return False
+            left.remove(found)
+        return True
+
+    def children(self) -> bool:
+        if not self.words("children {"):
+            return False
+        while self.words("NAME via NAME"):
+            pass
+        return self.words("}")
+
+    def frames(self) -> bool:
+        if not self.words("frames GROUP"):
+            return False
+        while self.group():
+            pass
+        return True
+
+    def group(self) -> bool:
+        if not self.words("{ FRAME"):
+            return False
+        while self.words("FRAME"):
+            pass
+        return self.words("}")
+
+    def _take(self, kind: str, start: int, end: int) -> bool:
+        done = self.tokens[-1].end if self.tokens else 0
+        self.tokens.append(Token(kind, self.text[start:end], done, start, end))
+        self.place = end
+        self.furthest = max(self.furthest, end)
+        return True
+
+
+@cache
+def _steps(sequence: str) -> list[tuple[str, "Callable[[_Reader], bool] | None", bool]]:
+    """Return the words of a sequence, each with its reader if it has one, and if it may lack."""
+    words = [(word.rstrip("?+"), word.endswith("?")) for word in sequence.split()]
+    return [(word, _PARTS.get(word), is_optional) for word, is_optional in words]
+
+
+def _number_kind(text: str) -> str:
+    plain = text
+    if not text.isascii():
+        plain = "".join(str(int(c)) if c.isdigit() else c for c in text)
+    return next(kind for kind, pattern in _NUMBER_KINDS if pattern.fullmatch(plain))
+
+
+def _body(block: str) -> str:
+    """Return the parts of a block: its sections in their order, but those that it does not take."""
+    parts = [part for part in ORDERS[block] if ROBCOGEN2 in targets_of(part.rstrip("?+"))]
+    return " ".join(part.upper() for part in parts)
+
+
+def _section(name: str, kind: str) -> Callable[[_Reader], bool]:
+    value = _VALUES.get(kind)
+    body = f"= {value}" if value else f"{{ {_body(name)} }}"
+    return lambda reader: reader.any_of(*(f"{word} {body}" for word in WORDS[name]))
+
+
+_VALUES = {"vector": "VECTOR", "scalar": "EXPRESSION", "whole": "INT", "name": "NAME"}
+_READ_AS_SUCH = {"moments": _Reader.moments, "list": _Reader.children, "groups": _Reader.frames}
+_PARTS: dict[str, Callable[[_Reader], bool]] = {
+    "NAME": _Reader.name,
+    "NUMBER": _Reader.number,
+    "PI": _Reader.pi,
+    "VALUE": _Reader.value,
+    "EXPRESSION": _Reader.expression,
+    "VECTOR": lambda reader: reader.any_of("( EXPRESSION , EXPRESSION , EXPRESSION )"),
+    "FRAME": lambda reader: reader.any_of(f"NAME {{ {_body('frame')} }}"),
+    "GROUP": _Reader.group,
+    "INT": lambda reader: reader.matching("INT", _INT),
+    "JOINT_KEYWORD": lambda reader: reader.any_of(*WORDS["joint"]),
+    **{
+        name.upper(): _READ_AS_SUCH.get(kind) or _section(name, kind)
+        for name, kind in SECTIONS.items()
+    },
+}
+_BASE, _LINK, _JOINT = (f"{{ {_body(block)} }}" for block in ("base", "link", "joint"))
+_BLOCKS: tuple[tuple[str, Callable[[_Reader], bool]], ...] = (
+    ("b", lambda r: r.any_of(f"RobotBase NAME {_BASE}", f"RobotBase NAME floating {_BASE}")),
+    ("h", lambda r: r.any_of("Robot NAME {")),
+    ("l", lambda r: r.any_of(f"link NAME {_LINK}")),
+    ("j", lambda r: r.any_of(f"JOINT_KEYWORD NAME {_JOINT}")),
+    ("e", lambda r: r.any_of("}")),
+)

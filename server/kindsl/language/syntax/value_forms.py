@@ -1,0 +1,111 @@
+"""The generators that take a value, by the grammar's rule `value`."""
+
+from collections.abc import Sequence
+from functools import lru_cache
+
+from kindsl.language.syntax.automaton import ROWS, TARGETS
+from kindsl.language.syntax.scanner import word_kind
+from kindsl.language.syntax.tables import NEITHER, ONLY, RULES, STARTS
+from kindsl.language.syntax.tree import Island, Node, Token
+from kindsl.language.syntax.vocabulary import NAMES, VALUE_HOLDERS
+from kindsl.language.text.facts import kept
+
+TARGETS_OF_ALL = frozenset({"robcogen", "robcogen2"})
+
+_LONGEST = 12
+_MOST_KNOWN = 4096
+_known: dict[tuple[str, ...], frozenset[str]] = {}
+
+
+def accepted_by(tokens: Sequence[Token]) -> frozenset[str]:
+    """Return the targets that take an expression of these tokens.
+
+    An integer that stands where both targets need a decimal point is taken by none.
+    """
+    if len(tokens) > _LONGEST:
+        return frozenset()
+    return kinds_accepted_by(tuple(form_kind(token) for token in tokens))
+
+
+def kinds_accepted_by(kinds: tuple[str, ...]) -> frozenset[str]:
+    """Return the targets that take an expression of tokens of these kinds."""
+    targets = _known.get(kinds)
+    if targets is None:
+        if len(_known) > _MOST_KNOWN:
+            _known.clear()
+        targets = _known[kinds] = _run(kinds)
+    return targets
+
+
+def form_kind(token: Token) -> str:
+    """Return the terminal of the grammar that a token of an expression is, names told apart."""
+    return token.kind if token.kind != "NAME" else _name_kind(token.text)
+
+
+@lru_cache(_MOST_KNOWN)
+def _name_kind(name: str) -> str:
+    """Return the terminal of a name as it is spelt."""
+    if name.startswith("^"):
+        return "ESCAPED_NAME"
+    kind = word_kind(name)
+    return kind if kind in NAMES else "KEYWORD_NAME"
+
+
+@kept
+def formed_values(island: Island) -> list[Node]:
+    """Return the values of an island that are more than a decimal, in order; kept with it."""
+    found: list[Node] = []
+    pending = [*island.nodes]
+    for node in pending:
+        nodes = found if node.kind in VALUE_HOLDERS else pending
+        for child in node.children:
+            if child.__class__ is Node and not (nodes is found and is_decimal(child)):
+                nodes.append(child)
+    found.sort(key=lambda node: node.start)
+    return found
+
+
+def is_decimal(value: Node) -> bool:
+    """Return whether a value is a decimal number and nothing else."""
+    return value.kind == "number" and value.children[0].kind == "FLOAT"
+
+
+def is_signed_product(node: Node) -> bool:
+    """Return whether an expression is `2.0 - PI`, which robcogen takes for 2.0 times -PI."""
+    if node.kind != "subtract":
+        return False
+    left, _, right = node.children
+    if not (isinstance(left, Node) and isinstance(right, Node) and left.kind == "number"):
+        return False
+    return left.children[0].kind == "FLOAT" and right.kind in ("pi", "parameter")
+
+
+def _run(kinds: tuple[str, ...]) -> frozenset[str]:
+    """Return the targets that no rule and no terminal on the way excludes."""
+    state, end = STARTS["value"]
+    states = [state]
+    targets = TARGETS_OF_ALL
+    for kind in (*kinds, "$END"):
+        targets &= targets_of(kind)
+        while True:
+            action = ROWS[states[-1]].get(kind)
+            if action is None:
+                return frozenset()
+            if action >= 0:
+                states.append(action)
+                break
+            size, name, _, alias = RULES[~action]
+            targets &= targets_of(alias)
+            del states[-size:]
+            state = TARGETS[states[-1]][name]
+            if state == end:
+                return targets
+            states.append(state)
+    return frozenset()
+
+
+def targets_of(name: str) -> frozenset[str]:
+    """Return the targets that take a construct, a form of a value or a terminal as such."""
+    if name in NEITHER:
+        return frozenset()
+    return frozenset({ONLY[name]}) if name in ONLY else TARGETS_OF_ALL

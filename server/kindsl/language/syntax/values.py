@@ -1,0 +1,206 @@
+"""Numbers, expressions and vectors that no generator takes."""
+
+import math
+from collections.abc import Iterator, Sequence
+
+from kindsl.language.syntax.comment_problems import UNDECODABLE
+from kindsl.language.syntax.tables import NEITHER
+from kindsl.language.syntax.token_names import shown
+from kindsl.language.syntax.tree import Edit, Node, Problem, Repair, Token
+from kindsl.language.syntax.value_forms import accepted_by, form_kind, is_decimal, kinds_accepted_by
+from kindsl.language.syntax.vocabulary import VALUE_HOLDERS, of_kind
+from kindsl.language.text.decimals import exact_decimal, significant_decimal
+
+DEEPEST = 60
+
+_LARGEST_ID = 2**31 - 1
+_HOLDERS = VALUE_HOLDERS | of_kind("whole")
+_MOST_PARTS = 1000.0
+_SUMS = frozenset({"add", "subtract"})
+
+
+def value_problems(text: str, block: Node, touched: frozenset[int]) -> Iterator[Problem]:
+    """Yield what is wrong with the numbers, expressions and vectors of a block.
+
+    An expression of more tokens than any generator takes by far is made a flat node `unsupported`.
+    """
+    pending: list[Node] = [block]
+    while pending:
+        node = pending.pop()
+        if id(node) in touched and node.kind in _HOLDERS:
+            _flatten_long_expressions(node)
+            continue
+        if node.kind in VALUE_HOLDERS:
+            for child in node.children:
+                if isinstance(child, Node) and not is_decimal(child):
+                    yield from _expression_problems(text, node, child)
+        elif node.kind == "id":
+            yield from _id_problems(node, block.kind)
+        else:
+            pending += [child for child in node.children if isinstance(child, Node)]
+
+
+def _expression_problems(text: str, parent: Node, node: Node) -> Iterator[Problem]:
+    tokens = list(node.tokens())
+    if len(tokens) > DEEPEST:
+        _flatten_long_expressions(parent)
+    if any(token.is_missing or UNDECODABLE.search(token.text) for token in tokens):
+        return  # which is told already
+    if accepted_by(tokens):
+        return
+    yield (_malformed(tokens) or _integer(tokens) or _unsupported(text, node, tokens))
+
+
+def _flatten_long_expressions(parent: Node) -> None:
+    """Make expressions that are too long flat, so that nobody who walks them runs out of stack."""
+    for place, child in enumerate(parent.children):
+        if isinstance(child, Node) and child.kind != "number":
+            tokens = list(child.tokens())
+            if len(tokens) > DEEPEST:
+                parent.children[place] = Node("unsupported", [*tokens])
+
+
+def _malformed(tokens: Sequence[Token]) -> Problem | None:
+    token = next((t for t in tokens if form_kind(t) in NEITHER), None)
+    if token is None:
+        return None
+    from kindsl.language.syntax.malformed import meant_numbers
+
+    repairs = tuple(
+        Repair(f"Write {meant}", (Edit(token.start, token.end, meant),), False)
+        for meant in meant_numbers(token.text)
+    )
+    message = f"'{shown(token.text)}' is not a number"
+    problem = Problem(NEITHER[form_kind(token)], message, token.start, token.end)
+    if len(repairs) == 1:
+        return problem._replace(repair=repairs[0])
+    return problem._replace(choices=repairs)
+
+
+def _integer(tokens: Sequence[Token]) -> Problem | None:
+    """Return the problem of a whole number where both targets need a decimal point."""
+    kinds = [form_kind(token) for token in tokens]
+    whole = [index for index, kind in enumerate(kinds) if kind == "INT"]
+    for chosen in (*([index] for index in whole), whole):
+        trial = tuple("FLOAT" if i in chosen else kind for i, kind in enumerate(kinds))
+        if chosen and len(trial) <= 12 and kinds_accepted_by(trial):
+            token = tokens[chosen[0]]
+            glued = next((t for t in tokens if t.start == token.end and t.kind == "NAME"), None)
+            if glued is not None:
+                return _with_unit(token, glued)
+            edits = tuple(Edit(tokens[i].end, tokens[i].end, ".0") for i in chosen)
+            message = f"number '{shown(token.text)}' has no decimal point"
+            repair = Repair(f"Write {shown(token.text)}.0", edits, True)
+            return Problem("KD005", message, token.start, token.end, repair)
+    return None
+
+
+def _with_unit(number: Token, unit: Token) -> Problem:
+    """Return the problem of a whole number with letters behind it; only degrees are plain."""
+    text = number.text + unit.text
+    repair = None
+    if unit.text in ("deg", "degrees") and int(number.text):
+        meant = in_radians(number.text)
+        repair = Repair(f"Write {meant}", (Edit(number.start, unit.end, meant),), False)
+    message = f"'{shown(text)}' is not a number"
+    return Problem("KD005", message, number.start, unit.end, repair)
+
+
+def in_radians(degrees: str) -> str:
+    """Return an angle other than zero as both generators read it."""
+    angle = math.radians(float(degrees))
+    return _part_of_pi(angle) or exact_decimal(angle)
+
+
+def _unsupported(text: str, node: Node, tokens: Sequence[Token]) -> Problem:
+    written = shown(text[tokens[0].start : tokens[-1].end])
+    if node.kind in _SUMS:
+        message = f"sum '{written}' where the language has no sums"
+    elif node.kind == "group":
+        message = f"parentheses in '{written}' where the language has none"
+    else:
+        message = f"expression '{written}' is of a form that no generator takes"
+    start, end = tokens[0].start, tokens[-1].end
+    return Problem("KD006", message, start, end, _evaluated(node, tokens, start, end))
+
+
+def _evaluated(node: Node, tokens: Sequence[Token], start: int, end: int) -> Repair | None:
+    """Return the replacement of a constant expression by its value."""
+    if node.kind == "group" and accepted_by(tokens[1:-1]):
+        edits = (Edit(start, tokens[0].end, ""), Edit(tokens[-1].start, end, ""))
+        return Repair("Remove the parentheses", edits, True)
+    value = _constant(node) if len(tokens) <= DEEPEST else None
+    if value is None or not math.isfinite(value):
+        return None
+    number = significant_decimal(value, 15)
+    if any(token.kind == "PI" for token in tokens):
+        number = _part_of_pi(value) or exact_decimal(value)
+    return Repair(f"Write {number}", (Edit(start, end, number),), False)
+
+
+def _part_of_pi(value: float) -> str | None:
+    """Return a multiple of pi as both generators read it: `-PI`, `PI/0.5`; None without such."""
+    divisor = math.pi / abs(value) if value else math.inf
+    text = f"{divisor:.6f}".rstrip("0")
+    text += "0" if text.endswith(".") else ""
+    if divisor > _MOST_PARTS or not float(text) or math.pi / float(text) != abs(value):
+        return None
+    return f"{'-' if value < 0 else ''}PI" + ("" if divisor == 1 else f"/{text}")
+
+
+def _constant(node: Node | Token) -> float | None:
+    """Return the value of an expression of numbers and pi, None for any other."""
+    if isinstance(node, Token):
+        return None
+    first = node.children[0]
+    if node.kind == "number" and isinstance(first, Token):
+        return _number(first)
+    if node.kind == "pi":
+        return math.pi
+    values = [_constant(child) for child in node.children if isinstance(child, Node)]
+    if node.kind == "juxtaposed_pi" and isinstance(first, Token):
+        number = _number(first)
+        return None if number is None else number * math.pi
+    known = [value for value in values if value is not None]
+    if not known or len(known) != len(values):
+        return None
+    return _combined(node.kind, known)
+
+
+def _combined(kind: str, values: Sequence[float]) -> float | None:
+    left, right = values[0], values[-1]
+    if kind == "divide":
+        return left / right if right else None
+    results = {
+        "add": left + right,
+        "subtract": left - right,
+        "multiply": left * right,
+        "negate": -left,
+        "plus": left,
+        "group": left,
+    }
+    return results.get(kind)
+
+
+def _number(token: Token) -> float | None:
+    if token.kind == "MALFORMED_NUMBER" or token.is_missing:
+        return None
+    return float(token.text)
+
+
+def _id_problems(node: Node, block: str) -> Iterator[Problem]:
+    token = node.children[-1]
+    if not isinstance(token, Token) or token.is_missing or block != "link":
+        return
+    digits = token.text.lstrip("+")
+    if token.kind == "INT" and not digits.startswith("-") and 0 < _size(digits) <= _LARGEST_ID:
+        return
+    message = f"id '{shown(token.text)}' is not a natural number"
+    if token.kind == "INT" and _size(digits) > _LARGEST_ID:
+        message = f"id '{shown(token.text)}' is larger than {_LARGEST_ID}"
+    yield Problem("KD005", message, token.start, token.end)
+
+
+def _size(digits: str) -> int:
+    """Return the number, or one too large where it has more digits than are worth reading."""
+    return int(digits) if len(digits) < 20 else _LARGEST_ID + 1

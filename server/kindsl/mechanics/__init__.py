@@ -1,0 +1,4 @@
+"""Knows how bodies move.
+
+Must not know any text.
+"""

@@ -1,0 +1,117 @@
+"""Checks what callers pass in."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from difflib import get_close_matches
+
+import numpy as np
+import numpy.typing as npt
+
+from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY
+from kindsl.mechanics.spatial.arrays import Array
+from kindsl.mechanics.spatial.transforms import homogeneous
+
+# Values of all joints in their order, or of some by their names.
+JointVector = npt.ArrayLike | Mapping[str, npt.ArrayLike]
+
+
+def vectors(quantity: str, values: npt.ArrayLike, components: int) -> Array:
+    """Return values as an array whose last dimension has that many components.
+
+    Raises:
+        ValueError: If they are not real, finite numbers, or of another length.
+    """
+    try:
+        array = np.asarray(values)
+        if array.dtype.kind not in "fiub":
+            raise TypeError(array.dtype)
+        array = array.astype(np.float64, copy=False)
+    except (TypeError, ValueError):
+        raise ValueError(f"'{quantity}' holds something that is not a real number") from None
+    if array.ndim == 0 or array.shape[-1] != components:
+        raise ValueError(f"'{quantity}' has shape {array.shape}, expected (..., {components})")
+    if not np.isfinite(array).all():
+        raise ValueError(f"'{quantity}' holds a value that is not finite")
+    return array
+
+
+def joint_vector(quantity: str, values: JointVector, joints: Sequence[str]) -> Array:
+    """Return values of joints as an array (..., n); those that a mapping lacks are zero.
+
+    Raises:
+        ValueError: A name is no joint's; besides, what `vectors` raises.
+    """
+    if not isinstance(values, Mapping):
+        return vectors(quantity, values, len(joints))
+    for name in values:
+        if name not in joints:
+            raise unknown_name("joint", name, joints)
+    try:
+        each = np.broadcast_arrays(*(np.asarray(values.get(name, 0.0)) for name in joints))
+    except ValueError:
+        raise ValueError(f"values in '{quantity}' have batch shapes that do not fit") from None
+    return vectors(quantity, np.stack(each, axis=-1), len(joints))
+
+
+def base_conditions(
+    bodies: Bodies, base_velocity: npt.ArrayLike | None, gravity: npt.ArrayLike
+) -> dict[str, Array]:
+    """Return what is not standard of the base's velocity (..., 6) and gravity (..., 3).
+
+    Raises:
+        ValueError: If a fixed base is given a velocity, or an array is not right.
+    """
+    conditions = {}
+    if base_velocity is not None:
+        if not bodies.is_floating:
+            raise ValueError("'base_velocity' is given, but the base is fixed")
+        conditions["base_velocity"] = vectors("base_velocity", base_velocity, 6)
+    if gravity is not STANDARD_GRAVITY:
+        conditions["gravity"] = vectors("gravity", gravity, 3)
+    return conditions
+
+
+def common_batch_shape(arrays: dict[str, Array]) -> tuple[int, ...]:
+    """Return what the leading dimensions of named arrays broadcast to.
+
+    Raises:
+        ValueError: If they do not.
+    """
+    shape, *others = {array.shape[:-1] for array in arrays.values()}
+    try:
+        return np.broadcast_shapes(shape, *others) if others else shape
+    except ValueError:
+        listed = ", ".join(f"'{name}' {array.shape}" for name, array in arrays.items())
+        raise ValueError(f"the batch dimensions cannot be broadcast: {listed}") from None
+
+
+def placed_frame(bodies: Bodies, name: str) -> tuple[int, Array]:
+    """Return the body that carries a link or frame, and its pose (4, 4) in that body.
+
+    Raises:
+        ValueError: If there is no such link or frame.
+    """
+    for frame in bodies.frames:
+        if frame.name == name:
+            return frame.body, homogeneous(frame.body_R_frame, frame.body_r_frame)
+    names = (bodies.base_name, *bodies.link_names)
+    if name not in names:
+        raise unknown_name("link or frame", name, (*(f.name for f in bodies.frames), *names))
+    return names.index(name), np.eye(4)
+
+
+def check_mass(bodies: Bodies) -> None:
+    """Check that there is a centre of mass.
+
+    Raises:
+        ValueError: If the total mass is zero.
+    """
+    if float(np.sum(bodies.masses)) == 0.0:
+        raise ValueError("the centre of mass is not defined: the total mass is zero")
+
+
+def unknown_name(kind: str, name: str, known: Iterable[str]) -> ValueError:
+    """Return the error for a name that is not there, with the nearest one that is."""
+    near = get_close_matches(name, known, n=1)
+    hint = f", did you mean '{near[0]}'?" if near else ""
+    return ValueError(f"there is no {kind} '{name}'{hint}")

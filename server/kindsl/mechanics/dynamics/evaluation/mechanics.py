@@ -1,0 +1,294 @@
+"""The one interface to all quantities of a mechanism."""
+
+# Signatures in `help` are as short as they are written here.
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from kindsl.mechanics.dynamics import center_of_mass as masses
+from kindsl.mechanics.dynamics import energy
+from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.dynamics.evaluation.arguments import (
+    JointVector,
+    base_conditions,
+    check_mass,
+    common_batch_shape,
+    joint_vector,
+    placed_frame,
+    vectors,
+)
+from kindsl.mechanics.dynamics.evaluation.choice_of_form import Forms
+from kindsl.mechanics.dynamics.evaluation.differentiable import AT_REST
+from kindsl.mechanics.dynamics.evaluation.request import Request
+from kindsl.mechanics.dynamics.evaluation.results import FreeMotion, FreeMotionTorque, Poses
+from kindsl.mechanics.dynamics.evaluation.singular import not_finite, too_large
+from kindsl.mechanics.dynamics.evaluation.whole_body import WholeBody
+from kindsl.mechanics.dynamics.forward_kinematics import joint_poses
+from kindsl.mechanics.dynamics.jacobian import jacobian
+from kindsl.mechanics.dynamics.quantities import (
+    JOINT_VECTORS,
+    STANDARD_GRAVITY,
+    Quantity,
+    SingularInertiaError,
+)
+from kindsl.mechanics.spatial.arrays import Array
+
+GRAVITY = np.array(STANDARD_GRAVITY)
+# Quantities that divide by inertia.
+ACCELERATING = ("inverse_dynamics", "forward_dynamics")
+# What ready code raises if it is not there yet, or for arguments that need a closer look.
+NOT_READY = (
+    AttributeError, KeyError, OverflowError, TypeError, ValueError, ZeroDivisionError,
+)  # fmt: skip
+
+
+class Mechanics(WholeBody):
+    """Kinematics and dynamics of a tree of bodies.
+
+    Leading dimensions of all arguments are batches and broadcast. What concerns joints is in the
+    order of the links, or a mapping by their names, in which those that are zero may be missing.
+    All vectors are in base coordinates, and gravity is to be given so too. A floating base adds six
+    rows before the joints', angular then linear. Results of large batches are views whose memory
+    runs along the batch.
+
+    All methods raise ValueError for arguments of a wrong shape or with values that are not finite.
+    """
+
+    __slots__ = ("_forms", "_generated", "_pose_indices", "bodies")
+
+    def __init__(self, bodies: Bodies, *, generates_code: bool = True) -> None:
+        """Take over a tree of bodies.
+
+        Args:
+            bodies: The tree.
+            generates_code: Whether to write code for it, which takes ten times as long as a few
+                answers do without, and answers ten times sooner from then on.
+        """
+        self.bodies = bodies
+        self._forms = Forms(bodies, generates_code=generates_code)
+        self._generated = self._forms.generated
+        names = (*bodies.link_names, *(frame.name for frame in bodies.frames))
+        self._pose_indices = {name: index for index, name in enumerate(names)}
+
+    @property
+    def joint_names(self) -> tuple[str, ...]:
+        """The joints, in the order of all joint vectors."""
+        return self.bodies.joint_names
+
+    @property
+    def link_names(self) -> tuple[str, ...]:
+        """The links; each joint supports the link of the same index."""
+        return self.bodies.link_names
+
+    @property
+    def n_joints(self) -> int:
+        """Number of joints."""
+        return self.bodies.n_links
+
+    def forward_kinematics(self, q: JointVector) -> Poses:
+        """Return `base_T_x` (..., 4, 4) of each link and frame x by name, links first."""
+        try:
+            return Poses(self._pose_indices, self._generated.pose_entries(q))  # type: ignore[misc]
+        except NOT_READY:
+            entries = self._evaluate("poses", (q,))
+        return Poses(self._pose_indices, self._pose_by_pose(entries))
+
+    def joint_poses(self, q: JointVector) -> dict[str, Array]:
+        """Return `base_T_j` (..., 4, 4) of each joint frame j by the joint's name.
+
+        The joint turns about, or slides along, the z axis.
+        """
+        poses = joint_poses(self.bodies, self._body_poses(q))
+        return dict(zip(self.bodies.joint_names, poses, strict=True))
+
+    def jacobian(self, q: JointVector, name: str) -> Array:
+        """Return the geometric Jacobian (..., 6, nv) of a link or frame.
+
+        It gives the velocity relative to the world in that frame's orientation, at its origin.
+
+        Raises:
+            ValueError: If there is no such link or frame.
+        """
+        body, body_T_frame = placed_frame(self.bodies, name)
+        poses = self._body_poses(q)
+        return jacobian(self.bodies, poses, body, poses[body] @ body_T_frame)
+
+    def center_of_mass(self, q: JointVector) -> Array:
+        """Return the centre of mass of all that moves, shape (..., 3), metres.
+
+        A floating base moves; the mass of a fixed one counts nowhere.
+
+        Raises:
+            ValueError: If the total mass is zero.
+        """
+        check_mass(self.bodies)
+        return masses.center_of_mass(self.bodies, self._body_poses(q))
+
+    def center_of_mass_jacobian(self, q: JointVector) -> Array:
+        """Return the Jacobian (..., 3, nv) of the centre of mass.
+
+        Raises:
+            ValueError: If the total mass is zero.
+        """
+        check_mass(self.bodies)
+        return masses.center_of_mass_jacobian(self.bodies, self._body_poses(q))
+
+    def total_mass(self) -> float:
+        """Return the mass of all that moves, a floating base included, kg."""
+        return float(np.sum(self.bodies.masses))
+
+    def subtree_masses(self) -> dict[str, float]:
+        """Return each body's mass with all that it carries by the body's name, kg, base first."""
+        names = (self.bodies.base_name, *self.bodies.link_names)
+        return dict(zip(names, masses.subtree_masses(self.bodies).tolist(), strict=True))
+
+    def joint_space_inertia(self, q: JointVector) -> Array:
+        """Return the joint-space inertia (..., nv, nv)."""
+        entries = self._evaluate("joint_space_inertia", (q,))
+        nv = self.bodies.n_velocities
+        return entries.reshape((*entries.shape[:-1], nv, nv))
+
+    def inverse_dynamics(
+        self,
+        q: JointVector,
+        qd: JointVector,
+        qdd: JointVector,
+        base_velocity: npt.ArrayLike | None = None,
+        gravity: npt.ArrayLike = STANDARD_GRAVITY,
+    ) -> Array | FreeMotionTorque:
+        """Return the joint forces that a motion takes.
+
+        Args:
+            q: Joint positions, shape (..., n), radians and metres.
+            qd: Joint velocities, shape (..., n).
+            qdd: Joint accelerations, shape (..., n).
+            base_velocity: Of a floating base, shape (..., 6); None is rest.
+            gravity: Shape (..., 3), m/s^2.
+
+        Returns:
+            With a fixed base `tau` (..., n), N m and N; with a floating base always
+            `(tau, base_acceleration)`, at which no wrench acts on the base.
+
+        Raises:
+            SingularInertiaError: If nothing resists a floating base's motion.
+        """
+        entries = self._evaluate("inverse_dynamics", (q, qd, qdd), base_velocity, gravity)
+        if not self.bodies.is_floating:
+            return entries
+        return FreeMotionTorque(entries[..., :-6], entries[..., -6:])
+
+    def forward_dynamics(
+        self,
+        q: JointVector,
+        qd: JointVector,
+        tau: JointVector,
+        base_velocity: npt.ArrayLike | None = None,
+        gravity: npt.ArrayLike = STANDARD_GRAVITY,
+    ) -> Array | FreeMotion:
+        """Return the accelerations under joint forces.
+
+        Args:
+            q: Joint positions, shape (..., n), radians and metres.
+            qd: Joint velocities, shape (..., n).
+            tau: Joint forces, shape (..., n), N m and N.
+            base_velocity: Of a floating base, shape (..., 6); None is rest.
+            gravity: Shape (..., 3), m/s^2.
+
+        Returns:
+            With a fixed base `qdd` (..., n); with a floating base always
+            `(qdd, base_acceleration)`, at which no wrench acts on the base.
+
+        Raises:
+            SingularInertiaError: If nothing resists a motion.
+        """
+        entries = self._evaluate("forward_dynamics", (q, qd, tau), base_velocity, gravity)
+        if not self.bodies.is_floating:
+            return entries
+        return FreeMotion(entries[..., :-6], entries[..., -6:])
+
+    def gravity_torque(self, q: JointVector, gravity: npt.ArrayLike = STANDARD_GRAVITY) -> Array:
+        """Return the forces (..., nv) that hold the mechanism at rest."""
+        return self._evaluate("gravity_torque", (q,), None, gravity)
+
+    def bias_torque(
+        self,
+        q: JointVector,
+        qd: JointVector,
+        base_velocity: npt.ArrayLike | None = None,
+        gravity: npt.ArrayLike = STANDARD_GRAVITY,
+    ) -> Array:
+        """Return the forces (..., nv) at zero acceleration, gravity's included."""
+        return self._evaluate("bias_torque", (q, qd), base_velocity, gravity)
+
+    def kinetic_energy(
+        self, q: JointVector, qd: JointVector, base_velocity: npt.ArrayLike | None = None
+    ) -> Array:
+        """Return the kinetic energy (...), joule."""
+        names = self.joint_names
+        arrays = {"q": joint_vector("q", q, names), "qd": joint_vector("qd", qd, names)}
+        conditions = base_conditions(self.bodies, base_velocity, STANDARD_GRAVITY)
+        common_batch_shape(arrays | conditions)
+        v_base = conditions.get("base_velocity", AT_REST)
+        return energy.kinetic_energy(self.bodies, arrays["q"], arrays["qd"], v_base)
+
+    def potential_energy(self, q: JointVector, gravity: npt.ArrayLike = STANDARD_GRAVITY) -> Array:
+        """Return the potential energy (...), joule, zero for all mass at the base's origin."""
+        arrays = {
+            "q": joint_vector("q", q, self.joint_names),
+            "gravity": vectors("gravity", gravity, 3),
+        }
+        common_batch_shape(arrays)
+        return energy.potential_energy(self.bodies, self._body_poses(q), arrays["gravity"])
+
+    def _evaluate(
+        self,
+        quantity: Quantity,
+        joint_vectors: tuple[JointVector, ...],
+        base_velocity: npt.ArrayLike | None = None,
+        gravity: npt.ArrayLike = STANDARD_GRAVITY,
+    ) -> Array:
+        if base_velocity is None and gravity is STANDARD_GRAVITY:
+            # A single answer if code is ready and nothing is wrong, without a slow check.
+            try:
+                return self._generated.at_rest[quantity](*joint_vectors)
+            except NOT_READY:
+                pass
+        arrays = {
+            name: joint_vector(name, values, self.joint_names)
+            for name, values in zip(JOINT_VECTORS[quantity], joint_vectors, strict=True)
+        }
+        conditions = base_conditions(self.bodies, base_velocity, gravity)
+        entries = self._computed(quantity, arrays, conditions)
+        if quantity in ACCELERATING and not np.isfinite(entries).all():
+            raise not_finite(self.bodies, arrays)
+        return entries
+
+    def _computed(
+        self, quantity: Quantity, arrays: dict[str, Array], conditions: dict[str, Array]
+    ) -> Array:
+        request = Request(
+            quantity,
+            common_batch_shape(arrays | conditions),
+            tuple(arrays.values()),
+            base_velocity=conditions.get("base_velocity", AT_REST),
+            gravity=conditions.get("gravity", GRAVITY),
+        )
+        try:
+            with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+                return self._forms.evaluate(request)
+        except (SingularInertiaError, ZeroDivisionError, np.linalg.LinAlgError):
+            raise not_finite(self.bodies, arrays) from None
+        except OverflowError:
+            raise too_large(arrays) from None
+
+    def _body_poses(self, q: JointVector) -> list[Array]:
+        poses = self._pose_by_pose(self._evaluate("poses", (q,)))
+        base = np.broadcast_to(np.eye(4), poses.shape[1:])
+        return [base, *poses[: self.bodies.n_links]]
+
+    def _pose_by_pose(self, entries: Array) -> Array:
+        """Return rows of entries, one per configuration, as (poses, ..., 4, 4)."""
+        n = entries.ndim - 1
+        poses = entries.reshape((*entries.shape[:-1], entries.shape[-1] // 16, 4, 4))
+        return poses.transpose((n, *range(n), n + 1, n + 2))

@@ -1,0 +1,234 @@
+"""Quantities that controllers of the whole body ask for besides, as methods."""
+
+# Signatures in `help` are as short as they are written here.
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from kindsl.mechanics.dynamics.bias_torque import bias_torque
+from kindsl.mechanics.dynamics.centroidal_momentum import (
+    centroidal_momentum_drift,
+    centroidal_momentum_matrix,
+)
+from kindsl.mechanics.dynamics.constrained_forward_dynamics import constrained_forward_dynamics
+from kindsl.mechanics.dynamics.coriolis_matrix import coriolis_matrix
+from kindsl.mechanics.dynamics.evaluation.arguments import JointVector, check_mass, placed_frame
+from kindsl.mechanics.dynamics.evaluation.differentiable import Differentiable
+from kindsl.mechanics.dynamics.evaluation.results import ConstrainedMotion
+from kindsl.mechanics.dynamics.evaluation.singular import not_finite, singular_inertia
+from kindsl.mechanics.dynamics.forward_kinematics import body_poses
+from kindsl.mechanics.dynamics.frame_motion import frame_motion
+from kindsl.mechanics.dynamics.jacobian import jacobian
+from kindsl.mechanics.dynamics.joint_space_inertia import joint_space_inertia
+from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY
+from kindsl.mechanics.spatial.arrays import Array
+
+
+class WholeBody(Differentiable):
+    """Momentum, motions of frames, contacts: what `Mechanics` has for controllers.
+
+    Accelerations of a floating base are spatial ones in base coordinates, as in all of `Mechanics`;
+    those of frames have the acceleration of the origin as a point, in the frame's coordinates.
+    """
+
+    __slots__ = ()
+
+    def centroidal_momentum_matrix(self, q: JointVector) -> Array:
+        """Return `A` (..., 6, nv), with the momentum about the CoM `A @ (base velocity, qd)`.
+
+        The angular part comes first, in base coordinates, N m s and N s.
+
+        Raises:
+            ValueError: If the total mass is zero.
+        """
+        check_mass(self.bodies)
+        q, _ = self._motion({"q": q}, {}, STANDARD_GRAVITY)
+        return centroidal_momentum_matrix(self.bodies, q)
+
+    def centroidal_momentum_drift(
+        self, q: JointVector, qd: JointVector, base_velocity: npt.ArrayLike | None = None
+    ) -> Array:
+        """Return the rate (..., 6) of momentum about the CoM at zero acceleration.
+
+        The rate under accelerations is `centroidal_momentum_matrix(q) @ a` more.
+
+        Raises:
+            ValueError: If the total mass is zero.
+        """
+        check_mass(self.bodies)
+        joints, base = {"q": q, "qd": qd}, {"base_velocity": base_velocity}
+        q, qd, v, _ = self._motion(joints, base, STANDARD_GRAVITY)
+        return centroidal_momentum_drift(self.bodies, q, qd, v)
+
+    def frame_velocity(
+        self,
+        q: JointVector,
+        qd: JointVector,
+        name: str,
+        base_velocity: npt.ArrayLike | None = None,
+    ) -> Array:
+        """Return the velocity (..., 6) of a link or frame: `jacobian @ (base velocity, qd)`.
+
+        It is relative to the world, in the frame's own coordinates, at its origin.
+
+        Raises:
+            ValueError: If there is no such link or frame.
+        """
+        return self._of_frame("velocity", name, (q, qd), (base_velocity,))
+
+    def frame_acceleration(
+        self,
+        q: JointVector,
+        qd: JointVector,
+        qdd: JointVector,
+        name: str,
+        base_velocity: npt.ArrayLike | None = None,
+        base_acceleration: npt.ArrayLike | None = None,
+    ) -> Array:
+        """Return the acceleration (..., 6) of a link or frame.
+
+        It is `jacobian @ (base acceleration, qdd) + frame_acceleration_drift`: angular acceleration
+        and that of its origin, relative to the world, in the frame's own coordinates.
+
+        Raises:
+            ValueError: If there is no such link or frame.
+        """
+        base = (base_velocity, base_acceleration)
+        return self._of_frame("acceleration", name, (q, qd, qdd), base)
+
+    def frame_acceleration_drift(
+        self,
+        q: JointVector,
+        qd: JointVector,
+        name: str,
+        base_velocity: npt.ArrayLike | None = None,
+    ) -> Array:
+        """Return the acceleration (..., 6) of a link or frame at zero acceleration: `Jd qd`.
+
+        Raises:
+            ValueError: If there is no such link or frame.
+        """
+        return self._of_frame("acceleration_drift", name, (q, qd), (base_velocity,))
+
+    def joint_space_inertia_inverse(self, q: JointVector) -> Array:
+        """Return the inverse (..., nv, nv) of the joint-space inertia.
+
+        Raises:
+            SingularInertiaError: If nothing resists a motion.
+        """
+        q, _ = self._motion({"q": q}, {}, STANDARD_GRAVITY)
+        try:
+            inverse = np.linalg.inv(joint_space_inertia(self.bodies, q))
+        except np.linalg.LinAlgError:
+            raise singular_inertia(self.bodies, q) from None
+        if not np.isfinite(inverse).all():
+            raise not_finite(self.bodies, {"q": q})
+        return np.asarray(inverse, dtype=np.float64)
+
+    def coriolis_matrix(
+        self, q: JointVector, qd: JointVector, base_velocity: npt.ArrayLike | None = None
+    ) -> Array:
+        """Return `C` (..., nv, nv), with the bias torque `C @ (base velocity, qd)` and gravity's.
+
+        `C + C.T` is the rate of the joint-space inertia. Friction of joints is not in `C`.
+        """
+        joints, base = {"q": q, "qd": qd}, {"base_velocity": base_velocity}
+        q, qd, v, _ = self._motion(joints, base, STANDARD_GRAVITY)
+        return coriolis_matrix(self.bodies, q, qd, v)
+
+    def constrained_forward_dynamics(
+        self,
+        q: JointVector,
+        qd: JointVector,
+        tau: JointVector,
+        contacts: Sequence[str],
+        base_velocity: npt.ArrayLike | None = None,
+        gravity: npt.ArrayLike = STANDARD_GRAVITY,
+        *,
+        is_rigid: bool = False,
+    ) -> ConstrainedMotion:
+        """Return the accelerations under joint forces while frames are held.
+
+        The origins of the frames do not accelerate; where they are to stay, velocities must be such
+        that they do not move.
+
+        Args:
+            q: Joint positions, shape (..., n), radians and metres.
+            qd: Joint velocities, shape (..., n).
+            tau: Joint forces, shape (..., n), N m and N.
+            contacts: The k links or frames that are held.
+            base_velocity: Of a floating base, shape (..., 6); None is rest.
+            gravity: Shape (..., 3), m/s^2.
+            is_rigid: Whether the frames may not turn either.
+
+        Raises:
+            SingularInertiaError: If nothing resists a motion.
+            ValueError: If there is no such link or frame, or contacts hold the same motion.
+        """
+        joints, base = {"q": q, "qd": qd, "tau": tau}, {"base_velocity": base_velocity}
+        q, qd, tau, v, g = self._motion(joints, base, gravity)
+        first = self.bodies.n_velocities - self.bodies.n_links
+        bias = bias_torque(self.bodies, q, qd, v, g)
+        forces = np.concatenate((np.zeros((*tau.shape[:-1], first)), tau), axis=-1) - bias
+        rows = slice(0 if is_rigid else 3, 6)
+        J, drift = self._contacts(contacts, q, qd, v, rows)
+        M = joint_space_inertia(self.bodies, q)
+        try:
+            with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+                found = constrained_forward_dynamics(M, forces, J, drift)
+        except np.linalg.LinAlgError:
+            raise singular_inertia(self.bodies, q) from None
+        if not np.isfinite(found.a).all():
+            raise not_finite(self.bodies, {"q": q, "qd": qd, "tau": tau})
+        base_acceleration = found.a[..., :first] if first else np.zeros((*q.shape[:-1], 6))
+        shape = (*q.shape[:-1], len(contacts), rows.stop - rows.start)
+        return ConstrainedMotion(
+            found.a[..., first:], base_acceleration, found.forces.reshape(shape), found.Lambda
+        )
+
+    def _contacts(
+        self, names: Sequence[str], q: Array, qd: Array, v: Array, rows: slice
+    ) -> tuple[Array, Array]:
+        """Return the frames' Jacobian and drift in base coordinates, one below the other."""
+        rest, poses = np.zeros_like(qd), body_poses(self.bodies, q)
+        jacobians, drifts = [], []
+        for name in names:
+            body, body_T_frame = placed_frame(self.bodies, name)
+            base_T_frame = poses[body] @ body_T_frame
+            motion = frame_motion(self.bodies, q, qd, rest, v, np.zeros(6), body, body_T_frame)
+            turned = np.zeros((*q.shape[:-1], 6, 6))
+            turned[..., :3, :3] = turned[..., 3:, 3:] = base_T_frame[..., :3, :3]
+            J = turned @ jacobian(self.bodies, poses, body, base_T_frame)
+            jacobians.append(J[..., rows, :])
+            drifts.append((turned @ motion.acceleration[..., None])[..., rows, 0])
+        if not jacobians:
+            batch = q.shape[:-1]
+            return np.zeros((*batch, 0, self.bodies.n_velocities)), np.zeros((*batch, 0))
+        return np.concatenate(jacobians, axis=-2), np.concatenate(drifts, axis=-1)
+
+    def _of_frame(
+        self,
+        kind: str,
+        name: str,
+        joints: Sequence[JointVector],
+        base: Sequence[npt.ArrayLike | None],
+    ) -> Array:
+        """Return the velocity, the acceleration or its drift of a frame.
+
+        Args:
+            kind: `velocity`, `acceleration` or `acceleration_drift`.
+            name: The link or frame.
+            joints: Joint positions, velocities and, for `acceleration`, accelerations.
+            base: Velocity and, for `acceleration`, acceleration of a floating base.
+        """
+        q, qd, qdd, v, a, _ = self._motion(
+            dict(zip(("q", "qd", "qdd"), (*joints, {}), strict=False)),
+            dict(zip(("base_velocity", "base_acceleration"), (*base, None), strict=False)),
+            STANDARD_GRAVITY,
+        )
+        body, body_T_frame = placed_frame(self.bodies, name)
+        motion = frame_motion(self.bodies, q, qd, qdd, v, a, body, body_T_frame)
+        return motion.velocity if kind == "velocity" else motion.acceleration

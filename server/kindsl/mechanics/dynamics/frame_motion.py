@@ -1,0 +1,65 @@
+"""Velocity and acceleration of a frame."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.dynamics.joints import (
+    apply,
+    link_transforms,
+    motion_cross_product,
+    motion_subspaces,
+)
+from kindsl.mechanics.spatial.arrays import Array
+from kindsl.mechanics.spatial.cross_products import cross
+from kindsl.mechanics.spatial.transforms import plucker
+
+
+class FrameMotion(NamedTuple):
+    """The motion of a frame relative to the world, in its own coordinates, angular part first.
+
+    Attributes:
+        velocity: Angular velocity, and the velocity of its origin, shape (..., 6).
+        acceleration: Angular acceleration, and the acceleration of its origin, shape (..., 6).
+    """
+
+    velocity: Array
+    acceleration: Array
+
+
+def frame_motion(
+    bodies: Bodies,
+    q: Array,
+    qd: Array,
+    qdd: Array,
+    base_velocity: Array,
+    base_acceleration: Array,
+    body: int,
+    body_T_frame: Array,
+) -> FrameMotion:
+    """Return the motion of a frame on a body.
+
+    Args:
+        bodies: The mechanism.
+        q: Joint positions, shape (..., n), radians and metres.
+        qd: Joint velocities, shape (..., n).
+        qdd: Joint accelerations, shape (..., n).
+        base_velocity: Spatial velocity of the base, shape (..., 6), zero if it is fixed.
+        base_acceleration: Spatial acceleration of the base, shape (..., 6), zero if it is fixed.
+        body: Index of the body that carries the frame.
+        body_T_frame: The frame's pose in the body, shape (4, 4).
+
+    Source: Featherstone 2008, table 5.1; the acceleration of a point is the linear part of the
+        spatial one and `w x v` (sec. 2.11).
+    """
+    X, S = link_transforms(bodies, q), motion_subspaces(bodies)
+    v, a = base_velocity, base_acceleration
+    for i in reversed(bodies.support(body)):
+        v_joint = S[i] * qd[..., i - 1, None]
+        v = apply(X[i], v) + v_joint
+        a = apply(X[i], a) + S[i] * qdd[..., i - 1, None] + motion_cross_product(v, v_joint)
+    frame_X_body = plucker(body_T_frame[:3, :3].T, body_T_frame[:3, 3])
+    v, a = apply(frame_X_body, v), apply(frame_X_body, a)
+    turning = cross(v[..., :3], v[..., 3:])
+    return FrameMotion(v, np.concatenate((a[..., :3], a[..., 3:] + turning), axis=-1))

@@ -1,0 +1,88 @@
+"""Composite bodies and the joint-space inertia, for tracing."""
+
+from kindsl.mechanics.dynamics.generation.mass_moments import MassMoments
+from kindsl.mechanics.dynamics.generation.tree import JointMotion, Tree, joint_motions
+from kindsl.mechanics.dynamics.generation.vectors import Matrix, Vector, add, cross
+
+
+def composites(tree: Tree, q: Vector) -> list[MassMoments]:
+    """Return each body with all that it carries, as if rigid."""
+    joints, composite = joint_motions(tree, q), list(tree.masses)
+    for i in tree.links_leaves_first():
+        composite[tree.parents[i]] += joints[i].mass_in_parent(composite[i])
+    return composite
+
+
+def joint_reaction(kind: str, body: MassMoments) -> tuple[Vector, Vector]:
+    """Return the moment and the force of a body that its joint accelerates by one."""
+    (xx, _, xz), (_, yy, yz), _ = body.second
+    x, y, _ = body.first
+    if kind == "revolute":
+        return [0.0 - xz, 0.0 - yz, xx + yy], [0.0 - y, x, 0.0]
+    return [y, 0.0 - x, 0.0], [0.0, 0.0, body.mass]
+
+
+def joint_space_inertia(tree: Tree, q: Vector) -> Matrix:
+    """Return `M`, the base's six rows first if it floats; entries below the diagonal mirrored."""
+    joints, composite = joint_motions(tree, q), composites(tree, q)
+    first = 6 if tree.is_floating else 0
+    size = first + len(tree.links())
+    M: Matrix = [[0.0] * size for _ in range(size)]
+    for i in tree.links():
+        row = first + i - 1
+        moment, force = joint_reaction(joints[i].kind, composite[i])
+        M[row][row] = moment[2] if joints[i].kind == "revolute" else force[2]
+        if tree.drives is not None:
+            M[row][row] = M[row][row] + tree.drives.armature[i - 1]
+        j = i
+        while tree.parents[j] != 0:
+            moment, force = _in_parent(joints[j], moment, force)
+            j = tree.parents[j]
+            column = first + j - 1
+            M[row][column] = moment[2] if joints[j].kind == "revolute" else force[2]
+            M[column][row] = M[row][column]
+        if tree.is_floating:
+            moment, force = _in_parent(joints[j], moment, force)
+            for column, entry in enumerate([*moment, *force]):
+                M[row][column] = M[column][row] = entry
+    if tree.is_floating:
+        for row, entries in enumerate(rigid_body_inertia(composite[0])):
+            M[row][:6] = entries
+    return M
+
+
+def base_reactions(tree: Tree, q: Vector) -> list[tuple[Vector, Vector]]:
+    """Return moment and force on the base of each unit acceleration, a floating base's six first.
+
+    Momentum is the same of a unit velocity.
+    """
+    joints, composite = joint_motions(tree, q), composites(tree, q)
+    whole = rigid_body_inertia(composite[0]) if tree.is_floating else []
+    found: list[tuple[Vector, Vector]] = [(column[:3], column[3:]) for column in whole]
+    for i in tree.links():
+        moment, force = joint_reaction(joints[i].kind, composite[i])
+        j = i
+        while j != 0:
+            moment, force = _in_parent(joints[j], moment, force)
+            j = tree.parents[j]
+        found.append((moment, force))
+    return found
+
+
+def _in_parent(joint: JointMotion, moment: Vector, force: Vector) -> tuple[Vector, Vector]:
+    """Return a moment and a force about the parent's origin, in its coordinates."""
+    force = joint.to_parent(force)
+    return add(joint.to_parent(moment), cross(joint.offset, force)), force
+
+
+def rigid_body_inertia(body: MassMoments) -> Matrix:
+    """Return the 6x6 inertia of a body, angular part first."""
+    inertia, (x, y, z), m = body.inertia(), body.first, body.mass
+    return [
+        [*inertia[0], 0.0, 0.0 - z, y],
+        [*inertia[1], z, 0.0, 0.0 - x],
+        [*inertia[2], 0.0 - y, x, 0.0],
+        [0.0, z, 0.0 - y, m, 0.0, 0.0],
+        [0.0 - z, 0.0, x, 0.0, m, 0.0],
+        [y, 0.0 - x, 0.0, 0.0, 0.0, m],
+    ]

@@ -1,0 +1,173 @@
+"""Writes functions as a CPython extension that reads and fills NumPy arrays."""
+
+import re
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from kindsl.mechanics.dynamics.generation.emitters.c import CArray, CBody, Dialect, c_definition
+from kindsl.mechanics.dynamics.generation.emitters.lanes import Wide, shared, wide_functions
+from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar
+
+MODULE = "compiled_mechanism"
+RUNTIME = Path(__file__).with_name("extension_runtime.c")
+TABLES = Path(__file__).with_name("extension_module.c")
+PLAIN = Dialect("double", "", "KEPT_APART ")
+
+
+class KernelArgument(NamedTuple):
+    """A vector that a kernel takes.
+
+    Attributes:
+        name: Its keyword.
+        length: Number of components; 0 for one that only Python may refuse.
+        components: The inputs of the graph.
+        default: The value for None, in C; None for a required argument.
+    """
+
+    name: str
+    length: int
+    components: Sequence[Scalar]
+    default: str | None = None
+
+
+class KernelResult(NamedTuple):
+    """An array that a kernel fills: its dimensions, and its entries by rows."""
+
+    shape: tuple[int, ...]
+    entries: Sequence[Scalar]
+
+
+class Kernel(NamedTuple):
+    """One function of the extension.
+
+    Attributes:
+        name: Its name.
+        arguments: Its arguments; the first is joint positions.
+        results: Its results.
+        accelerates: Whether a result that is not finite means that nothing resists a motion.
+        is_wide: Whether batches are computed in lanes.
+    """
+
+    name: str
+    arguments: Sequence[KernelArgument]
+    results: Sequence[KernelResult]
+    accelerates: bool
+    is_wide: bool
+
+
+def extension_source(graph: Graph, kernels: Sequence[Kernel], gravity: Sequence[float]) -> str:
+    """Return the source of a module with a function `bind(name, python, class, batches)`.
+
+    It returns a function that answers as far as it can, and else calls `python`.
+
+    Args:
+        graph: Where the kernels are recorded.
+        kernels: Its functions.
+        gravity: The default `GRAVITY`.
+    """
+    numbers = ", ".join(map(repr, gravity))
+    texts = [
+        RUNTIME.read_text(encoding="utf-8").replace("@LANES@", shared()),
+        "#if defined(__GNUC__)\n#define KEPT_APART __attribute__((noinline))\n"
+        "#else\n#define KEPT_APART\n#define restrict __restrict\n#endif\n",
+        f"static const double GRAVITY[3] = {{{numbers}}};\n",
+        *(_kernel_text(graph, number, kernel) for number, kernel in enumerate(kernels)),
+        _tables(kernels),
+    ]
+    return "\n".join(texts)
+
+
+def _kernel_text(graph: Graph, number: int, kernel: Kernel) -> str:
+    """Return the code of one kernel: for one configuration and for many."""
+    takes = [CArray(f"a{i}", _const(f"a{i}"), a.components) for i, a in _given(kernel)]
+    gives = [CArray(f"o{i}", f"double *restrict o{i}", r.entries)
+             for i, r in enumerate(kernel.results)]  # fmt: skip
+    body = CBody(f"scalar_{number}", takes, gives, {})
+    places = [f"in[{i}]" for i, _ in _given(kernel)] + [f"out[{i}]" for i in range(len(gives))]
+    many = _many(number, kernel)
+    return f"""\
+{c_definition(graph, body, PLAIN, "static ")}
+static void run_{number}(const double *const *in, double *const *out)
+{{
+    scalar_{number}({", ".join(places)});
+}}
+
+{_wide(graph, number, kernel) if kernel.is_wide else ""}
+static void run_many_{number}(npy_intp n, const double *const *in, const npy_intp *strides,
+                              double *const *out)
+{{
+{many}}}
+"""
+
+
+def _many(number: int, kernel: Kernel) -> str:
+    given = [f"in[{i}] + i * strides[{i}]" for i, _ in _given(kernel)]
+    given += [f"out[{i}] + i * {len(r.entries)}" for i, r in enumerate(kernel.results)]
+    loop = (
+        f"    for (npy_intp i = 0; i < n; i++) {{\n        scalar_{number}({', '.join(given)});\n"
+        "    }\n"
+    )
+    if not kernel.is_wide:
+        return loop
+    n_angles = kernel.arguments[0].length
+    lines = [f"lanes sines[{n_angles}], cosines[{n_angles}];"]
+    for i, argument in _given(kernel):
+        lines.append(f"lanes a{i}[{argument.length}];")
+    for i, result in enumerate(kernel.results):
+        lines.append(f"lanes o{i}[{len(result.entries)}];")
+    results = ", ".join(f"o{i}" for i in range(len(kernel.results)))
+    lines.append(f"constants_{number}({results});")
+    lines.append("for (npy_intp i = 0; i < n; i += LANES) {")
+    lines.append("    const npy_intp width = n - i < LANES ? n - i : LANES;")
+    for i, argument in _given(kernel):
+        row = f"in[{i}] + i * strides[{i}], strides[{i}]"
+        lines.append(f"    gather(a{i}, {row}, {argument.length}, width);")
+    lines.append(f"    sines_and_cosines(a0, sines, cosines, {n_angles});")
+    given_names = [*(f"a{i}" for i, _ in _given(kernel)), "cosines", "sines"]
+    lines.append(f"    wide_{number}({', '.join([*given_names, results])});")
+    for i, result in enumerate(kernel.results):
+        lines.append(f"    hand_out(out[{i}], o{i}, {len(result.entries)}, i, n);")
+    lines += ["}", "END_OF_STREAMS;"]
+    text = "".join(f"    {line}\n" for line in lines)
+    return f"#if defined(LANES)\n{text}#else\n{loop}#endif\n"
+
+
+def _wide(graph: Graph, number: int, kernel: Kernel) -> str:
+    takes = {f"a{i}": a.components for i, a in _given(kernel)}
+    gives = {f"o{i}": result.entries for i, result in enumerate(kernel.results)}
+    text = wide_functions(graph, Wide(str(number), takes, gives), PLAIN.noinline)
+    return f"#if defined(LANES)\n{text}#endif\n"
+
+
+def _given(kernel: Kernel) -> list[tuple[int, KernelArgument]]:
+    """Return the arguments that matter, with their positions."""
+    return [(i, a) for i, a in enumerate(kernel.arguments) if a.length]
+
+
+def _const(name: str) -> str:
+    return f"const double *restrict {name}"
+
+
+def _tables(kernels: Sequence[Kernel]) -> str:
+    rows = ",\n".join(_row(number, kernel) for number, kernel in enumerate(kernels))
+    names = "".join(f'#define KERNELS_NAME_{i} "{k.name}"\n' for i, k in enumerate(kernels))
+    entries = "".join(f"ENTRY({i})\n" for i in range(len(kernels)))
+    methods = ",\n    ".join(f"METHOD({i})" for i in range(len(kernels)))
+    texts = {
+        "COUNT": str(len(kernels)), "ROWS": rows, "NAMES": names, "ENTRIES": entries,
+        "METHODS": methods, "MODULE": MODULE,
+    }  # fmt: skip
+    return re.sub(r"@(\w+)@", lambda m: texts[m[1]], TABLES.read_text(encoding="utf-8"))
+
+
+def _row(number: int, kernel: Kernel) -> str:
+    arguments, results = kernel.arguments, kernel.results
+    shapes = ", ".join(f"{{{', '.join(map(str, r.shape)) or '0'}}}" for r in results)
+    return f"""\
+    {{"{kernel.name}", {len(arguments)}, {int(kernel.accelerates)}, {len(results)},
+     {{{", ".join(f'"{a.name}"' for a in arguments)}}},
+     {{{", ".join(str(a.length) for a in arguments)}}},
+     {{{", ".join(a.default or "NULL" for a in arguments)}}},
+     {{{", ".join(str(len(r.shape)) for r in results)}}}, {{{shapes}}},
+     {{{", ".join(str(len(r.entries)) for r in results)}}}, run_{number}, run_many_{number}}}"""

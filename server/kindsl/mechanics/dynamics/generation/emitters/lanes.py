@@ -1,0 +1,72 @@
+"""Writes functions in C for several configurations at once, in the lanes of wide registers."""
+
+import re
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from kindsl.mechanics.dynamics.generation.emitters.c import CArray, CBody, Dialect, c_definition
+from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar, Term
+
+_SHARED = Path(__file__).with_name("lanes.c")
+_NAMES = re.compile(
+    r"\b(LANES|NO_LANES|LARGEST_ANGLE|MIXED|(?:FIRST|SECOND)_IN_TURNS|lanes|bits|spread|signs|"
+    r"small_sine_and_cosine|sines_and_cosines|transpose|gather|scatter)\b"
+)
+
+
+class Wide(NamedTuple):
+    """A function for lanes.
+
+    Attributes:
+        name: What follows `constants_` and `wide_` in the names of its two parts.
+        takes: The components of its arguments by their names, joint positions first.
+        gives: The entries of its results by their names.
+        known: Texts of nodes that are given otherwise, for all lanes alike.
+        context: Name and declaration of a parameter that `known` reads, if any.
+    """
+
+    name: str
+    takes: Mapping[str, Sequence[Scalar]]
+    gives: Mapping[str, Sequence[Scalar]]
+    known: Mapping[int, str] = {}
+    context: tuple[str, str] | None = None
+
+
+def shared(prefix: str = "") -> str:
+    """Return the text that all functions for lanes need; what it names gets a prefix."""
+    text = _SHARED.read_text(encoding="utf-8")
+    return prefixed(text, prefix) if prefix else text
+
+
+def prefixed(text: str, prefix: str) -> str:
+    """Return a text in which the names of lanes have a prefix, macros' in capitals."""
+    return _NAMES.sub(lambda m: f"{prefix.upper() if m[0].isupper() else prefix}_{m[0]}", text)
+
+
+def wide_functions(graph: Graph, wide: Wide, noinline: str) -> str:
+    """Return `constants_NAME(results)` and `wide_NAME(arguments, cosines, sines, results)`."""
+    angles = [x for x in next(iter(wide.takes.values())) if isinstance(x, Term)]
+    trigonometry = {
+        "cosines": [graph.record("cos", x.index) for x in angles],
+        "sines": [graph.record("sin", x.index) for x in angles],
+    }
+    takes = [
+        CArray(name, f"const lanes *restrict {name}", components)
+        for name, components in {**wide.takes, **trigonometry}.items()
+    ]
+    varying, constant = [], []
+    for name, entries in wide.gives.items():
+        array = CArray(name, f"lanes *restrict {name}", entries)
+        varying.append(
+            array._replace(entries=[e if isinstance(e, Term) else None for e in entries])
+        )
+        constant.append(
+            array._replace(entries=[None if isinstance(e, Term) else e for e in entries])
+        )
+    bodies = (
+        CBody(f"constants_{wide.name}", [], constant, {}),
+        CBody(f"wide_{wide.name}", takes, varying, wide.known, wide.context),
+    )
+    dialect = Dialect("lanes", "", noinline, "spread({})", "signs({})")
+    return "\n".join(c_definition(graph, body, dialect, "static ") for body in bodies)

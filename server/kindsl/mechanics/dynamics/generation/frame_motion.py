@@ -1,0 +1,73 @@
+"""Velocities and accelerations of frames, for tracing."""
+
+from typing import NamedTuple
+
+from kindsl.mechanics.dynamics.generation.inverse_dynamics import body_motions
+from kindsl.mechanics.dynamics.generation.mass_moments import acceleration_field
+from kindsl.mechanics.dynamics.generation.robot import PlacedFrame
+from kindsl.mechanics.dynamics.generation.tree import Tree, joint_motions
+from kindsl.mechanics.dynamics.generation.vectors import (
+    ZERO,
+    Vector,
+    add,
+    cross,
+    transform,
+    transpose,
+)
+
+
+class Velocities(NamedTuple):
+    """The velocities of bodies in their own coordinates, base first.
+
+    Attributes:
+        w: Angular velocities.
+        v: Velocities of the bodies' origins.
+    """
+
+    w: list[Vector]
+    v: list[Vector]
+
+
+def body_velocities(tree: Tree, q: Vector, qd: Vector, base_velocity: Vector) -> Velocities:
+    """Return the velocities of all bodies."""
+    joints, w, v = joint_motions(tree, q), [base_velocity[:3]], [base_velocity[3:]]
+    for i in tree.links():
+        parent, joint, along = tree.parents[i], joints[i], [0.0, 0.0, qd[i - 1]]
+        is_revolute = joint.kind == "revolute"
+        v_i = joint.to_link(add(v[parent], cross(w[parent], joint.offset)))
+        w.append(add(joint.to_link(w[parent]), along if is_revolute else ZERO))
+        v.append(add(v_i, ZERO if is_revolute else along))
+    return Velocities(w, v)
+
+
+def frame_velocity(velocities: Velocities, frame: PlacedFrame) -> Vector:
+    """Return a frame's velocity in its own coordinates, at its origin, angular part first."""
+    w, E = velocities.w[frame.body], transpose(frame.R)
+    v = add(velocities.v[frame.body], cross(w, frame.r))
+    return [*transform(E, w), *transform(E, v)]
+
+
+def frame_accelerations(
+    tree: Tree,
+    q: Vector,
+    qd: Vector,
+    qdd: Vector,
+    base_velocity: Vector,
+    base_acceleration: Vector,
+    frames: tuple[PlacedFrame, ...],
+) -> list[Vector]:
+    """Return frames' accelerations in their own coordinates, of their origins as points.
+
+    The base's acceleration is a spatial one.
+    """
+    w, v = base_velocity[:3], base_velocity[3:]
+    a = add(base_acceleration[3:], cross(w, v))
+    joints = joint_motions(tree, q)
+    motions = body_motions(tree, joints, qd, qdd, w, a, base_acceleration[:3])
+    found = []
+    for frame in frames:
+        E, wd = transpose(frame.R), motions.wd[frame.body]
+        W = acceleration_field(motions.w[frame.body], wd)
+        linear = add(motions.a[frame.body], transform(W, frame.r))
+        found.append([*transform(E, wd), *transform(E, linear)])
+    return found

@@ -1,0 +1,104 @@
+"""Arguments and results of a generated function."""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from kindsl.mechanics.dynamics.generation.robot import Robot
+from kindsl.mechanics.dynamics.generation.terms import Scalar, Term
+from kindsl.mechanics.dynamics.generation.vectors import Matrix, Vector
+
+
+class Argument(NamedTuple):
+    """A vector that a function takes."""
+
+    name: str
+    components: list[Term]
+
+
+class Result(NamedTuple):
+    """An array that a function fills.
+
+    Attributes:
+        name: Its name.
+        shape: Its dimensions.
+        entries: By rows.
+    """
+
+    name: str
+    shape: tuple[int, ...]
+    entries: list[Scalar]
+
+
+class Function(NamedTuple):
+    """A computation with named arguments and results.
+
+    Attributes:
+        name: Its name.
+        summary: A line on its result, for people.
+        arguments: In order; parameters besides.
+        results: In order.
+        loaded: The results under external forces; None where these do not matter.
+        about: The links and frames that it is about, if it is about some of several.
+    """
+
+    name: str
+    summary: str
+    arguments: tuple[Argument, ...]
+    results: tuple[Result, ...]
+    loaded: tuple[Result, ...] | None = None
+    about: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Inputs:
+    """The inputs of a mechanism's functions; a fixed base's motion is zero.
+
+    Attributes:
+        q: Joint positions.
+        qd: Joint velocities.
+        qdd: Joint accelerations.
+        tau: Joint forces.
+        v0: Spatial velocity of the base.
+        a0: Spatial acceleration of the base.
+        g: Gravity.
+        external: The wrench on each body in its own coordinates, base first.
+    """
+
+    q: Vector
+    qd: Vector
+    qdd: Vector
+    tau: Vector
+    v0: Vector
+    a0: Vector
+    g: Vector
+    external: list[Vector]
+
+    def motion(self, *further: str) -> tuple[Argument, ...]:
+        """Return q, qd, a further joint vector, a floating base's motion, and gravity."""
+        names = ["q", "qd", *(name for name in further if name != "a0")]
+        if isinstance(self.v0[0], Term):
+            names += ["v0", *(name for name in further if name == "a0")]
+        return tuple(argument(name, getattr(self, name)) for name in (*names, "g"))
+
+
+def inputs_of(robot: Robot) -> Inputs:
+    """Add all inputs of a mechanism to its graph."""
+    graph, n = robot.graph, len(robot.link_names)
+    vectors: list[Vector] = [[*graph.vector(n)] for _ in range(4)]
+    base: list[Vector] = [[0.0] * 6, [0.0] * 6]
+    if robot.tree.is_floating:
+        base = [[*graph.vector(6)] for _ in range(2)]
+    gravity: Vector = [*graph.vector(3)]
+    external: list[Vector] = [[*graph.vector(6)] for _ in range(n + 1)]
+    q, qd, qdd, tau = vectors
+    return Inputs(q, qd, qdd, tau, base[0], base[1], gravity, external)
+
+
+def argument(name: str, vector: Vector) -> Argument:
+    """Return an argument from input values."""
+    return Argument(name, [x for x in vector if isinstance(x, Term)])
+
+
+def flat(matrix: Matrix) -> list[Scalar]:
+    """Return a matrix's entries by rows."""
+    return [entry for row in matrix for entry in row]

@@ -1,0 +1,283 @@
+"""All that can be generated for a mechanism, as functions with named arguments and results.
+
+Base coordinates, angular part first; a floating base adds its six rows and columns in front.
+"""
+
+from collections.abc import Callable
+from typing import Final, NamedTuple
+
+from kindsl.mechanics.dynamics.generation import masses
+from kindsl.mechanics.dynamics.generation import whole_body_functions as whole_body
+from kindsl.mechanics.dynamics.generation.composite_bodies import joint_space_inertia
+from kindsl.mechanics.dynamics.generation.derivative_functions import (
+    forward_dynamics_derivatives,
+    inverse_dynamics_derivatives,
+    regressor,
+)
+from kindsl.mechanics.dynamics.generation.factorization import factorize
+from kindsl.mechanics.dynamics.generation.forward_dynamics import forward_dynamics
+from kindsl.mechanics.dynamics.generation.function import Function, Inputs, Result, argument, flat
+from kindsl.mechanics.dynamics.generation.inverse_dynamics import (
+    actuated_base_inverse_dynamics,
+    bias_torque,
+    floating_base_inverse_dynamics,
+    inverse_dynamics,
+)
+from kindsl.mechanics.dynamics.generation.jacobians import (
+    body_poses,
+    feet,
+    frame_pose,
+    jacobian,
+    jacobian_relative_to_base,
+)
+from kindsl.mechanics.dynamics.generation.robot import Robot
+from kindsl.mechanics.dynamics.generation.terms import Scalar
+from kindsl.mechanics.dynamics.generation.vectors import EYE, Vector
+
+Builder = Callable[[Robot, Inputs], list[Function]]
+
+
+class QuantityCode(NamedTuple):
+    """One quantity that code is generated for.
+
+    Attributes:
+        build: Records its functions.
+        summary: A line for people.
+        needs_mass: Whether the total mass must not be zero.
+        is_derivative: Whether it is a derivative, which is generated when asked for.
+        is_for_control: The same of what controllers of the whole body need.
+    """
+
+    build: Builder
+    summary: str
+    needs_mass: bool = False
+    is_derivative: bool = False
+    is_for_control: bool = False
+
+
+def poses(robot: Robot, inputs: Inputs) -> list[Function]:
+    """Record `base_T_x` of all links, then frames, without the last row."""
+    found = body_poses(robot.tree, inputs.q)
+    entries: list[Scalar] = []
+    for frame in robot.targets:
+        R, r = frame_pose(found, frame)
+        entries += [x for row, c in zip(R, r, strict=True) for x in (*row, c)]
+    shape = (len(robot.targets), 3, 4)
+    summary = "the upper three rows of base_T_x of each link, then of each frame x"
+    return [Function("poses", summary, (argument("q", inputs.q),), (Result("T", shape, entries),))]
+
+
+def jacobians(robot: Robot, inputs: Inputs) -> list[Function]:
+    """Record each link's and frame's Jacobian, in its own and in base coordinates."""
+    found, functions = body_poses(robot.tree, inputs.q), []
+    shape = (6, robot.n_velocities)
+    for frame in robot.targets:
+        own, _ = frame_pose(found, frame)
+        for suffix, seen_from, where in (
+            ("", own, "own coordinates"),
+            ("_in_base", EYE, "base coordinates"),
+        ):
+            J = jacobian(robot, found, frame, seen_from)
+            functions.append(
+                Function(
+                    f"jacobian_{frame.name}{suffix}",
+                    f"the geometric Jacobian of {frame.name}'s origin, in {where}",
+                    (argument("q", inputs.q),),
+                    (Result("J", shape, flat(J)),),
+                    about=(frame.name,),
+                )
+            )
+    return functions
+
+
+def foot_jacobians(robot: Robot, inputs: Inputs) -> list[Function]:
+    """Record the feet's Jacobians together."""
+    found = body_poses(robot.tree, inputs.q)
+    results = []
+    about = tuple(foot.name for foot in feet(robot))
+    for foot in feet(robot):
+        J = jacobian_relative_to_base(robot, found, foot)
+        results.append(Result(f"J_{foot.name}", (6, len(J[0])), flat(J)))
+    summary = (
+        "the feet's Jacobians relative to the base, in base coordinates, each with the columns "
+        "of the joints that carry it"
+    )
+    arguments = (argument("q", inputs.q),)
+    function = Function("foot_jacobians", summary, arguments, tuple(results), about=about)
+    return [function] if results else []
+
+
+def inertia(robot: Robot, inputs: Inputs) -> list[Function]:
+    """Record the joint-space inertia."""
+    M = joint_space_inertia(robot.tree, inputs.q)
+    result = Result("M", (len(M), len(M)), flat(M))
+    summary = "the joint-space inertia"
+    return [Function("joint_space_inertia", summary, (argument("q", inputs.q),), (result,))]
+
+
+def inertia_factorization(robot: Robot, inputs: Inputs) -> list[Function]:
+    """Record `L` and `D` of `M = L^T D L`."""
+    factors = factorize(joint_space_inertia(robot.tree, inputs.q))
+    size = len(factors.inverse_pivots)
+    unit: list[Vector] = [
+        [*row[:-1], 1.0, *[0.0] * (size - i - 1)] for i, row in enumerate(factors.L)
+    ]
+    D = [row[-1] for row in factors.L]
+    results = (Result("L", (size, size), flat(unit)), Result("D", (size,), D))
+    summary = "M = L^T D L, L unit lower triangular with the zeros of the branches"
+    return [Function("inertia_factorization", summary, (argument("q", inputs.q),), results)]
+
+
+def inverse(robot: Robot, inputs: Inputs) -> list[Function]:
+    """Record inverse dynamics; without any wrench on a floating base."""
+    n = len(robot.link_names)
+
+    def results(external: list[Vector]) -> tuple[Result, ...]:
+        if not robot.tree.is_floating:
+            tau = inverse_dynamics(robot.tree, inputs.q, inputs.qd, inputs.qdd, inputs.g, external)
+            return (Result("tau", (n,), tau),)
+        entries = floating_base_inverse_dynamics(
+            robot.tree, inputs.q, inputs.qd, inputs.qdd, inputs.v0, inputs.g, external
+        )
+        return Result("tau", (n,), entries[:n]), Result("a0", (6,), entries[n:])
+
+    what = ", and the base's acceleration under no wrench" if robot.tree.is_floating else ""
+    summary = f"the joint forces of a motion{what}"
+    arguments = inputs.motion("qdd")
+    none, loaded = results([]), results(inputs.external)
+    return [Function("inverse_dynamics", summary, arguments, none, loaded)]
+
+
+def actuated(robot: Robot, inputs: Inputs) -> list[Function]:
+    """Record inverse dynamics with a wrench on the floating base; nothing for a fixed one."""
+    if not robot.tree.is_floating:
+        return []
+    n = len(robot.link_names)
+
+    def results(external: list[Vector]) -> tuple[Result, ...]:
+        entries = actuated_base_inverse_dynamics(
+            robot.tree, inputs.q, inputs.qd, inputs.qdd, inputs.v0, inputs.a0, inputs.g, external
+        )
+        return Result("tau", (n,), entries[6:]), Result("f0", (6,), entries[:6])
+
+    summary = "the joint forces and the base's wrench of a motion"
+    arguments = inputs.motion("qdd", "a0")
+    none, loaded = results([]), results(inputs.external)
+    return [Function("inverse_dynamics_actuated", summary, arguments, none, loaded)]
+
+
+def forward(robot: Robot, inputs: Inputs) -> list[Function]:
+    """Record forward dynamics."""
+    n = len(robot.link_names)
+
+    def results(external: list[Vector]) -> tuple[Result, ...]:
+        entries = forward_dynamics(
+            robot.tree, inputs.q, inputs.qd, inputs.tau, inputs.v0, inputs.g, external
+        )
+        parts = (Result("qdd", (n,), entries[:n]), Result("a0", (6,), entries[n:]))
+        return parts if robot.tree.is_floating else parts[:1]
+
+    what = ", and the base's acceleration" if robot.tree.is_floating else ""
+    summary = f"the joint accelerations under joint forces{what}"
+    none, loaded = results([]), results(inputs.external)
+    return [Function("forward_dynamics", summary, inputs.motion("tau"), none, loaded)]
+
+
+def gravity(robot: Robot, inputs: Inputs) -> list[Function]:
+    """Record the forces that hold the mechanism at rest."""
+    rest: Vector = [0.0] * len(inputs.q)
+    tau = bias_torque(robot.tree, inputs.q, rest, [0.0] * 6, inputs.g)
+    arguments = (argument("q", inputs.q), argument("g", inputs.g))
+    summary = "the forces that hold the mechanism at rest"
+    return [Function("gravity_torque", summary, arguments, (Result("tau", (len(tau),), tau),))]
+
+
+def bias(robot: Robot, inputs: Inputs) -> list[Function]:
+    """Record the forces at zero acceleration."""
+    tau = bias_torque(robot.tree, inputs.q, inputs.qd, inputs.v0, inputs.g)
+    summary = "the forces at zero acceleration, gravity's included"
+    result = Result("tau", (len(tau),), tau)
+    return [Function("bias_torque", summary, inputs.motion(), (result,))]
+
+
+def energies(robot: Robot, inputs: Inputs) -> list[Function]:
+    """Record kinetic and potential energy."""
+    T = masses.kinetic_energy(robot, inputs.q, inputs.qd, inputs.v0)
+    V = masses.potential_energy(robot, body_poses(robot.tree, inputs.q), inputs.g)
+    *moving, g = inputs.motion()
+    zero = "zero for all mass at the base's origin"
+    return [
+        Function("kinetic_energy", "the kinetic energy", tuple(moving), (Result("T", (1,), [T]),)),
+        Function(
+            "potential_energy",
+            f"the potential energy, {zero}",
+            (argument("q", inputs.q), g),
+            (Result("V", (1,), [V]),),
+        ),
+    ]
+
+
+def center_of_mass(robot: Robot, inputs: Inputs) -> list[Function]:
+    """Record the centre of mass and its Jacobian."""
+    found = body_poses(robot.tree, inputs.q)
+    com = masses.center_of_mass(robot, found)
+    J = masses.center_of_mass_jacobian(robot, found)
+    arguments = (argument("q", inputs.q),)
+    shape = (3, robot.n_velocities)
+    return [
+        Function(
+            "center_of_mass",
+            "the centre of mass of all bodies",
+            arguments,
+            (Result("c", (3,), com),),
+        ),
+        Function(
+            "center_of_mass_jacobian",
+            "the Jacobian of the centre of mass, in base coordinates",
+            arguments,
+            (Result("J", shape, flat(J)),),
+        ),
+    ]
+
+
+QUANTITIES: Final[dict[str, QuantityCode]] = {
+    "poses": QuantityCode(poses, "poses of links and frames"),
+    "jacobians": QuantityCode(jacobians, "Jacobians of links and frames"),
+    "foot_jacobians": QuantityCode(foot_jacobians, "Jacobians of all feet together"),
+    "inverse_dynamics": QuantityCode(inverse, "joint forces of a motion"),
+    "inverse_dynamics_actuated": QuantityCode(actuated, "the same with a wrench on the base"),
+    "forward_dynamics": QuantityCode(forward, "accelerations under joint forces"),
+    "joint_space_inertia": QuantityCode(inertia, "the joint-space inertia"),
+    "inertia_factorization": QuantityCode(inertia_factorization, "its factors along branches"),
+    "gravity_torque": QuantityCode(gravity, "forces that hold the robot at rest"),
+    "bias_torque": QuantityCode(bias, "forces at zero acceleration"),
+    "energies": QuantityCode(energies, "kinetic and potential energy"),
+    "center_of_mass": QuantityCode(
+        center_of_mass, "centre of mass and its Jacobian", needs_mass=True
+    ),
+    "inverse_dynamics_derivatives": QuantityCode(
+        inverse_dynamics_derivatives, "derivatives of inverse dynamics", is_derivative=True
+    ),
+    "forward_dynamics_derivatives": QuantityCode(
+        forward_dynamics_derivatives, "derivatives of forward dynamics", is_derivative=True
+    ),
+    "regressor": QuantityCode(regressor, "the inertial-parameter regressor", is_derivative=True),
+    "centroidal_momentum": QuantityCode(
+        whole_body.centroidal_momentum,
+        "momentum about the centre of mass",
+        needs_mass=True,
+        is_for_control=True,
+    ),
+    "frame_motions": QuantityCode(
+        whole_body.frame_motions, "velocities and accelerations of frames", is_for_control=True
+    ),
+    "joint_space_inertia_inverse": QuantityCode(
+        whole_body.inertia_inverse, "the joint-space inertia's inverse", is_for_control=True
+    ),
+    "coriolis_matrix": QuantityCode(
+        whole_body.coriolis_matrix, "the Coriolis matrix", is_for_control=True
+    ),
+    "contact_dynamics": QuantityCode(
+        whole_body.contact_dynamics, "forward dynamics with feet held", is_for_control=True
+    ),
+}

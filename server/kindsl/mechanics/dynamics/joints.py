@@ -1,0 +1,104 @@
+"""Contributions of joints: transforms, axes, subtree inertias, as lists over bodies."""
+
+import numpy as np
+
+from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.spatial.arrays import Array
+from kindsl.mechanics.spatial.cross_products import cross
+from kindsl.mechanics.spatial.inertia import spatial_inertia
+from kindsl.mechanics.spatial.transforms import plucker, rotation_about_z
+
+MOTION_SUBSPACE = {
+    "revolute": np.array([0.0, 0.0, 1.0, 0.0, 0.0, 0.0]),
+    "prismatic": np.array([0.0, 0.0, 0.0, 0.0, 0.0, 1.0]),
+}
+
+
+def link_poses_in_parents(bodies: Bodies, q: Array) -> tuple[list[Array], list[Array]]:
+    """Return `p_R_i` and `p_r_i` of each link i in its parent p, lists by joint.
+
+    Args:
+        bodies: The mechanism.
+        q: Joint positions, shape (..., n), radians and metres.
+
+    Returns:
+        Rotations (..., 3, 3) and positions (..., 3) metres.
+    """
+    rotations, positions = [], []
+    for joint, kind in enumerate(bodies.joint_kinds):
+        R, r, q_i = bodies.p_R_j[joint], bodies.p_r_j[joint], q[..., joint]
+        if kind == "revolute":
+            rotations.append(R @ rotation_about_z(q_i))
+            positions.append(np.broadcast_to(r, (*q_i.shape, 3)))
+        else:
+            rotations.append(np.broadcast_to(R, (*q_i.shape, 3, 3)))
+            positions.append(r + R[:, 2] * q_i[..., None])
+    return rotations, positions
+
+
+def link_transforms(bodies: Bodies, q: Array) -> list[Array]:
+    """Return `i_X_p` (..., 6, 6), from each link's parent to it, by body; identity for the base."""
+    rotations, positions = link_poses_in_parents(bodies, q)
+    transforms = [
+        plucker(np.swapaxes(p_R_i, -1, -2), p_r_i)
+        for p_R_i, p_r_i in zip(rotations, positions, strict=True)
+    ]
+    return [np.eye(6), *transforms]
+
+
+def motion_subspaces(bodies: Bodies) -> list[Array]:
+    """Return each supporting joint's unit motion `S` (6,), by body; zero for the base."""
+    return [np.zeros(6), *(MOTION_SUBSPACE[kind] for kind in bodies.joint_kinds)]
+
+
+def body_inertias(bodies: Bodies) -> list[Array]:
+    """Return each body's spatial inertia (6, 6) at its origin."""
+    return list(spatial_inertia(bodies.masses, bodies.coms, bodies.inertias))
+
+
+def apply(matrix: Array, vector: Array) -> Array:
+    """Return `matrix @ vector` for batches of both."""
+    product: Array = (matrix @ vector[..., None])[..., 0]
+    return product
+
+
+def apply_transposed(matrix: Array, vector: Array) -> Array:
+    """Return `matrix.T @ vector` for batches of both."""
+    return apply(np.swapaxes(matrix, -1, -2), vector)
+
+
+def solve(matrix: Array, vector: Array) -> Array:
+    """Return `x` of `matrix @ x = vector` for batches of both.
+
+    Raises:
+        numpy.linalg.LinAlgError: If a matrix is singular.
+    """
+    return np.asarray(np.linalg.solve(matrix, vector[..., None])[..., 0], dtype=np.float64)
+
+
+def rigid_body_force(inertia: Array, v: Array, a: Array) -> Array:
+    """Return the net force `I a + v x* I v` on a body, shape (..., 6).
+
+    Source: Featherstone 2008, eq. 2.68, with `v x* = -(v x).T`.
+    """
+    momentum = apply(inertia, v)
+    angular, linear = momentum[..., :3], momentum[..., 3:]
+    w, v_linear = v[..., :3], v[..., 3:]
+    rate = np.concatenate((cross(w, angular) + cross(v_linear, linear), cross(w, linear)), axis=-1)
+    total: Array = apply(inertia, a) + rate
+    return total
+
+
+def motion_cross_product(v: Array, m: Array) -> Array:
+    """Return `v x m` of two motion vectors, shape (..., 6).
+
+    Source: Featherstone 2008, eq. 2.33.
+    """
+    angular = cross(v[..., :3], m[..., :3])
+    linear = cross(v[..., :3], m[..., 3:]) + cross(v[..., 3:], m[..., :3])
+    return np.concatenate((angular, linear), axis=-1)
+
+
+def uniform_acceleration(gravity: Array) -> Array:
+    """Return gravity (..., 3) as a spatial acceleration of the base (..., 6), m/s^2."""
+    return np.concatenate((np.zeros_like(gravity), gravity), axis=-1)

@@ -1,0 +1,68 @@
+"""The regressor: forces as a linear function of the bodies' inertial parameters."""
+
+import numpy as np
+
+from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.dynamics.joints import apply
+from kindsl.mechanics.dynamics.spatial_motion import spatial_motion, support_mask, velocity_columns
+from kindsl.mechanics.spatial.arrays import Array
+from kindsl.mechanics.spatial.cross_products import force_cross, skew
+
+PARAMETERS_PER_BODY = 10
+_TENSOR_ENTRIES = ((0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2))
+
+
+def inertial_parameters(bodies: Bodies) -> Array:
+    """Return what the regressor multiplies, shape (10 k,), for the k bodies that move.
+
+    Ten a body: mass, mass times centre of mass, then the entries xx, xy, yy, xz, yz, zz of the
+    inertia tensor about the body's origin and axes, products of inertia with their minus signs.
+    """
+    rows, columns = zip(*_TENSOR_ENTRIES, strict=True)
+    tensors = bodies.inertias[:, rows, columns]
+    firsts = bodies.masses[:, None] * bodies.coms
+    parameters = np.concatenate((bodies.masses[:, None], firsts, tensors), axis=1)
+    return parameters[0 if bodies.is_floating else 1 :].ravel()
+
+
+def regressor(
+    bodies: Bodies, q: Array, qd: Array, qdd: Array, base_velocity: Array, base_acceleration: Array
+) -> Array:
+    """Return `Y`, with the forces of a motion `Y @ inertial_parameters(bodies)`.
+
+    Args:
+        bodies: The mechanism; all further arguments have the same batch shape.
+        q: Joint positions, shape (..., n), radians and metres.
+        qd: Joint velocities, shape (..., n).
+        qdd: Joint accelerations, shape (..., n).
+        base_velocity: Spatial velocity of the base, shape (..., 6), zero if it is fixed.
+        base_acceleration: Spatial acceleration of the base less gravity's, shape (..., 6).
+
+    Returns:
+        Shape (..., nv, 10 k); a floating base's six rows, and its columns, come first.
+
+    Source: Featherstone 2008, sec. 9.6 on the linearity in inertial parameters.
+    """
+    motion = spatial_motion(bodies, q, qd, qdd, base_velocity, base_acceleration)
+    S = velocity_columns(bodies, motion.S)
+    units = _unit_inertias()
+    blocks = []
+    for body in range(0 if bodies.is_floating else 1, bodies.n_links + 1):
+        X = motion.i_X_base[body]
+        v, a = apply(X, motion.v[body]), apply(X, motion.a[body])
+        accelerating = np.einsum("pij,...j->...ip", units, a)
+        forces = accelerating + force_cross(v) @ np.einsum("pij,...j->...ip", units, v)
+        block = np.swapaxes(X @ S, -1, -2) @ forces
+        blocks.append(block * support_mask(bodies, body)[:, None])
+    return np.concatenate(blocks, axis=-1)
+
+
+def _unit_inertias() -> Array:
+    """Return the 6x6 inertias with one inertial parameter of one each, shape (10, 6, 6)."""
+    units = np.zeros((PARAMETERS_PER_BODY, 6, 6))
+    units[0, 3:, 3:] = np.eye(3)
+    for k, axis in enumerate(np.eye(3), start=1):
+        units[k, :3, 3:], units[k, 3:, :3] = skew(axis), -skew(axis)
+    for k, (row, column) in enumerate(_TENSOR_ENTRIES, start=4):
+        units[k, row, column] = units[k, column, row] = 1.0
+    return units

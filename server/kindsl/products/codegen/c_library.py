@@ -1,0 +1,99 @@
+"""All files of a library in C."""
+
+from kindsl.mechanics.dynamics.generation.emitters.lanes import shared
+from kindsl.products.codegen.c_build import cmake_lists
+from kindsl.products.codegen.c_header import header
+from kindsl.products.codegen.c_sources import (
+    has_lanes,
+    model_source,
+    noinline,
+    quantity_source,
+    sources,
+)
+from kindsl.products.codegen.c_test_program import test_program
+from kindsl.products.codegen.c_text import macro
+from kindsl.products.codegen.library import Library
+from kindsl.products.codegen.readme import readme
+from kindsl.products.codegen.reference import Reference
+
+OPTIONS = frozenset(("--real float", "--single-header"))
+
+
+def c_files(library: Library, reference: Reference, parameters: dict[str, float]) -> dict[str, str]:
+    """Return the text of each file by its name.
+
+    Args:
+        library: The functions to write.
+        reference: The right answers, for the test program.
+        parameters: The values that these hold for.
+    """
+    p = library.prefix
+    if library.options.is_single_header:
+        return {
+            f"{p}.h": single_header(library),
+            f"{p}_test.c": test_program(
+                library, reference, parameters,
+                f'#define {macro(library)}_IMPLEMENTATION\n#include "{p}.h"',
+            ),
+            "README.md": readme(library, _single_usage(library)),
+        }  # fmt: skip
+    files = {f"{p}.h": header(library), **dict(sources(library))}
+    names = [name for name in files if name.endswith(".c")]
+    return {
+        **files,
+        f"{p}_test.c": test_program(library, reference, parameters, f'#include "{p}.h"'),
+        "CMakeLists.txt": cmake_lists(library, "C", f"{p}.h", names),
+        "README.md": readme(library, _usage(library)),
+    }
+
+
+def single_header(library: Library) -> str:
+    """Return header and code in one file; one source file is to ask for the code."""
+    bodies = [quantity_source(library, functions) for functions in library.functions.values()]
+    lanes = [shared(library.prefix)] if has_lanes(library) else []
+    code = "\n".join([*lanes, noinline(library), model_source(library), *bodies])
+    P = macro(library)
+    return (
+        f"{header(library)}\n#if defined({P}_IMPLEMENTATION) && !defined({P}_IMPLEMENTED)\n"
+        f"#define {P}_IMPLEMENTED\n#if defined(__cplusplus)\n"
+        f"#error {P}_IMPLEMENTATION belongs in a C source file\n#endif\n"
+        f"#include <math.h>\n#include <stddef.h>\n\n{code}\n#endif\n"
+    )
+
+
+def _usage(library: Library) -> str:
+    p = library.prefix
+    return f"""\
+## Use
+
+Add the `.c` files to a program (C11, link with `-lm`), or build, test and install a library:
+
+```sh
+cmake -B build && cmake --build build && ctest --test-dir build && cmake --install build
+```
+
+Then `find_package({p})` and `target_link_libraries(program {p}::{p})`.
+
+{_example(library)}"""
+
+
+def _single_usage(library: Library) -> str:
+    P, p = macro(library), library.prefix
+    return f"""\
+## Use
+
+Write `#define {P}_IMPLEMENTATION` before `#include "{p}.h"` in one source file (C11, link with
+`-lm`); include it as it is in others. `cc {p}_test.c -lm && ./a.out` tests it.
+
+{_example(library)}"""
+
+
+def _example(library: Library) -> str:
+    p = library.prefix
+    return f"""\
+```c
+{p}_parameters parameters = {p}_default_parameters();
+{p}_model model;
+{p}_model_init(&model, &parameters); /* again whenever a parameter changes */
+```
+"""

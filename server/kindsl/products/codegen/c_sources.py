@@ -1,0 +1,248 @@
+"""The sources of a library in C: one file a quantity, and one for parameters and names."""
+
+from collections.abc import Iterator, Sequence
+
+from kindsl.mechanics.dynamics.generation.emitters.c import CArray, CBody, c_definition, literal
+from kindsl.mechanics.dynamics.generation.emitters.lanes import (
+    Wide,
+    prefixed,
+    shared,
+    wide_functions,
+)
+from kindsl.mechanics.dynamics.generation.emitters.straight_line import operations
+from kindsl.mechanics.dynamics.generation.function import Function, Result
+from kindsl.products.codegen.c_text import (
+    EXTERNAL,
+    batch_declaration,
+    dialect,
+    macro,
+    parameters,
+    real,
+    stamp_comment,
+)
+from kindsl.products.codegen.library import Library
+
+# Compilers take as long for code with external forces as for that without.
+MOST_ADDED = 0.05
+# In lanes is neither what costs less than to write it down, nor what takes compilers long or fills
+# the stack.
+LEAST_IN_LANES = 100
+LEAST_PER_ENTRY = 1.5
+MOST_OPERATIONS = 20_000
+MOST_IN_LANES = 4096
+
+
+def sources(library: Library) -> Iterator[tuple[str, str]]:
+    """Yield name and text of each file."""
+    p = library.prefix
+    includes = f'#include "{p}.h"\n\n#include <math.h>\n#include <stddef.h>\n\n'
+    summary = f"Parameters and names of {library.robot_name}."
+    head = f"{stamp_comment(library, summary)}{includes}{noinline(library)}\n"
+    yield f"{p}_model.c", f"{head}{model_source(library)}"
+    if has_lanes(library):
+        about = stamp_comment(library, "What batches share; for the sources beside it alone.")
+        yield f"{p}_lanes.h", f"{about}{shared(p)}"
+    for quantity, functions in library.functions.items():
+        summary = f"Of {library.robot_name}: {quantity.replace('_', ' ')}."
+        lanes = f'#include "{p}_lanes.h"\n\n' if has_lanes(library) else ""
+        head = f"{stamp_comment(library, summary)}{includes}{lanes}{noinline(library)}\n"
+        yield f"{p}_{quantity}.c", f"{head}{quantity_source(library, functions)}"
+
+
+def noinline(library: Library) -> str:
+    """Return the macro that keeps parts of long functions apart."""
+    name = f"{macro(library)}_NOINLINE"
+    return (
+        f"#ifndef {name}\n#if defined(__GNUC__)\n#define {name} __attribute__((noinline))\n"
+        f"#else\n#define {name}\n#endif\n#endif\n"
+    )
+
+
+def model_source(library: Library) -> str:
+    """Return the code that sets parameters up."""
+    p, number = library.prefix, real(library)
+    names = list(library.parameter_names.values()) or ["none"]
+    defaults = [library.defaults[name] for name in library.parameter_names] or [0.0]
+    style = dialect(library)
+    values = [f"({number})NAN" if v is None else literal(v, style) for v in defaults]
+    fields = "\n".join(
+        f"    parameters.{name} = {value};" for name, value in zip(names, values, strict=True)
+    )
+    known = {
+        parameter.index: f"parameters->{library.parameter_names[name]}"
+        for name, parameter in library.robot.parameters.items()
+    }
+    constants = CArray("c", f"{number} *restrict c", library.setup or [0.0])
+    context = ("parameters", f"const {p}_parameters *parameters")
+    setup = c_definition(
+        library.robot.graph,
+        CBody(f"{p}_set_up", [], [constants], known, context),
+        style,
+        "static ",
+    )
+    joints = ", ".join(f'"{name}"' for name in library.robot.joint_names)
+    return f"""\
+{p}_parameters {p}_default_parameters(void)
+{{
+    {p}_parameters parameters;
+{fields}
+    return parameters;
+}}
+
+{setup}
+void {p}_model_init({p}_model *model, const {p}_parameters *parameters)
+{{
+    {p}_set_up(parameters, model->c);
+}}
+
+{_default_model(library)}const char *{p}_joint_name(int joint)
+{{
+    static const char *const names[{macro(library)}_NJ] = {{{joints}}};
+    return joint >= 0 && joint < {macro(library)}_NJ ? names[joint] : NULL;
+}}
+"""
+
+
+def _default_model(library: Library) -> str:
+    if not library.is_bound:
+        return ""
+    style = dialect(library)
+    values = ", ".join(literal(value, style) for value in library.setup_values or [0.0])
+    p = library.prefix
+    return f"const {p}_model {p}_default_model = {{{{{values}}}}};\n\n"
+
+
+def quantity_source(library: Library, functions: Sequence[Function]) -> str:
+    """Return the code of some functions."""
+    return "\n".join(
+        f"{_definition(library, function)}\n{_batch(library, function)}" for function in functions
+    )
+
+
+def _definition(library: Library, function: Function) -> str:
+    name = f"{library.prefix}_{library.function_names[function.name]}"
+    if function.loaded is None:
+        return _body(library, function, name, function.results, "")
+    loaded = _body(library, function, f"{name}_loaded", function.loaded, "static ")
+    names = [declared.split("[")[0].split(" ")[-1].lstrip("*")
+             for declared in parameters(library, function)]  # fmt: skip
+    head = f"void {name}({', '.join(parameters(library, function, 'restrict '))})"
+    if _is_lightly_loaded(library, function):
+        zeros = f"static const {real(library)} none[{len(library.external)}] = {{0}};"
+        given = ", ".join(f"{n} != NULL ? {n} : none" if n == EXTERNAL else n for n in names)
+        return f"{loaded}\n{head}\n{{\n    {zeros}\n    {name}_loaded({given});\n}}\n"
+    free = _body(library, function, f"{name}_free", function.results, "static ")
+    without = ", ".join(n for n in names if n != EXTERNAL)
+    call = (
+        f"{{\n    if ({EXTERNAL} != NULL) {{\n        {name}_loaded({', '.join(names)});\n"
+        f"    }} else {{\n        {name}_free({without});\n    }}\n}}\n"
+    )
+    return f"{free}\n{loaded}\n{head}\n{call}"
+
+
+def _is_lightly_loaded(library: Library, function: Function) -> bool:
+    """Return whether external forces add so little that zeros are as good as code without them."""
+    free, loaded = (
+        operations(library.robot.graph, [entry for result in results for entry in result.entries])
+        for results in (function.results, function.loaded or ())
+    )
+    return loaded - free < MOST_ADDED * free
+
+
+def _body(
+    library: Library, function: Function, name: str, results: Sequence[Result], linkage: str
+) -> str:
+    number, p = real(library), library.prefix
+    takes = [
+        CArray(a.name, f"const {number} *restrict {a.name}", a.components)
+        for a in function.arguments
+    ]
+    if results is function.loaded:
+        takes.append(CArray(EXTERNAL, f"const {number} *restrict {EXTERNAL}", library.external))
+    gives = [CArray(r.name, f"{number} *restrict {r.name}", r.entries) for r in results]
+    if not linkage:
+        declared = dict(zip(
+            ("m", *(a.name for a in (*takes, *gives))),
+            parameters(library, function, "restrict "), strict=True,
+        ))  # fmt: skip
+        takes = [array._replace(declaration=declared[array.name]) for array in takes]
+        gives = [array._replace(declaration=declared[array.name]) for array in gives]
+    known = {value.index: f"m->c[{place}]" for place, value in enumerate(library.setup)}
+    context = ("m", f"const {p}_model *m")
+    body = CBody(name, takes, gives, known, context)
+    return c_definition(library.robot.graph, body, dialect(library), linkage)
+
+
+def has_lanes(library: Library) -> bool:
+    """Return whether batches are computed in lanes, which hold numbers in double."""
+    return library.options.real == "double"
+
+
+def _batch(library: Library, function: Function) -> str:
+    name = f"{library.prefix}_{library.function_names[function.name]}"
+    arguments = ["m"]
+    for argument in function.arguments:
+        is_shared = argument.name == "g"
+        stride = len(argument.components)
+        arguments.append(argument.name if is_shared else f"{argument.name} + i * {stride}")
+    if function.loaded is not None:
+        stride = len(library.external)
+        arguments.append(f"{EXTERNAL} != NULL ? {EXTERNAL} + i * {stride} : NULL")
+    arguments += [f"{r.name} + i * {len(r.entries)}" for r in function.results]
+    loop = f"    for (; i < n; i++) {{\n        {name}({', '.join(arguments)});\n    }}\n"
+    wide, wide_loop = _lanes(library, function) if _is_wide(library, function) else ("", "")
+    return (
+        f"{wide}{batch_declaration(library, function)}\n{{\n    long i = 0;\n{wide_loop}{loop}}}\n"
+    )
+
+
+def _is_wide(library: Library, function: Function) -> bool:
+    entries = [entry for result in function.results for entry in result.entries]
+    takes = [argument.name for argument in function.arguments]
+    least = max(LEAST_IN_LANES, LEAST_PER_ENTRY * len(entries))
+    return (
+        has_lanes(library)
+        and takes[:1] == ["q"]
+        and not function.name.startswith("jacobian_")
+        and len(entries) <= MOST_IN_LANES
+        and least <= operations(library.robot.graph, entries) <= MOST_OPERATIONS
+    )
+
+
+def _lanes(library: Library, function: Function) -> tuple[str, str]:
+    """Return a function for several configurations, and the statements that call it for all."""
+    name = library.function_names[function.name]
+    wide = Wide(
+        name,
+        {argument.name: argument.components for argument in function.arguments},
+        {result.name: result.entries for result in function.results},
+        {value.index: f"spread(m->c[{place}])" for place, value in enumerate(library.setup)},
+        ("m", f"const {library.prefix}_model *m"),
+    )
+    text = wide_functions(library.robot.graph, wide, f"{macro(library)}_NOINLINE ")
+    n = len(wide.takes["q"])
+    lines = [f"lanes {array}_lanes[{len(x)}];" for array, x in {**wide.takes, **wide.gives}.items()]
+    lines.append(f"lanes cosines[{n}], sines[{n}];")
+    results = ", ".join(f"{array}_lanes" for array in wide.gives)
+    lines.append(f"constants_{name}({results});")
+    if "g" in wide.takes:
+        lines += [f"g_lanes[{k}] = spread(g[{k}]);" for k in range(3)]
+    condition = f"i < n && {EXTERNAL} == NULL" if function.loaded is not None else "i < n"
+    lines.append(f"for (; {condition}; i += LANES) {{")
+    lines.append("    const ptrdiff_t width = n - i < LANES ? n - i : LANES;")
+    for array, x in wide.takes.items():
+        size = len(x)
+        if array != "g":
+            lines.append(f"    gather({array}_lanes, {array} + i * {size}, {size}, {size}, width);")
+    lines.append(f"    sines_and_cosines(q_lanes, sines, cosines, {n});")
+    takes = ", ".join(f"{array}_lanes" for array in wide.takes)
+    lines.append(f"    wide_{name}(m, {takes}, cosines, sines, {results});")
+    for array, x in wide.gives.items():
+        size = len(x)
+        lines.append(f"    scatter({array} + i * {size}, {array}_lanes, {size}, width);")
+    lines.append("}")
+    loop = "".join(f"    {line}\n" for line in lines)
+    only = "#if defined(LANES)\n"
+    texts = f"{only}{text}#endif\n\n", f"{only}{loop}#endif\n"
+    first, second = (prefixed(text, library.prefix) for text in texts)
+    return first, second

@@ -1,0 +1,208 @@
+"""A header in C++14 with Eigen's types, a template of the type of numbers."""
+
+import re
+from collections.abc import Sequence
+
+from kindsl.mechanics.dynamics.generation.emitters.cpp_templates import (
+    Template,
+    TemplateDialect,
+    template_function,
+)
+from kindsl.mechanics.dynamics.generation.function import Function, Result
+from kindsl.mechanics.dynamics.generation.terms import Scalar
+from kindsl.products.codegen.c_build import cmake_lists
+from kindsl.products.codegen.c_test_program import test_program
+from kindsl.products.codegen.c_text import EXTERNAL, stamp_comment
+from kindsl.products.codegen.filling import fill, template
+from kindsl.products.codegen.language import Language
+from kindsl.products.codegen.library import Library
+from kindsl.products.codegen.readme import readme
+from kindsl.products.codegen.reference import Reference
+
+FIXED = {"v0": 6, "a0": 6, "g": 3}
+# The argument that holds what parameters decide.
+CONSTANTS = "constants"
+DIALECT = TemplateDialect("class S", "S", "S", "detail::{}({})")
+
+
+def cpp_header(library: Library) -> str:
+    """Return the header."""
+    methods = "\n".join(_methods(library, function) for function in library.all_functions)
+    bound = "    BasicModel() { set(Parameters()); }\n" if library.is_bound else ""
+    fields = "".join(f"    double {n} = {v};\n" for n, v in _defaults(library).items())
+    given = "".join(f"parameters.{name}, " for name in library.parameter_names.values())
+    values = f"const double given[] = {{{given[:-2]}}};" if given else ""
+    n_given, n_constants = len(library.parameter_names), len(library.setup)
+    setting = (
+        f"        {values}\n        S p[{n_given}];\n"
+        f"        for (int i = 0; i < {n_given}; i++) {{\n"
+        "            p[i] = S(given[i]);\n        }\n"
+        "        detail::set_up(p, c_);\n"
+    )
+    return fill(
+        template("library.hpp"),
+        STAMP=stamp_comment(library, f"{library.robot_name} in C++14, with Eigen."),
+        PREFIX=library.prefix,
+        NJ=len(library.robot.joint_names),
+        NV=library.robot.n_velocities,
+        NB=len(library.body_names),
+        FIELDS=fields,
+        SIGN=template("sign.hpp") if _has_friction(library) else "",
+        FUNCTIONS=_functions(library),
+        BOUND=bound,
+        SETTING=setting if given and n_constants else "        (void)parameters;\n",
+        METHODS=methods,
+        SIZE=max(1, n_constants),
+        REAL=library.options.real,
+    )
+
+
+def _has_friction(library: Library) -> bool:
+    drives = library.robot.tree.drives
+    return drives is not None and any(drives.friction)
+
+
+def _defaults(library: Library) -> dict[str, str]:
+    nothing = "std::numeric_limits<double>::quiet_NaN()"
+    return {
+        safe: nothing if library.defaults[name] is None else repr(library.defaults[name])
+        for name, safe in library.parameter_names.items()
+    }
+
+
+def _functions(library: Library) -> str:
+    """Return the functions of pointers, of all that parameters decide first."""
+    graph, constants = library.robot.graph, list[Scalar](library.setup)
+    parameters: list[Scalar] = [*library.robot.parameters.values()]
+    templates = []
+    if parameters and constants:
+        templates.append(Template("set_up", {"p": parameters}, {CONSTANTS: constants}))
+    for function in library.all_functions:
+        name = library.function_names[function.name]
+        takes: dict[str, Sequence[Scalar]] = {CONSTANTS: constants}
+        takes |= {argument.name: argument.components for argument in function.arguments}
+        gives = {result.name: result.entries for result in function.results}
+        templates.append(Template(name, takes, gives))
+        if function.loaded is not None:
+            takes = {**takes, EXTERNAL: library.external}
+            gives = {result.name: result.entries for result in function.loaded}
+            templates.append(Template(f"{name}_loaded", takes, gives))
+    return "\n".join(template_function(graph, template, DIALECT) for template in templates)
+
+
+def _methods(library: Library, function: Function) -> str:
+    """Return a function of pointers, and one of Eigen's vectors."""
+    name = library.function_names[function.name]
+    names = [argument.name for argument in function.arguments]
+    results = [result.name for result in function.results]
+    load = [EXTERNAL] if function.loaded is not None else []
+    declared = [f"const S* {n}" for n in names + load] + [f"S* {n}" for n in results]
+    free = f"detail::{name}({', '.join(['c_', *names, *results])});"
+    body = f"        {free}\n"
+    if load:
+        loaded = f"detail::{name}_loaded({', '.join(['c_', *names, *load, *results])});"
+        body = (
+            f"        if ({EXTERNAL} != nullptr) {{\n            {loaded}\n"
+            f"        }} else {{\n            {free}\n        }}\n"
+        )
+    raw = f"    void {name}({', '.join(declared)}) const\n    {{\n{body}    }}\n"
+    return f"{raw}{_of_vectors(function, name)}"
+
+
+def _of_vectors(function: Function, name: str) -> str:
+    takes = [
+        f"const Vector<{FIXED.get(a.name, len(a.components))}>& {a.name}"
+        for a in function.arguments
+    ]
+    passed = [f"{argument.name}.data()" for argument in function.arguments]
+    load = []
+    if function.loaded is not None:
+        passed.append(
+            f"{EXTERNAL} != nullptr ? {EXTERNAL}->data() : static_cast<const S*>(nullptr)"
+        )
+        load = [f"const ExternalForces* {EXTERNAL} = nullptr"]
+    passed += [f"{result.name}.data()" for result in function.results]
+    call = f"{name}({', '.join(passed)});"
+    head = f"    /* {function.summary[0].upper()}{function.summary[1:]}. */\n"
+    if len(function.results) == 1:
+        (result,) = function.results
+        kind = _type(result)
+        return (
+            f"{head}    {kind} {name}({', '.join([*takes, *load])}) const\n    {{\n"
+            f"        {kind} {result.name};\n        {call}\n"
+            f"        return {result.name};\n    }}\n"
+        )
+    gives = [f"{_type(result)}& {result.name}" for result in function.results]
+    return (
+        f"{head}    void {name}({', '.join([*takes, *gives, *load])}) const\n    {{\n"
+        f"        {call}\n    }}\n"
+    )
+
+
+def _type(result: Result) -> str:
+    """Return the type of a result; poses are one below the other."""
+    *outer, columns = (*result.shape, 1) if len(result.shape) == 1 else result.shape
+    rows = 1
+    for dimension in outer:
+        rows *= dimension
+    return f"Matrix<{rows}, {columns}>"
+
+
+def _usage(library: Library) -> str:
+    p = library.prefix
+    given = "" if library.is_bound else "(parameters)"
+    return f"""\
+## Use
+
+`{p}.hpp` is all there is; it needs Eigen and C++14. CMake installs it, and then
+`find_package({p})` and `target_link_libraries(program {p}::{p})`. A single result is returned,
+several are filled in, and `fext` comes last and may be left out:
+
+```cpp
+#include <{p}.hpp>
+
+const {p}::Model model{given};
+const {p}::JointVector q = {p}::JointVector::Zero();
+```
+
+`{p}::BasicModel<S>` is the same for other types of numbers, those of CppAD and ceres
+among them.
+"""
+
+
+def _test(library: Library, reference: Reference, parameters: dict[str, float]) -> str:
+    """Return the test program of C, which calls a model's functions of pointers."""
+    p = library.prefix
+    calls = "".join(
+        f"template <class... A>\nvoid {p}_{name}(const {p}_model *m, A... a)\n"
+        f"{{\n    m->{name}(a...);\n}}\n"
+        for name in library.function_names.values()
+    )
+    include = f"""\
+#include "{p}.hpp"
+
+typedef {p}::Model {p}_model;
+typedef {p}::Model::Scalar {p}_real;
+typedef {p}::Parameters {p}_parameters;
+
+static {p}_parameters {p}_default_parameters() {{ return {p}_parameters(); }}
+static void {p}_model_init({p}_model *m, const {p}_parameters *parameters)
+{{
+    m->set(*parameters);
+}}
+{calls}"""
+    text = test_program(library, reference, parameters, include)
+    start = f"{p}_model model" + ("" if library.is_bound else f"{{{p}_parameters()}}")
+    return re.sub(r"\bNULL\b", "nullptr", text).replace(f"    {p}_model model;", f"    {start};")
+
+
+def _files(library: Library, reference: Reference, parameters: dict[str, float]) -> dict[str, str]:
+    return {
+        f"{library.prefix}.hpp": cpp_header(library),
+        f"{library.prefix}_test.cpp": _test(library, reference, parameters),
+        "CMakeLists.txt": cmake_lists(library, "CXX", f"{library.prefix}.hpp"),
+        "README.md": readme(library, _usage(library)),
+    }
+
+
+LANGUAGE = Language(_files, frozenset(("--real float",)))

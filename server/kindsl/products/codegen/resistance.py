@@ -1,0 +1,77 @@
+"""Singular mechanisms: a motion without inertia makes generated code useless."""
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.dynamics.evaluation.singular import singular_inertia
+from kindsl.mechanics.dynamics.joint_space_inertia import joint_space_inertia
+from kindsl.mechanics.spatial.arrays import Array
+from kindsl.products.codegen.library import GenerationError
+
+# The quantities that solve for accelerations: of all, or of a floating base alone.
+_OF_ALL = (
+    "forward_dynamics", "inertia_factorization", "forward_dynamics_derivatives",
+    "joint_space_inertia_inverse", "contact_dynamics",
+)  # fmt: skip
+_OF_THE_BASE = "inverse_dynamics"
+# With every variable in units of its own inertia, a worse condition is that of rounding errors.
+_SINGULAR = 1e15
+
+
+def refuse_unresisted(quantities: Iterable[str], bodies: Bodies, q: Array) -> None:
+    """Check that all motions that quantities solve for meet some inertia.
+
+    Args:
+        quantities: Their names.
+        bodies: The mechanism, with values for all parameters.
+        q: Joint positions of an ordinary configuration, shape (n,).
+
+    Raises:
+        GenerationError: One does not; the joint, or the base, is named.
+    """
+    with np.errstate(all="ignore"):
+        M = joint_space_inertia(bodies, q)
+    if not np.isfinite(M).all():
+        return
+    n_base = bodies.n_velocities - bodies.n_links
+    for name in quantities:
+        if name in _OF_ALL and _is_singular(M):
+            raise _undefined(name, singular_inertia(bodies, q).moving)
+        if name == _OF_THE_BASE and _is_singular(M[:n_base, :n_base]):
+            raise _undefined(name, "the base")
+
+
+def magnification(quantity: str, M: Array, n_links: int) -> float:
+    """Return what a quantity magnifies rounding errors by: the condition of what it solves.
+
+    Args:
+        quantity: Its name.
+        M: The joint-space inertia, a floating base's six rows and columns first.
+        n_links: The number of joints.
+    """
+    n_base = len(M) - n_links
+    if quantity in _OF_ALL:
+        return _condition(M)
+    return _condition(M[:n_base, :n_base]) if quantity == _OF_THE_BASE else 1.0
+
+
+def _is_singular(M: Array) -> bool:
+    """Return whether rounding errors decide what a symmetric matrix's inverse is."""
+    return _condition(M) > _SINGULAR
+
+
+def _condition(M: Array) -> float:
+    """Return the condition of a symmetric matrix, each variable in units of its own inertia."""
+    units = np.sqrt(np.abs(np.diagonal(M)))
+    if not units.all():
+        return np.inf
+    return float(np.linalg.cond(M / np.outer(units, units))) if len(M) else 1.0
+
+
+def _undefined(quantity: str, moving: str) -> GenerationError:
+    return GenerationError(
+        f"'{quantity}' is not defined: nothing resists motion of {moving}; "
+        "use --quantities to choose others, such as poses,jacobians"
+    )

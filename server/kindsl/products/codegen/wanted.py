@@ -1,0 +1,74 @@
+"""From a transforms document to the pairs of frames that code is generated for."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.transforms import (
+    LINK_PREFIX,
+    frame_names,
+    joint_frame_names,
+    unknown_frames,
+)
+from kindsl.language.syntax.transforms_text import Pair, read_transforms
+from kindsl.language.text.lines import LineIndex
+from kindsl.language.text.nearest import hint, nearest_name
+from kindsl.mechanics.dynamics.generation.robot import PlacedFrame, Robot
+from kindsl.mechanics.dynamics.generation.vectors import EYE
+from kindsl.products.codegen.library import GenerationError, Wanted
+
+
+def wanted_pairs(text: str, model: Model, robot: Robot) -> Wanted:
+    """Return the pairs that a transforms document lists, each once.
+
+    Raises:
+        GenerationError: The document is broken, or names a frame that the robot has not.
+    """
+    document = read_transforms(text)
+    for wrong in (*document.defects, *unknown_frames(document, model)):
+        line, column = LineIndex(text).position(wrong.start)
+        raise GenerationError(f"--transforms, {line + 1}:{column + 1}: {wrong.message}")
+    names = {**{name: name for name in joint_frame_names(model)}, **frame_names(model)}
+    placed = {target.name: target for target in robot.placed}
+    placed[robot.base_name] = PlacedFrame(robot.base_name, 0, EYE, [0.0, 0.0, 0.0])
+    for joint in robot.tree.links():
+        frame = robot.joint_frame(joint)
+        placed.setdefault(frame.name, frame)
+
+    def pairs(listed: tuple[Pair, ...]) -> tuple[tuple[PlacedFrame, PlacedFrame], ...]:
+        texts = dict.fromkeys((base.text, target.text) for base, target in listed)
+        return tuple(
+            (replace(placed[names[base]], name=base), replace(placed[names[target]], name=target))
+            for base, target in texts
+        )
+
+    return Wanted(pairs(document.transforms), pairs(document.jacobians))
+
+
+def restricted(
+    robot: Robot, wanted: Wanted | None, names: Sequence[str]
+) -> tuple[Robot, Wanted | None]:
+    """Return a robot and pairs of frames with the poses and Jacobians of some frames only.
+
+    Args:
+        robot: The robot.
+        wanted: Pairs of frames.
+        names: Links and frames, a link's own frame also as `fr_` and its name.
+
+    Raises:
+        GenerationError: The robot has not one of them.
+    """
+    links = {f"{LINK_PREFIX}{name}": name for name in robot.link_names}
+    known = {target.name for target in robot.targets}
+    chosen = {name if name in known else links.get(name, name) for name in names}
+    for name in sorted(chosen - known):
+        close = hint(nearest_name(name, [*known, *links]))
+        raise GenerationError(f"--frames: the robot has no frame '{name}'{close}")
+    listed = {*chosen, *(f"{LINK_PREFIX}{name}" for name in chosen & {*robot.link_names})}
+    frames = tuple(target for target in robot.targets if target.name in chosen)
+    if wanted is not None:
+        wanted = Wanted(*(
+            tuple(p for p in pairs if not listed.isdisjoint((p[0].name, p[1].name)))
+            for pairs in wanted
+        ))  # fmt: skip
+    return replace(robot, chosen=frames), wanted

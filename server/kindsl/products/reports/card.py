@@ -1,0 +1,225 @@
+"""A model's page for a wiki or a paper: the contents of its document, and its health."""
+
+from collections.abc import Iterator
+from math import degrees
+from typing import Any
+
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.judgement.analysis.poses import pose_named
+from kindsl.judgement.rules.inertia.shapes import shape_verdicts
+from kindsl.language.text.phrases import counted
+from kindsl.mechanics.rigid.body import principal_moments_about_com
+from kindsl.mechanics.rigid.pose import PLAIN, RigidPose, angles
+from kindsl.products.reports.columns import PARAMETER_UNITS, number
+from kindsl.products.reports.drawing.robot import robot_drawing
+from kindsl.products.reports.joint_transforms import joint_transform
+from kindsl.products.reports.page.blocks import (
+    Block,
+    Figure,
+    Heading,
+    Matrix,
+    Page,
+    Paragraph,
+    Table,
+)
+from kindsl.products.reports.robot_facts import mass_text, robot_facts
+from kindsl.robots.mechanism.posing import posed
+from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.total_mass import unknown_bodies
+from kindsl.robots.scene.picture import Picture, picture
+
+
+def card_page(analysis: Analysis, pose: str | None = None) -> Page:
+    """Return the page of a document; of a broken one, a partial page.
+
+    Args:
+        analysis: The document.
+        pose: A name of the configuration: how the picture shows the robot, None for at zero.
+
+    Raises:
+        PoseError: The configuration has no such pose for this robot.
+    """
+    facts = robot_facts(analysis)
+    shown = picture(analysis.model, dict(analysis.context.values), None)
+    blocks = [*_heading(facts, shown, analysis, pose), *_tree(facts)]
+    if shown.skeleton is not None:
+        blocks += [*_joints(shown.skeleton), *_masses(shown.skeleton, facts, analysis)]
+        blocks += _frames(shown.skeleton)
+    return (*blocks, *_parameters(facts), *_transforms(analysis), *_health(facts))
+
+
+def shown_skeleton(analysis: Analysis) -> Skeleton | None:
+    """Return what there is to draw of a document, None if there is nothing."""
+    return picture(analysis.model, dict(analysis.context.values), None).skeleton
+
+
+def _heading(
+    facts: dict[str, Any], shown: Picture, analysis: Analysis, pose: str | None
+) -> Iterator[Block]:
+    yield Heading(facts["robot"] or "(unnamed)", 1)
+    base = "floating" if facts["floating"] else "fixed"
+    dof = counted(facts["dof"], "degree")
+    yield Paragraph(f"{base} base, {dof} of freedom, mass {mass_text(facts)}")
+    if shown.message:
+        yield Paragraph(shown.message)
+    if shown.skeleton is not None:
+        place = "At zero" if pose is None else f"In pose '{pose}'"
+        caption = f"{place}: bodies, joints with their axes, frames (green), centres of mass (gold)"
+        yield Figure("robot", robot_drawing(_in_pose(shown.skeleton, analysis, pose)), caption)
+
+
+def _in_pose(skeleton: Skeleton, analysis: Analysis, pose: str | None) -> Skeleton:
+    if pose is None:
+        return skeleton
+    joints = [str(joint.name) for joint in analysis.model.joints]
+    values = pose_named(analysis.settings, pose, joints)
+    return posed(skeleton, [values.get(joint, 0.0) for joint in skeleton.joint_names])
+
+
+def _tree(facts: dict[str, Any]) -> Iterator[Block]:
+    yield Heading("Tree")
+    header = ("link", "id", "joint", "kind", "mass / kg", "frames")
+    rows = tuple(
+        (
+            "  " * level + (body["name"] or "(unnamed)"),
+            "" if body["id"] is None else str(body["id"]),
+            body["joint"] or "",
+            body["joint_type"] or "",
+            number(body["mass"]),
+            ", ".join(body["frames"]),
+        )
+        for level, body in branches(facts)
+    )
+    yield Table(header, rows, frozenset((1, 4)))
+
+
+def branches(facts: dict[str, Any]) -> Iterator[tuple[int, dict[str, Any]]]:
+    """Yield the bodies, each before what it carries, and how many carry it; the lost ones last."""
+    children: dict[str | None, list[dict[str, Any]]] = {}
+    for link in facts["links"]:
+        children.setdefault(link["parent"], []).append(link)
+    starts = [facts["base"], *facts["links"]] if facts["base"] else facts["links"]
+    seen: set[int] = set()
+    for start in starts:
+        pending = [(0, start)]
+        while pending:
+            level, body = pending.pop()
+            if id(body) not in seen:
+                seen.add(id(body))
+                yield level, body
+                below = children.get(body["name"], [])
+                pending += [(level + 1, child) for child in reversed(below)]
+
+
+def _joints(skeleton: Skeleton) -> Iterator[Block]:
+    yield Heading("Joints")
+    header = ("joint", "kind", "from", "to", "translation / m", "rotation / deg")
+    rows = tuple(
+        (
+            skeleton.joint_names[link - 1],
+            skeleton.joint_kinds[link - 1],
+            skeleton.body_names[parent],
+            skeleton.body_names[link],
+            *_pose_cells(skeleton.placements[link - 1]),
+        )
+        for link, parent in skeleton.links()
+    )
+    yield Table(header, rows)
+
+
+def _masses(skeleton: Skeleton, facts: dict[str, Any], analysis: Analysis) -> Iterator[Block]:
+    yield Heading("Masses")
+    header = ("link", "mass / kg", "CoM / m", "principal moments / kg m²", "shape")
+    first = 0 if skeleton.is_floating else 1
+    bodies = list(zip(skeleton.body_names, skeleton.masses, strict=True))[first:]
+    unknown = unknown_bodies(analysis.model, analysis.context.values)
+    written = {body["name"]: body["mass"] for _, body in branches(facts)}
+    moments = [principal_moments_about_com(body) for _, body in bodies]
+    rows = tuple(
+        (name, number(written.get(name)), "-", "-", "-")
+        if name in unknown
+        else (name, number(body.mass), triple(body.com), triple(own), _shape(analysis, name))
+        for (name, body), own in zip(bodies, moments, strict=True)
+    )
+    yield Table(header, rows, frozenset((1,)))
+
+
+def _shape(analysis: Analysis, name: str) -> str:
+    """Return what is doubtful about a body in a word or two, a dash where nothing is."""
+    body = analysis.model.body_named[name]
+    doubts = shape_verdicts(body, analysis.model.tree.joints_on(body), analysis.context)
+    return ", ".join(doubt.kind for doubt in doubts) or "-"
+
+
+def _frames(skeleton: Skeleton) -> Iterator[Block]:
+    if not skeleton.frames:
+        return
+    yield Heading("Frames")
+    header = ("frame", "link", "translation / m", "rotation / deg")
+    rows = tuple(
+        (frame.name, skeleton.body_names[frame.body], *_pose_cells(frame.pose))
+        for frame in skeleton.frames
+    )
+    yield Table(header, rows)
+
+
+def _parameters(facts: dict[str, Any]) -> Iterator[Block]:
+    if not facts["parameters"]:
+        return
+    yield Heading("Parameters")
+    header = ("parameter", "kind", "value", "minimum", "maximum", "bound by")
+    rows = tuple(
+        (
+            parameter["name"],
+            parameter["kind"],
+            number(parameter["value"], PARAMETER_UNITS[parameter["kind"]]),
+            number(parameter["min"]),
+            number(parameter["max"]),
+            parameter["origin"] or "nothing",
+        )
+        for parameter in facts["parameters"]
+    )
+    yield Table(header, rows, frozenset((2, 3, 4)))
+
+
+def _transforms(analysis: Analysis) -> Iterator[Block]:
+    """Yield each joint's transform with all parameters in it."""
+    matrices = []
+    for edge in analysis.model.tree.edges:
+        if edge.joint is None:
+            continue
+        rows = joint_transform(edge.joint, analysis.context.values)
+        if rows is not None:
+            ends = f"{edge.predecessor.name} to {edge.child.link}"
+            label = f"{edge.joint.name}, from {ends}:"
+            plain = tuple(tuple(entry.plain for entry in row) for row in rows)
+            latex = tuple(tuple(entry.latex for entry in row) for row in rows)
+            matrices.append(Matrix(label, plain, latex))
+    if matrices:
+        yield Heading("Transforms")
+        yield Paragraph(
+            "Each takes the link's coordinates to its predecessor's; q is the joint's variable."
+        )
+        yield from matrices
+
+
+def _health(facts: dict[str, Any]) -> Iterator[Block]:
+    health = facts["health"]
+    yield Heading("Health")
+    yield Paragraph(health["verdict"])
+    if health["findings"]:
+        rows = tuple(
+            (f"{f['line']}:{f['column']}", f["severity"], f["code"], f["message"])
+            for f in health["findings"]
+        )
+        yield Table(("place", "severity", "rule", "finding"), rows)
+
+
+def _pose_cells(pose: RigidPose) -> tuple[str, str]:
+    turned = angles(pose.rotation, PLAIN)
+    return triple(pose.translation), triple(tuple(map(degrees, turned)))
+
+
+def triple(values: tuple[float, ...]) -> str:
+    """Return numbers for people as `(x, y, z)`."""
+    return f"({', '.join(f'{value:z.6g}' for value in values)})"

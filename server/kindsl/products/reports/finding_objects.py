@@ -1,0 +1,59 @@
+"""Findings for programs, as plain objects; docs/ci.md describes them."""
+
+from typing import Any
+
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.analysis.text_fix import TextFix
+from kindsl.language.text.lines import LineIndex
+from kindsl.language.text.printable import printable
+
+
+def finding_object(path: str, finding: Diagnostic, lines: LineIndex) -> dict[str, Any]:
+    """Return a finding; lines and columns from 1, offsets from 0, in code points.
+
+    Args:
+        path: The document, as it is shown.
+        finding: With offsets in the document's text.
+        lines: Of that text.
+    """
+    return {
+        "path": path,
+        "code": finding.code,
+        "name": finding.name,
+        "severity": finding.severity.value,
+        "message": printable(finding.message),
+        "start": position_object(lines, finding.start),
+        "end": position_object(lines, finding.end),
+        "related": [
+            {
+                "path": path,
+                "start": position_object(lines, related.start),
+                "end": position_object(lines, related.end),
+                "message": printable(related.message),
+            }
+            for related in finding.related
+        ],
+        "fix": _fix(lines, finding.fix) if finding.fix else None,
+        "url": finding.url,
+    }
+
+
+def _fix(lines: LineIndex, fix: TextFix) -> dict[str, Any]:
+    return {
+        "title": printable(fix.title),
+        "safe": fix.is_safe,
+        "edits": [
+            {
+                "start": position_object(lines, edit.start),
+                "end": position_object(lines, edit.end),
+                "text": edit.text,
+            }
+            for edit in fix.edits
+        ],
+    }
+
+
+def position_object(lines: LineIndex, offset: int) -> dict[str, int]:
+    """Return line and column of an offset from 1, and the offset from 0."""
+    line, column = lines.position(offset)
+    return {"line": line + 1, "column": column + 1, "offset": offset}

@@ -1,0 +1,70 @@
+"""A page as blocks: headings, text, tables, drawings, matrices."""
+
+from typing import NamedTuple
+
+from kindsl.products.reports.drawing.shapes import Drawing
+
+
+class Heading(NamedTuple):
+    """A heading; level 1 is the page's."""
+
+    text: str
+    level: int = 2
+
+
+class Paragraph(NamedTuple):
+    """Plain text."""
+
+    text: str
+
+
+class Table(NamedTuple):
+    """Rows of plain text under a header; blanks that begin a cell are kept.
+
+    Attributes:
+        header: One cell a column.
+        rows: As many cells each.
+        right: Columns that are flush right, numbers.
+    """
+
+    header: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    right: frozenset[int] = frozenset()
+
+
+class Figure(NamedTuple):
+    """A drawing.
+
+    Attributes:
+        name: Stem of a file's name for it.
+        drawing: The drawing.
+        caption: Plain text.
+    """
+
+    name: str
+    drawing: Drawing
+    caption: str
+
+
+class Matrix(NamedTuple):
+    """A matrix of formulas.
+
+    Attributes:
+        label: Its label, plain text.
+        plain: Rows of entries that a program would understand: `sin(q)`.
+        latex: The same in LaTeX's mathematics.
+    """
+
+    label: str
+    plain: tuple[tuple[str, ...], ...]
+    latex: tuple[tuple[str, ...], ...]
+
+
+class SideBySide(NamedTuple):
+    """Pictures beside each other."""
+
+    pictures: tuple[Figure, ...]
+
+
+Block = Heading | Paragraph | Table | Figure | Matrix | SideBySide
+Page = tuple[Block, ...]

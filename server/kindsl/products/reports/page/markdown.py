@@ -1,0 +1,86 @@
+"""A page in Markdown, with GitHub's tables and mathematics."""
+
+import base64
+import re
+from collections.abc import Callable, Iterator
+
+from kindsl.products.reports.drawing.svg import svg_text
+from kindsl.products.reports.page.blocks import (
+    Block,
+    Figure,
+    Heading,
+    Matrix,
+    Page,
+    Paragraph,
+    SideBySide,
+    Table,
+)
+
+_SPECIAL = re.compile(r"([\\`*_{}\[\]<#|~])")
+Address = Callable[[Figure], str]
+
+
+def embedded(picture: Figure) -> str:
+    """Return an address that is the picture itself."""
+    data = base64.b64encode(svg_text(picture.drawing).encode()).decode()
+    return f"data:image/svg+xml;base64,{data}"
+
+
+def beside(picture: Figure) -> str:
+    """Return the address of a file in the page's folder."""
+    return f"{picture.name}.svg"
+
+
+def markdown_text(page: Page, address: Address = embedded) -> str:
+    """Return a page.
+
+    Args:
+        page: Its blocks.
+        address: Where a picture is.
+    """
+    return "\n".join(part for block in page for part in _block(block, address))
+
+
+def _block(block: Block, address: Address) -> Iterator[str]:
+    if isinstance(block, Heading):
+        yield f"{'#' * block.level} {escaped(block.text)}\n"
+    elif isinstance(block, Paragraph):
+        yield f"{escaped(block.text)}\n"
+    elif isinstance(block, Figure):
+        yield f"![{escaped(block.caption)}]({address(block)})\n"
+    elif isinstance(block, SideBySide):
+        titles = tuple(picture.caption for picture in block.pictures)
+        yield _row(map(escaped, titles))
+        yield _row("---" for _ in titles)
+        yield _row(f"![{escaped(p.caption)}]({address(p)})" for p in block.pictures) + "\n"
+    elif isinstance(block, Matrix):
+        yield f"{escaped(block.label)}\n\n```math\n{bracketed(block)}\n```\n"
+    else:
+        yield from _table(block)
+
+
+def bracketed(matrix: Matrix) -> str:
+    """Return a matrix in LaTeX's mathematics."""
+    rows = " \\\\\n".join(" & ".join(row) for row in matrix.latex)
+    return f"\\begin{{bmatrix}}\n{rows}\n\\end{{bmatrix}}"
+
+
+def _table(table: Table) -> Iterator[str]:
+    yield _row(map(escaped, table.header))
+    yield _row("---:" if i in table.right else "---" for i in range(len(table.header)))
+    rows = [_row(map(_cell, row)) for row in table.rows]
+    yield "\n".join(rows) + "\n"
+
+
+def _cell(text: str) -> str:
+    indent = len(text) - len(text.lstrip(" "))
+    return "&nbsp;" * indent + escaped(text.lstrip(" "))
+
+
+def _row(cells: "Iterator[str] | map[str]") -> str:
+    return f"| {' | '.join(cells)} |"
+
+
+def escaped(text: str) -> str:
+    """Return text that means itself in Markdown, on one line."""
+    return _SPECIAL.sub(r"\\\1", " ".join(text.split("\n")))

@@ -1,0 +1,144 @@
+"""Changed written numbers of joints, frames and bodies that are on both sides."""
+
+from collections.abc import Iterator, Mapping
+from math import isclose, radians
+from typing import NamedTuple
+
+from kindsl.language.semantics.declarations import Inertia, Pose, Vector
+from kindsl.language.semantics.expressions import Expression
+from kindsl.language.semantics.model import Model
+from kindsl.language.syntax.vocabulary import MOMENTS
+
+_AXES = "xyz"
+_ROUNDING = 1e-12
+_GIVEN = Mapping[str, float]
+# What a factor between two numbers says, and how near it must be.
+_FACTORS = (
+    (1000.0, "1000 times: another unit?"),
+    (0.001, "a thousandth: another unit?"),
+    (1.0 / radians(1.0), "180/PI times: degrees?"),
+    (radians(1.0), "PI/180 times: radians?"),
+)
+_NEAR = 1e-4
+
+
+class Side(NamedTuple):
+    """A document's model and the values of its parameters and constants."""
+
+    model: Model
+    values: _GIVEN
+
+
+class WrittenChange(NamedTuple):
+    """A number that changed.
+
+    Attributes:
+        kind: `"joint"`, `"frame"` or `"link"`.
+        name: Of the thing, now.
+        number: Which of its numbers: `"translation x"`, `"Ixy"`.
+        old: As it was written, empty if it was not.
+        new: As it is written, empty if it is not.
+        remark: The likely cause, empty if none is known.
+    """
+
+    kind: str
+    name: str
+    number: str
+    old: str
+    new: str
+    remark: str
+
+
+def written_changes(
+    old: Side, new: Side, links: Mapping[str, str], joints: Mapping[str, str]
+) -> Iterator[WrittenChange]:
+    """Yield the changes, joints first, then frames, then links.
+
+    Args:
+        old: Before.
+        new: After.
+        links: New names of renamed links by the old ones.
+        joints: New names of renamed joints by the old ones.
+    """
+    for kind, before, after in (
+        ("joint", _joints(old, joints), _joints(new, {})),
+        ("frame", _frames(old, links), _frames(new, {})),
+        ("link", _bodies(old, links), _bodies(new, {})),
+    ):
+        for thing, numbers in before.items():
+            for number in (
+                dict.fromkeys((*numbers, *after.get(thing, {}))) if thing in after else ()
+            ):
+                pair = numbers.get(number), after[thing].get(number)
+                if not _same(pair, old.values, new.values):
+                    texts = [expression.text if expression else "" for expression in pair]
+                    remark = _remark(pair, old.values, new.values)
+                    yield WrittenChange(kind, thing, number, texts[0], texts[1], remark)
+
+
+_Numbers = dict[str, dict[str, Expression]]
+
+
+def _joints(side: Side, renamed: Mapping[str, str]) -> _Numbers:
+    return {
+        renamed.get(str(joint.name), str(joint.name)): dict(_pose(joint.pose))
+        for joint in side.model.joints
+    }
+
+
+def _frames(side: Side, renamed: Mapping[str, str]) -> _Numbers:
+    return {
+        f"{renamed.get(str(body.name), str(body.name))}.{frame.name}": dict(_pose(frame.pose))
+        for body in side.model.bodies
+        for frame in body.frames
+    }
+
+
+def _bodies(side: Side, renamed: Mapping[str, str]) -> _Numbers:
+    return {
+        renamed.get(str(body.name), str(body.name)): dict(_inertia(body.inertia))
+        for body in side.model.bodies
+        if body.inertia is not None
+    }
+
+
+def _pose(pose: Pose) -> Iterator[tuple[str, Expression]]:
+    yield from _vector("translation", pose.translation)
+    yield from _vector("rotation", pose.rotation)
+
+
+def _inertia(inertia: Inertia) -> Iterator[tuple[str, Expression]]:
+    if inertia.mass is not None:
+        yield "mass", inertia.mass
+    yield from _vector("CoM", inertia.com)
+    yield from ((name, inertia.moments[name]) for name in MOMENTS if name in inertia.moments)
+
+
+def _vector(name: str, vector: Vector | None) -> Iterator[tuple[str, Expression]]:
+    if vector is not None:
+        for axis, component in zip(_AXES, vector.components, strict=True):
+            yield f"{name} {axis}", component
+
+
+_Pair = tuple[Expression | None, Expression | None]
+
+
+def _same(pair: _Pair, old: _GIVEN, new: _GIVEN) -> bool:
+    if pair[0] is None or pair[1] is None:
+        return False
+    a, b = pair[0].value(old), pair[1].value(new)
+    if a is None or b is None:
+        return pair[0].text == pair[1].text
+    return isclose(a, b, rel_tol=_ROUNDING)
+
+
+def _remark(pair: _Pair, old: _GIVEN, new: _GIVEN) -> str:
+    if pair[0] is None or pair[1] is None:
+        return ""
+    a, b = pair[0].value(old), pair[1].value(new)
+    if not a or not b:
+        return ""
+    if isclose(a, -b, rel_tol=_ROUNDING):
+        return "sign swapped"
+    near = (told for factor, told in _FACTORS if isclose(b, a * factor, rel_tol=_NEAR))
+    return next(near, "")

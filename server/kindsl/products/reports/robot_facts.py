@@ -1,0 +1,125 @@
+"""The output of `kindsl info`, as plain data."""
+
+from collections.abc import Iterator, Mapping
+from math import inf
+from typing import Any
+
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.judgement.analysis.verdicts import verdicts
+from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.parameters import Parameter
+from kindsl.language.semantics.places import Located
+from kindsl.language.semantics.unknown import Unknown
+from kindsl.language.text.lines import LineIndex
+from kindsl.products.reports.columns import number
+from kindsl.products.reports.finding_objects import position_object
+from kindsl.products.reports.robot_health import health_facts, severity_counts
+from kindsl.robots.mechanism.total_mass import Weight, missing_masses, own_mass, total_mass
+
+
+def robot_facts(analysis: Analysis) -> dict[str, Any]:
+    """Return tree, masses and parameters, of a broken document the rest.
+
+    Masses are in kilograms, None where they cannot be read; the robot's is that of what moves, None
+    unless all of it is known: then `known_mass` is the sum of the others, and `missing_masses` says
+    what it lacks.
+    """
+    model, values = analysis.model, analysis.context.values
+    places = _Places(analysis)
+    bodies = [_body(model, body, values, places) for body in _in_order(model)]
+    weight = total_mass(model, values)
+    n_joints = sum(body["joint"] is not None for body in bodies)
+    return {
+        "robot": model.name,
+        "floating": model.floating,
+        "dof": n_joints + (6 if model.floating else 0),
+        "mass": weight.known if weight.is_whole else None,
+        "known_mass": weight.known,
+        "missing_masses": missing_facts(model, values),
+        "base": bodies[0] if bodies and bodies[0]["id"] == 0 else None,
+        "links": [body for body in bodies if body["id"] != 0],
+        "parameters": [_parameter(p, analysis, places) for p in model.parameters],
+        "constants": [
+            {"name": str(c.name), "value": values.get(f"<{c.name}>"), **places.of(c.name)}
+            for c in model.constants
+        ],
+        "findings": severity_counts(analysis.findings),
+        "verdicts": {
+            verdict.target: {
+                "reads": verdict.reads,
+                "places": [
+                    {"code": d.code, "message": d.message, **places.at(d.start)}
+                    for d in verdict.places
+                ],
+            }
+            for verdict in verdicts(analysis)
+        },
+        "health": health_facts(analysis.findings, places.at),
+    }
+
+
+class _Places:
+    """Turns places into lines and columns, both from 1, and offsets from 0."""
+
+    __slots__ = ("_lines", "_resolver")
+
+    def __init__(self, analysis: Analysis) -> None:
+        self._lines = LineIndex(analysis.text)
+        self._resolver = analysis.resolver
+
+    def of(self, at: Located) -> dict[str, int]:
+        return self.at(self._resolver.span(at)[0])
+
+    def at(self, offset: int) -> dict[str, int]:
+        return position_object(self._lines, offset)
+
+
+def _in_order(model: Model) -> Iterator[Link]:
+    """Yield the base, then the links by id, those without one last."""
+    if model.base is not None:
+        yield model.base
+    yield from sorted(model.links, key=lambda link: inf if link.id is None else link.id)
+
+
+def _body(model: Model, body: Link, values: Mapping[str, float], places: _Places) -> dict[str, Any]:
+    edge = None if body.is_base else model.tree.supporting_edge(body)
+    mass = own_mass(body, values)
+    return {
+        "name": str(body.name),
+        "id": body.id,
+        "parent": str(edge.predecessor.name) if edge else None,
+        "joint": str(edge.child.joint) if edge else None,
+        "joint_type": edge.joint.kind if edge and edge.joint else None,
+        "mass": None if isinstance(mass, Unknown) else mass,
+        "frames": [str(frame.name) for frame in body.frames],
+        **places.of(body.name),
+    }
+
+
+def mass_text(facts: Mapping[str, Any]) -> str:
+    """Return the mass of a robot for people; a partial mass is marked as such."""
+    missing = [Unknown(one["reason"]) for one in facts["missing_masses"]]
+    weight = Weight(facts["known_mass"], len(missing), missing[0] if missing else Unknown(""))
+    return weight.explained(number(weight.known, "kg"))
+
+
+def missing_facts(model: Model, values: Mapping[str, float]) -> list[dict[str, str]]:
+    """Return the missing parts of the mass of a robot, with the reason."""
+    missing = missing_masses(model, values)
+    return [{"name": one.owner, "reason": one.reason.plain} for one in missing]
+
+
+def _parameter(parameter: Parameter, analysis: Analysis, places: _Places) -> dict[str, Any]:
+    name = str(parameter.name)
+    binding = analysis.settings.bindings.get(name)
+    in_document = None if parameter.value is None else "document"
+    return {
+        "name": name,
+        "kind": parameter.kind.value,
+        "value": analysis.context.values.get(name),
+        "origin": binding.origin if binding else in_document,
+        "min": binding.minimum if binding else None,
+        "max": binding.maximum if binding else None,
+        "uses": [{"kind": use.kind.value, **places.of(use.name)} for use in parameter.uses],
+    }

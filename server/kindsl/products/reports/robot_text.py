@@ -1,0 +1,118 @@
+"""The output of `kindsl info`, for people."""
+
+from collections.abc import Iterator
+from typing import Any
+
+from kindsl.language.text.phrases import counted
+from kindsl.language.text.printable import printable
+from kindsl.products.reports.columns import PARAMETER_UNITS, aligned, number
+from kindsl.products.reports.robot_facts import mass_text
+from kindsl.products.reports.robot_health import health_text
+from kindsl.robots.mechanism.total_mass import UNKNOWN
+
+
+def robot_text(facts: dict[str, Any]) -> str:
+    """Return heading, tree, parameters and health."""
+    parts = [_heading(facts), aligned(list(_tree_rows(facts)), frozenset((1, 4)))]
+    if facts["parameters"]:
+        parts.append(_parameters(facts["parameters"]))
+    if facts["constants"]:
+        rows = [("constants", "")]
+        rows += [(f"  {c['name']}", number(c["value"])) for c in facts["constants"]]
+        parts.append(aligned(rows, frozenset((1,))))
+    parts.append("".join(_verdict(*entry) for entry in facts["verdicts"].items()))
+    parts.append(health_text(facts["health"]))
+    return printable_lines("\n".join(parts))
+
+
+def printable_lines(text: str) -> str:
+    """Return a text whose lines move no cursor."""
+    return "".join(f"{printable(line)}\n" for line in text.split("\n")[:-1])
+
+
+def _heading(facts: dict[str, Any]) -> str:
+    base = "floating base" if facts["floating"] else "fixed base"
+    dof = counted(facts["dof"], "degree")
+    mass = mass_text(facts)
+    mass = f"mass {mass}" if mass.startswith(UNKNOWN) else mass
+    return f"{facts['robot'] or '(unnamed)'}: {base}, {dof} of freedom, {mass}\n"
+
+
+def _verdict(target: str, verdict: dict[str, Any]) -> str:
+    if verdict["reads"]:
+        return f"{target} reads it\n"
+    places = verdict["places"]
+    first = places[0]
+    return (
+        f"{target} refuses it, {counted(len(places), 'place')}: "
+        f"{first['line']}:{first['column']} {first['message']}\n"
+    )
+
+
+def _tree_rows(facts: dict[str, Any]) -> Iterator[tuple[str, ...]]:
+    yield "link", "id", "joint", "", "mass", "frames"
+    bodies = [facts["base"], *facts["links"]] if facts["base"] else facts["links"]
+    children: dict[str | None, list[dict[str, Any]]] = {}
+    for link in facts["links"]:
+        children.setdefault(link["parent"], []).append(link)
+    drawn: set[str] = set()
+    if facts["base"]:
+        yield from _branch(facts["base"], "", "", children, drawn)
+    for body in bodies:
+        yield from _branch(body, "? ", "  ", children, drawn)
+
+
+def _branch(
+    body: dict[str, Any],
+    first: str,
+    rest: str,
+    children: dict[str | None, list[dict[str, Any]]],
+    drawn: set[str],
+) -> Iterator[tuple[str, ...]]:
+    """Yield the row of a body and those of all that it carries."""
+    stack = [(body, first, rest)]
+    while stack:
+        body, first, rest = stack.pop()
+        if body["name"] in drawn:
+            continue
+        drawn.add(body["name"])
+        yield _row(body, first)
+        below = children.get(body["name"], [])
+        last = below[-1] if below else None
+        stack += [
+            (child, rest + ("└─ " if child is last else "├─ "),
+             rest + ("   " if child is last else "│  "))
+            for child in reversed(below)
+        ]  # fmt: skip
+
+
+def _row(body: dict[str, Any], branch: str) -> tuple[str, ...]:
+    return (
+        branch + (body["name"] or "(unnamed)"),
+        "-" if body["id"] is None else str(body["id"]),
+        body["joint"] or "",
+        body["joint_type"] or "",
+        number(body["mass"], "kg"),
+        " ".join(body["frames"]),
+    )
+
+
+def _parameters(parameters: list[dict[str, Any]]) -> str:
+    rows = [("parameter", "kind", "value", "range", "bound by", "places")]
+    for parameter in parameters:
+        unit = PARAMETER_UNITS[parameter["kind"]]
+        ends = parameter["min"], parameter["max"]
+        span = "" if ends == (None, None) else f"{number(ends[0])} … {number(ends[1])}"
+        places = " ".join(f"{use['line']}:{use['column']}" for use in parameter["uses"][:4])
+        more = " …" if len(parameter["uses"]) > 4 else ""
+        rows.append(
+            (
+                parameter["name"],
+                parameter["kind"],
+                number(parameter["value"], unit),
+                span,
+                parameter["origin"] or "nothing",
+                places + more,
+            )
+        )
+    return aligned(rows, frozenset((2,)))

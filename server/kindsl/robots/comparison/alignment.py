@@ -1,0 +1,297 @@
+"""Alignment of the link frames of two robots: conventions are found, not assumed.
+
+A link frame may lie anywhere in its link, a joint turn the other way and be zero elsewhere. For
+each pair of bodies the pose is chosen under which most of what is fixed to them agrees: the axes of
+the joints that they carry, their mass, and where the parent puts them at zero.
+"""
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from math import atan2, dist
+from typing import NamedTuple
+
+from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from
+from kindsl.mechanics.rigid.pose import (
+    IDENTITY,
+    RigidPose,
+    Vector3,
+    pose_from,
+    product,
+    rotation_from_z,
+    transposed,
+)
+from kindsl.robots.comparison.features import (
+    HALF_TURNS,
+    AxisLine,
+    Features,
+    frames_of,
+    lines_apart,
+    second_moment_gap,
+    seen_features,
+)
+from kindsl.robots.comparison.matching import MatchedJoints
+from kindsl.robots.mechanism.skeleton import Skeleton
+
+# Nobody chooses to have a joint's zero so little elsewhere: it is a number that differs.
+DRIFT = 0.05
+_GRADES = ((1e-10, 1.0), (1e-6, 0.8), (3e-4, 0.5))
+_ORIGIN = (0.0, 0.0, 0.0)
+_VERTICAL = AxisLine(_ORIGIN, (0.0, 0.0, 1.0), is_free=True)
+_TURNED_ONLY = 0.4
+_AXES_OF_ROOT = 4
+_MOST_ROOTS = 6
+_SAME = 1e-9
+_MOST_OPTIONS = 6
+_APART = 1e-6
+_LIKELY = 0.5
+
+
+class AlignedJoint(NamedTuple):
+    """The sign and zero of a joint of the other robot.
+
+    Attributes:
+        sign: Minus one where it turns or slides the other way.
+        offset: Our value where the other's is zero, rad or m; zero if it is only drift.
+    """
+
+    sign: float
+    offset: float
+
+
+class Alignment(NamedTuple):
+    """The conventions of another robot beside ours.
+
+    Attributes:
+        frames: Where the other's link frames are in ours, by our body.
+        joints: How the joints are counted, by our body.
+    """
+
+    frames: dict[int, RigidPose]
+    joints: dict[int, AlignedJoint]
+
+
+Cost = Callable[[int, Alignment], int]
+
+
+class _BodyPair(NamedTuple):
+    """Two bodies that are one, while the frame of the second in the first is looked for."""
+
+    ours: Features
+    theirs: Features
+    size: float
+
+
+def base_frames(ours: Skeleton, theirs: Skeleton) -> list[RigidPose]:
+    """Return where the other's base may be in ours, before it is known which joint is which."""
+    one, other = (Features((), _whole(skeleton)) for skeleton in (ours, theirs))
+    return [IDENTITY, *_candidates(one, other)]
+
+
+def likely_base_frames(
+    ours: Skeleton, theirs: Skeleton, matching: MatchedJoints
+) -> Iterator[RigidPose]:
+    """Yield where the other's base may be in ours, the best first; our own is one of them."""
+    root = _root_pair(ours, theirs, matching, _size(ours))
+    is_likely = _agreement(root, IDENTITY) >= _LIKELY * _agreement(root, IDENTITY, root.ours)
+    if is_likely:
+        yield IDENTITY
+    options = _candidates(root.ours, root.theirs)
+    best = sorted(options, key=lambda each: -_agreement(root, each))
+    yield from _unlike_each_other(best, (IDENTITY,), _MOST_ROOTS)
+    if not is_likely:
+        yield IDENTITY
+
+
+def aligned(
+    ours: Skeleton, theirs: Skeleton, matching: MatchedJoints, root: RigidPose, cost: Cost
+) -> Alignment:
+    """Return the conventions under which most of two robots agrees.
+
+    Args:
+        ours: A robot.
+        theirs: Another.
+        matching: Which bodies are one.
+        root: The other's base frame in ours.
+        cost: Returns in how many numbers a body and its joint differ.
+    """
+    size = _size(ours)
+    frames, joints = {0: root}, dict[int, AlignedJoint]()
+    for body in sorted(matching.theirs)[1:]:
+        other, parent = matching.theirs[body], frames[ours.parents[body - 1]]
+        D = ours.placements[body - 1].inverse().then(parent).then(theirs.placements[other - 1])
+        pair = _pair(ours, theirs, matching, body, size)
+        slides = ours.joint_kinds[body - 1] == "prismatic"
+        tried = [
+            Alignment({**frames, body: each}, {**joints, body: _counted(D, each, slides, size)})
+            for each in _options(pair, D, slides)
+        ]
+        if len(tried) > 1:
+            tried.sort(key=lambda each: cost(body, each) + _n_apart(pair, each.frames[body]))
+        frames, joints = tried[0]
+    return Alignment(frames, joints)
+
+
+def _size(skeleton: Skeleton) -> float:
+    return max(dist(pose.translation, _ORIGIN) for pose in skeleton.zero_poses()) or 1.0
+
+
+def _unlike_each_other(
+    frames: Iterable[RigidPose], known: Sequence[RigidPose], most: int
+) -> list[RigidPose]:
+    kept: list[RigidPose] = []
+    for frame in frames:
+        if all(dist(frame.numbers, other.numbers) > _SAME for other in (*known, *kept)):
+            kept.append(frame)
+            if len(kept) == most:
+                break
+    return kept
+
+
+def moved_by(value: float, slides: bool) -> RigidPose:
+    """Return what a joint's value does: a turn about z, or a way along it."""
+    if slides:
+        return RigidPose(IDENTITY.rotation, (0.0, 0.0, value))
+    return pose_from(_ORIGIN, (0.0, 0.0, value))
+
+
+def _whole(skeleton: Skeleton) -> MassDistribution:
+    """Return all that moves as one body, at zero in the base's frame."""
+    first = 0 if skeleton.is_floating else 1
+    pairs = list(zip(skeleton.masses, skeleton.zero_poses(), strict=True))[first:]
+    return lumped([seen_from(body, pose) for body, pose in pairs])
+
+
+def _axes_at_zero(skeleton: Skeleton, bodies: list[int]) -> tuple[AxisLine, ...]:
+    poses = skeleton.zero_poses()
+    return tuple(_axis(skeleton, body, poses[body]) for body in bodies)
+
+
+def _axis(skeleton: Skeleton, body: int, pose: RigidPose) -> AxisLine:
+    x, y, z = (row[2] for row in pose.rotation)
+    return AxisLine(pose.translation, (x, y, z), skeleton.joint_kinds[body - 1] == "prismatic")
+
+
+def _root_pair(ours: Skeleton, theirs: Skeleton, matching: MatchedJoints, size: float) -> _BodyPair:
+    bodies = sorted(matching.theirs)[1 : 1 + _AXES_OF_ROOT]
+    lines = _axes_at_zero(ours, bodies)
+    others = _axes_at_zero(theirs, [matching.theirs[body] for body in bodies])
+    if not (ours.is_floating or theirs.is_floating):
+        lines, others = (*lines, _VERTICAL), (*others, _VERTICAL)
+    masses = [ours.masses[0], theirs.masses[0]]
+    if not (ours.is_floating and masses[0].mass and masses[1].mass):
+        masses = [_whole(ours), _whole(theirs)]
+    pairs = [(body, matching.theirs[body]) for body in bodies]
+    heavy = [(b, its) for b, its in pairs if ours.masses[b].mass and theirs.masses[its].mass]
+    points = _coms_at_zero(ours, [body for body, _ in heavy])
+    its_points = _coms_at_zero(theirs, [its for _, its in heavy])
+    mine, its = Features(lines, masses[0], points), Features(others, masses[1], its_points)
+    return _BodyPair(mine, its, size)
+
+
+def _coms_at_zero(skeleton: Skeleton, bodies: list[int]) -> tuple[Vector3, ...]:
+    poses = skeleton.zero_poses()
+    return tuple(poses[body].point(skeleton.masses[body].com) for body in bodies)
+
+
+def _pair(
+    ours: Skeleton, theirs: Skeleton, matching: MatchedJoints, body: int, size: float
+) -> _BodyPair:
+    carried = [i for i in matching.theirs if i and ours.parents[i - 1] == body]
+    others = [matching.theirs[i] for i in carried]
+    is_same = [theirs.parents[o - 1] == matching.theirs[body] for o in others]
+    kept = [i for i, same in zip(carried, is_same, strict=True) if same]
+    own = _axis(ours, body, IDENTITY)
+    lines = (own, *(_axis(ours, i, ours.placements[i - 1]) for i in kept))
+    found = [matching.theirs[i] for i in kept]
+    other_lines = (own, *(_axis(theirs, o, theirs.placements[o - 1]) for o in found))
+    other_mass = theirs.masses[matching.theirs[body]]
+    return _BodyPair(Features(lines, ours.masses[body]), Features(other_lines, other_mass), size)
+
+
+def _candidates(ours: Features, theirs: Features) -> Iterator[RigidPose]:
+    """Yield where the other frame may be in ours, from frames that features of both define."""
+    for frame, other in zip(frames_of(ours), frames_of(theirs), strict=True):
+        if frame is not None and other is not None:
+            back = other.inverse()
+            yield from (frame.then(turn).then(back) for turn in HALF_TURNS)
+
+
+def _options(pair: _BodyPair, D: RigidPose, slides: bool) -> list[RigidPose]:
+    """Return the likely frames: our own if that does, else where the parent puts it, else any.
+
+    One under which all agrees is the only one.
+    """
+    found: list[tuple[float, RigidPose]] = []
+    whole = _agreement(pair, IDENTITY, pair.ours) + 1.0
+    for option in (HALF_TURNS[0], HALF_TURNS[1], D, *_candidates(pair.ours, pair.theirs)):
+        frame = _on_axis(option, slides)
+        score = _agreement(pair, frame) + _placed(D, frame, slides, pair.size)
+        if score >= whole - 1e-9:
+            return [frame]
+        found.append((score, frame))
+    found.sort(key=lambda each: -each[0])
+    return _unlike_each_other([frame for _, frame in found], (), _MOST_OPTIONS)
+
+
+def _n_apart(pair: _BodyPair, frame: RigidPose) -> int:
+    """Return how many axes of what a body carries are elsewhere under a frame."""
+    others = seen_features(pair.theirs, frame).lines
+    gaps = (lines_apart(a, b) for a, b in zip(pair.ours.lines, others, strict=True))
+    return sum(max(sine, distance / pair.size) > _APART for sine, distance in gaps)
+
+
+def _on_axis(frame: RigidPose, slides: bool) -> RigidPose:
+    """Return the nearest frame whose z axis is on ours, one way or the other."""
+    x, y, z = (row[2] for row in frame.rotation)
+    side = -1.0 if z < 0.0 else 1.0
+    turn = transposed(rotation_from_z((side * x, side * y, side * z)))
+    rotation = product(turn, frame.rotation) if x or y else frame.rotation
+    x, y, z = frame.translation
+    return RigidPose(rotation, (x, y, z) if slides else (0.0, 0.0, z))
+
+
+def _agreement(pair: _BodyPair, frame: RigidPose, theirs: Features | None = None) -> float:
+    """Return how much of the features agrees, one for each that agrees exactly."""
+    other = seen_features(pair.theirs, frame) if theirs is None else theirs
+    total = 0.0
+    for line, carried in zip(pair.ours.lines, other.lines, strict=True):
+        sine, distance = lines_apart(line, carried)
+        total += _grade(max(sine, distance / pair.size))
+    for point, its in zip(pair.ours.points, other.points, strict=True):
+        total += _grade(dist(point, its) / pair.size)
+    one, two = pair.ours.mass, other.mass
+    if one.mass and two.mass:
+        total += _grade(dist(one.com, two.com) / pair.size)
+        total += _grade(min(second_moment_gap(one, two), _moment_gap(one, two)))
+    return total
+
+
+def _moment_gap(one: MassDistribution, other: MassDistribution) -> float:
+    size = max(map(abs, one.moments)) or 1.0
+    return max(abs(a - b) for a, b in zip(one.moments, other.moments, strict=True)) / size
+
+
+def _grade(gap: float) -> float:
+    return next((grade for limit, grade in _GRADES if gap <= limit), 0.0)
+
+
+def _placed(D: RigidPose, frame: RigidPose, slides: bool, size: float) -> float:
+    """Return how well the parent's side puts a frame there: at zero, or at another joint value."""
+    E = D.then(frame.inverse())
+    x, y, z = E.translation
+    across = max(abs(E.rotation[0][2]), abs(E.rotation[1][2]), abs(x) / size, abs(y) / size)
+    if E.rotation[2][2] < 0.0:
+        return 0.0
+    if slides:
+        return _free_or_zero(max(across, abs(E.rotation[1][0])), abs(z) / size)
+    return _free_or_zero(max(across, abs(z) / size), abs(atan2(E.rotation[1][0], E.rotation[0][0])))
+
+
+def _free_or_zero(gap: float, value: float) -> float:
+    return max(_grade(max(gap, value)), _TURNED_ONLY * _grade(gap))
+
+
+def _counted(D: RigidPose, frame: RigidPose, slides: bool, size: float) -> AlignedJoint:
+    sign = -1.0 if frame.rotation[2][2] < 0.0 else 1.0
+    E = D.then(frame.inverse())
+    value = E.translation[2] if slides else atan2(E.rotation[1][0], E.rotation[0][0])
+    return AlignedJoint(sign, value if abs(value) > DRIFT * (size if slides else 1.0) else 0.0)

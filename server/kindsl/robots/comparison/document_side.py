@@ -1,0 +1,103 @@
+"""A document as a robot to compare: its bodies, and where its numbers stand."""
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+
+from kindsl.language.semantics.declarations import Link, Pose
+from kindsl.language.semantics.expressions import Expression
+from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.numbers import mass_distribution, triple, written_pose
+from kindsl.language.syntax.tree import Node
+from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
+from kindsl.robots.comparison.quantities import POSE
+from kindsl.robots.comparison.written import (
+    Described,
+    Numbers,
+    WrittenInertia,
+    WrittenNumber,
+    WrittenPose,
+    exactly_turned,
+    written_frame,
+)
+from kindsl.robots.mechanism.link_inertia import NO_INERTIA
+from kindsl.robots.mechanism.skeleton import Skeleton, named_frames
+from kindsl.robots.mechanism.total_mass import unknown_bodies
+
+
+def described_document(
+    label: str, model: Model, values: Mapping[str, float], skeleton: Skeleton
+) -> Described:
+    """Return a document's robot; what cannot be read is named in `unknown`.
+
+    Args:
+        label: Name of the document.
+        model: Its model.
+        values: Of parameters by name, and of constants by `<name>`.
+        skeleton: Its bodies at these values.
+    """
+    bodies = {str(body.name): body for body in model.bodies}
+    joints = {str(joint.name): joint for joint in model.joints}
+    poses = zip(skeleton.joint_names, skeleton.placements, strict=True)
+    described = exactly_turned(
+        label,
+        skeleton,
+        tuple(_inertias(bodies[name], values) for name in skeleton.body_names),
+        tuple(_pose(name, joints[name].pose, values, pose) for name, pose in poses),
+    )
+    frames = {
+        name: _pose(name, frame.pose, values, IDENTITY)
+        for name, _, frame in named_frames([bodies[name] for name in skeleton.body_names])
+    }
+    return replace(described, frames=frames, unknown=frozenset(_unknown(model, values)))
+
+
+def _unknown(model: Model, values: Mapping[str, float]) -> Iterator[str]:
+    """Yield the bodies and joints whose numbers cannot be read."""
+    yield from (name for name, why in unknown_bodies(model, values).items() if why != NO_INERTIA)
+    for joint in model.joints:
+        if written_pose(joint.pose, values) is None:
+            yield str(joint.name)
+
+
+def _inertias(link: Link, values: Mapping[str, float]) -> tuple[WrittenInertia, ...]:
+    inertia = link.inertia
+    body = None if inertia is None else mass_distribution(inertia, values)
+    if inertia is None or body is None:
+        return ()
+    frame = next((f for f in link.frames if f.name == inertia.frame), None)
+    pose = IDENTITY if frame is None else written_pose(frame.pose, values) or IDENTITY
+    expressions = (
+        inertia.mass,
+        *(inertia.com.components if inertia.com is not None else ()),
+        *(inertia.moments[name] for name in MOMENTS),
+    )
+    written = (body.mass, *body.com, *body.moments)
+    numbers = _numbers(expressions, values)
+    turn = IDENTITY.rotation
+    return (WrittenInertia(str(link.name), pose, turn, False, 1.0, written, numbers),)
+
+
+def _pose(owner: str, pose: Pose, values: Mapping[str, float], known: RigidPose) -> WrittenPose:
+    vectors = [vector for vector in pose if vector is not None]
+    written = tuple(each for vector in vectors for each in triple(vector, values) or ())
+    if len(written) != len(POSE):
+        return written_frame(owner, known)
+    expressions = [component for vector in vectors for component in vector.components]
+    return WrittenPose(owner, IDENTITY, IDENTITY, True, written, _numbers(expressions, values))
+
+
+def _numbers(expressions: Iterable[Expression | None], values: Mapping[str, float]) -> Numbers:
+    return tuple(None if e is None else _number(e, values) for e in expressions)
+
+
+def _number(expression: Expression, values: Mapping[str, float]) -> WrittenNumber:
+    value = expression.value(values) or 0.0
+    half = expression.rounding(values) if _is_decimal(expression.node) else 0.0
+    return WrittenNumber(expression.text, value, half, expression)
+
+
+def _is_decimal(node: Node) -> bool:
+    """Return whether a value is made of decimal numbers alone: PI and parameters are exact."""
+    parts = [child for child in node.children if isinstance(child, Node)]
+    return node.kind == "number" or (bool(parts) and all(map(_is_decimal, parts)))

@@ -1,0 +1,189 @@
+"""Torques of two robots, and the number that tells them apart most. Needs NumPy."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import NamedTuple, TypeVar
+
+import numpy as np
+
+from kindsl.mechanics.dynamics.evaluation.mechanics import GRAVITY, Mechanics
+from kindsl.mechanics.rigid.body import lumped, seen_from
+from kindsl.mechanics.rigid.pose import RigidPose
+from kindsl.mechanics.spatial.arrays import Array
+from kindsl.mechanics.spatial.transforms import plucker
+from kindsl.robots.comparison.alignment import moved_by
+from kindsl.robots.comparison.mechanical import MechanicalComparison
+from kindsl.robots.comparison.number_differences import NumberDifference
+from kindsl.robots.comparison.quantities import INERTIA, POSE
+from kindsl.robots.comparison.turned_axes import with_axis
+from kindsl.robots.comparison.written import Described
+from kindsl.robots.mechanism.bodies import bodies_of
+from kindsl.robots.mechanism.skeleton import Skeleton
+
+_T = TypeVar("_T")
+_STATES = 20
+_SEED = 26
+# What the digits of equal numbers may make of a torque, beside the greatest one.
+_DIGITS = 1e-3
+_NOTHING = 1e-10
+_TINY = 1e-300
+
+
+class Torques(NamedTuple):
+    """The result of comparing torques.
+
+    Attributes:
+        is_seen: Whether some torque differs by what differs in the numbers.
+        is_confirmed: Whether inertia matrix and bias forces are equal where numbers are; None if
+            these differ.
+        effects: The greatest change of a joint force or torque by each differing number, N and N m.
+    """
+
+    is_seen: bool
+    is_confirmed: bool | None
+    effects: tuple[float, ...]
+
+
+class _States(NamedTuple):
+    """Motions at random: positions, velocities, accelerations, the base's acceleration at rest."""
+
+    q: Array
+    qd: Array
+    qdd: Array
+
+
+def torques(ours: Described, theirs: Described, found: MechanicalComparison) -> Torques:
+    """Return what torques say of two robots whose joints all match."""
+    states = _states(ours.skeleton)
+    own = _forces(ours.skeleton, states)
+    if found.is_equal:
+        other = _counted_as_ours(ours.skeleton, theirs.skeleton, found, states)
+        return Torques(False, _gap(own, other) <= _DIGITS, ())
+    carried = _forces(_carried(ours, theirs, found), states)
+    effects = tuple(_effect(ours, theirs, found, each) for each in found.numbers)
+    return Torques(bool(found.structure) or _gap(own, carried) > _NOTHING, None, effects)
+
+
+def _states(skeleton: Skeleton) -> _States:
+    random = np.random.default_rng(_SEED)
+    q, qd, qdd = random.uniform(-1.0, 1.0, (3, _STATES, skeleton.n_links))
+    return _States(q, qd, qdd)
+
+
+def _forces(skeleton: Skeleton, states: _States) -> tuple[Array, Array]:
+    """Return inertia matrices and bias forces."""
+    mechanics = Mechanics(bodies_of(skeleton), generates_code=False)
+    return mechanics.joint_space_inertia(states.q), mechanics.bias_torque(states.q, states.qd)
+
+
+def _counted_as_ours(
+    ours: Skeleton, theirs: Skeleton, found: MechanicalComparison, states: _States
+) -> tuple[Array, Array]:
+    """Return the other's own matrices and forces, for our joints and our base's frame."""
+    T, offsets = _velocities(ours, theirs, found)
+    first = 6 if theirs.is_floating else 0
+    joints = T[first:, first:]
+    mechanics = Mechanics(bodies_of(theirs), generates_code=False)
+    q = (states.q - offsets) @ joints.T
+    gravity = GRAVITY
+    if theirs.is_floating:
+        gravity = np.array(found.alignment.frames[0].rotation).T @ GRAVITY
+    M = mechanics.joint_space_inertia(q)
+    bias = mechanics.bias_torque(q, states.qd @ joints.T, gravity=gravity)
+    return T.T @ M @ T, bias @ T
+
+
+def _velocities(
+    ours: Skeleton, theirs: Skeleton, found: MechanicalComparison
+) -> tuple[Array, Array]:
+    """Return what makes velocities of ours to the other's, and our values at the other's zero."""
+    n = ours.n_links
+    joints, offsets = np.zeros((n, n)), np.zeros(n)
+    for body, joint in found.alignment.joints.items():
+        joints[found.matching.theirs[body] - 1, body - 1] = joint.sign
+        offsets[body - 1] = joint.offset
+    if not theirs.is_floating:
+        return joints, offsets
+    back = found.alignment.frames[0].inverse()
+    T = np.zeros((6 + n, 6 + n))
+    base = found.alignment.frames[0]
+    T[:6, :6] = plucker(np.array(back.rotation), np.array(base.translation))
+    T[6:, 6:] = joints
+    return T, offsets
+
+
+def _carried(ours: Described, theirs: Described, found: MechanicalComparison) -> Skeleton:
+    """Return our robot with the other's numbers where they differ, in our conventions."""
+    one, other = ours.skeleton, theirs.skeleton
+    masses, placements = list(one.masses), list(one.placements)
+    turns: list[tuple[int, RigidPose]] = []
+    frames = found.alignment.frames
+    for number in found.numbers:
+        body, its = number.body, found.matching.theirs[number.body]
+        if number.turn is not None:
+            turns.append((body, number.turn))
+        elif number.quantity in INERTIA:
+            parts = [part.body() for part in theirs.inertias[its]]
+            masses[body] = seen_from(lumped(parts), frames[body])
+        elif number.kind == "joint":
+            joint, slides = found.alignment.joints[body], one.joint_kinds[body - 1] == "prismatic"
+            at_zero = moved_by(-joint.sign * joint.offset, slides)
+            parent = frames[one.parents[body - 1]]
+            pose = parent.then(other.placements[its - 1]).then(at_zero)
+            placements[body - 1] = pose.then(frames[body].inverse())
+    carried = replace(one, masses=tuple(masses), placements=tuple(placements))
+    for body, turn in turns:
+        carried = with_axis(carried, body, turn)
+    return carried
+
+
+def _gap(one: tuple[Array, Array], other: tuple[Array, Array]) -> float:
+    """Return the greatest difference, beside the greatest entry."""
+    pairs = zip(one, other, strict=True)
+    return float(max(np.abs(a - b).max() / max(np.abs(a).max(), _TINY) for a, b in pairs))
+
+
+def _effect(
+    ours: Described, theirs: Described, found: MechanicalComparison, number: NumberDifference
+) -> float:
+    """Return the greatest change of a force, the base's too, if this number changed alone."""
+    its = found.matching.theirs[number.body]
+    if number.quantity in INERTIA and not (ours.inertias[number.body] and theirs.inertias[its]):
+        # The whole inertia is another.
+        side, changed = ours, _carried(ours, theirs, replace(found, numbers=(number,)))
+    else:
+        side = theirs if number.is_theirs else ours
+        changed = _changed(side, found, number)
+    states = _states(side.skeleton)
+    first = 6 if side.skeleton.is_floating else 0
+    taus = []
+    for skeleton in (side.skeleton, changed):
+        M, bias = _forces(skeleton, states)
+        taus.append(np.einsum("sij,sj->si", M[:, :, first:], states.qdd) + bias)
+    return float(np.abs(taus[0] - taus[1]).max())
+
+
+def _changed(side: Described, found: MechanicalComparison, number: NumberDifference) -> Skeleton:
+    skeleton = side.skeleton
+    body = found.matching.theirs[number.body] if number.is_theirs else number.body
+    if number.turn is not None:
+        return with_axis(skeleton, body, number.turn)
+    value = number.others_value if number.is_theirs else number.there
+    if value is None or number.kind == "frame":
+        return skeleton
+    owner = number.other if number.is_theirs else number.owner
+    if number.kind == "joint":
+        form = side.joints[body - 1]
+        pose = form.pose(_with(form.values, POSE.index(number.quantity), value))
+        return replace(skeleton, placements=_with(skeleton.placements, body - 1, pose))
+    parts = [
+        part.body(_with(part.values, INERTIA.index(number.quantity), value))
+        if part.owner == owner
+        else part.body()
+        for part in side.inertias[body]
+    ]
+    return replace(skeleton, masses=_with(skeleton.masses, body, lumped(parts)))
+
+
+def _with(values: Sequence[_T], index: int, value: _T) -> tuple[_T, ...]:
+    return (*values[:index], value, *values[index + 1 :])

@@ -1,0 +1,115 @@
+"""Joints whose axis alone has another direction: one number of a file that moves many of ours.
+
+A URDF, an MJCF and an SDF write the axis apart from the frame. Where it is another, our joint frame
+and all that it carries would have to be turned; that is told as what it is.
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from math import atan2, hypot
+
+from kindsl.mechanics.rigid.body import seen_from
+from kindsl.mechanics.rigid.pose import RigidPose, Vector3, rotation_from_z
+from kindsl.robots.comparison.alignment import Alignment
+from kindsl.robots.comparison.matching import MatchedJoints
+from kindsl.robots.comparison.number_differences import NumberDifference
+from kindsl.robots.comparison.quantities import AXIS
+from kindsl.robots.comparison.written import Described, WrittenInertia, WrittenPose
+from kindsl.robots.mechanism.skeleton import Skeleton
+
+_APART = 1e-6
+_ORIGIN = (0.0, 0.0, 0.0)
+_Z = (0.0, 0.0, 1.0)
+
+
+def axis_differences(
+    ours: Described, theirs: Described, matching: MatchedJoints, alignment: Alignment, body: int
+) -> Iterator[tuple[NumberDifference, RigidPose]]:
+    """Yield that a joint's axis is another, and what turns the other's joint frame to ours.
+
+    The bodies are taken where they are aligned, then where they are if zeros are the same, too.
+    """
+    its, carrier = matching.theirs[body], ours.skeleton.parents[body - 1]
+    placed = theirs.skeleton.zero_poses()[theirs.skeleton.parents[its - 1]]
+    at_zero = ours.skeleton.zero_poses()[carrier].inverse().then(alignment.frames[0]).then(placed)
+    for parent in (alignment.frames[carrier], at_zero):
+        found = _axis_difference(ours, theirs, body, its, parent)
+        if found is not None:
+            yield found
+
+
+def _axis_difference(
+    ours: Described, theirs: Described, body: int, its: int, parent: RigidPose
+) -> tuple[NumberDifference, RigidPose] | None:
+    mine = ours.skeleton.placements[body - 1]
+    other = parent.then(theirs.skeleton.placements[its - 1])
+    its_axis = mine.inverse().turn(other.turn(_Z))
+    our_axis = other.inverse().turn(mine.turn(_Z))
+    angle = atan2(hypot(our_axis[0], our_axis[1]), abs(our_axis[2]))
+    if angle < _APART:
+        return None
+    form, its_form = ours.joints[body - 1], theirs.joints[its - 1]
+    found = NumberDifference(
+        *("joint", form.owner, its_form.owner, AXIS, "rad", 0.0, angle, None, None),
+        here_near=form.axis or form.numbers[3],
+        there_near=its_form.axis or its_form.numbers[3],
+        body=body,
+        turn=_turn(its_axis),
+    )
+    return found, _turn(our_axis)
+
+
+def with_axis(skeleton: Skeleton, body: int, turn: RigidPose) -> Skeleton:
+    """Return a robot one of whose joints has another axis, while at zero nothing has moved.
+
+    Args:
+        skeleton: Its bodies.
+        body: The one that the joint carries.
+        turn: The joint's new frame in the one that it has, whose z is the new axis.
+    """
+    back, placements, masses = turn.inverse(), list(skeleton.placements), list(skeleton.masses)
+    placements[body - 1] = placements[body - 1].then(turn)
+    for child, parent in skeleton.links():
+        if parent == body:
+            placements[child - 1] = back.then(placements[child - 1])
+    masses[body] = seen_from(masses[body], back)
+    frames = (
+        frame._replace(pose=back.then(frame.pose)) if frame.body == body else frame
+        for frame in skeleton.frames
+    )
+    return replace(
+        skeleton, placements=tuple(placements), masses=tuple(masses), frames=tuple(frames)
+    )
+
+
+def described_with_axis(robot: Described, body: int, turn: RigidPose) -> Described:
+    """Return a robot as `with_axis` does, its numbers as they are written."""
+    back, joints, inertias = turn.inverse(), list(robot.joints), list(robot.inertias)
+    joints[body - 1] = replace(joints[body - 1], after=joints[body - 1].after.then(turn))
+    for child, parent in robot.skeleton.links():
+        if parent == body:
+            joints[child - 1] = _before(joints[child - 1], back)
+    inertias[body] = tuple(_part(part, back) for part in inertias[body])
+    of_body = {frame.name for frame in robot.skeleton.frames if frame.body == body}
+    frames = {n: _before(f, back) if n in of_body else f for n, f in robot.frames.items()}
+    return replace(
+        robot,
+        skeleton=with_axis(robot.skeleton, body, turn),
+        joints=tuple(joints),
+        inertias=tuple(inertias),
+        frames=frames,
+    )
+
+
+def _before(form: WrittenPose, back: RigidPose) -> WrittenPose:
+    return replace(form, before=back.then(form.before))
+
+
+def _part(part: WrittenInertia, back: RigidPose) -> WrittenInertia:
+    return replace(part, body_T_frame=back.then(part.body_T_frame))
+
+
+def _turn(axis: Vector3) -> RigidPose:
+    """Return the frame whose z is along an axis, one way or the other: a sign is a convention."""
+    x, y, z = axis
+    return RigidPose(rotation_from_z((x, y, z) if z >= 0.0 else (-x, -y, -z)), _ORIGIN)

@@ -1,0 +1,150 @@
+"""Any description of a robot that is not a document of ours, to compare: a file or a folder."""
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from typing import NamedTuple
+
+from kindsl.language.text.phrases import counted
+from kindsl.language.text.regular import require_regular
+from kindsl.mechanics.rigid.body import NO_BODY
+from kindsl.robots.comparison.written import Described
+from kindsl.robots.interchange.comparable import described_robot
+from kindsl.robots.interchange.format import (
+    AS_WRITTEN,
+    Format,
+    FormatError,
+    ReadingChoices,
+    ReadRobot,
+    n_mimics,
+    suffix_unknown,
+)
+from kindsl.robots.interchange.generated_folder import MANIFEST, described_generated
+from kindsl.robots.interchange.registry import all_formats, format_of_suffix
+from kindsl.robots.interchange.robcogen_folder import described_robcogen, is_robcogen_folder
+from kindsl.robots.interchange.written_numbers import NO_NUMBERS
+
+
+class ReadDescription(NamedTuple):
+    """A robot to compare.
+
+    Attributes:
+        robot: The robot.
+        notes: On how it was read.
+        tells_base: Whether the file says that the root floats, or that it is fixed.
+    """
+
+    robot: Described
+    notes: tuple[str, ...] = ()
+    tells_base: bool = True
+
+
+def read_description(path: Path, label: str, floating: bool | None) -> ReadDescription:
+    """Return the robot that a file describes.
+
+    Args:
+        path: The file.
+        label: Its name in messages.
+        floating: Whether the root floats where the file leaves that open; None if nobody says.
+
+    Raises:
+        FormatError: It is not in its format, or no format is known.
+        OSError: It cannot be read.
+        ModuleNotFoundError: What the format needs is not installed.
+    """
+    if path.is_dir():
+        return ReadDescription(_of_folder(path, label))
+    path.stat()
+    format = _format(path)
+    assert format.read is not None, "every format is read"
+    require_regular(str(path))
+    return read_robot(format, partial(format.read, path), path.read_bytes(), label, floating)
+
+
+def read_foreign(
+    paths: Iterable[str],
+    documents: Iterable[Described],
+    read: Callable[[str, bool | None], ReadDescription],
+) -> dict[str, ReadDescription]:
+    """Return descriptions to compare with documents, or with each other, by their paths.
+
+    Where one leaves open whether its base floats, that is as with a document, or else as with
+    one that tells.
+
+    Args:
+        paths: Those of other formats.
+        documents: The documents, if any.
+        read: Takes a path, and whether its base floats where the file leaves that open, None if
+            nobody says.
+    """
+    bases = [document.skeleton.is_floating for document in documents]
+    found = {} if bases else {path: read(path, None) for path in paths}
+    bases += [each.robot.skeleton.is_floating for each in found.values() if each.tells_base]
+    if not bases:
+        return found
+    return {
+        path: found[path] if path in found and found[path].tells_base else read(path, bases[0])
+        for path in paths
+    }
+
+
+def read_robot(
+    format: Format,
+    read: Callable[[ReadingChoices], ReadRobot],
+    content: bytes,
+    label: str,
+    floating: bool | None,
+) -> ReadDescription:
+    """Return the robot of a file's content, its base as the file says, else as others do.
+
+    Args:
+        format: The file's format.
+        read: Reads it.
+        content: What numbers and their places are looked for in.
+        label: Its name in messages.
+        floating: Whether the root floats where the file leaves that open; None if nobody says.
+
+    Raises:
+        FormatError: It is not in its format.
+    """
+    found = read(AS_WRITTEN)
+    asked = None if found.tells_base else floating
+    if asked:
+        found = read(ReadingChoices(floating=True))
+    numbers = format.find_numbers(content) if format.find_numbers else NO_NUMBERS
+    robot = described_robot(label, found.robot, numbers)
+    robot = replace(robot, properties=found.joints)
+    notes = []
+    mimics = n_mimics(found.remarks)
+    if mimics:
+        told = f"{counted(mimics, 'mimicking joint')} of {label}"
+        notes.append(f"{told} compared as if independent")
+    if asked is False:
+        robot = _with_fixed_base(robot)
+    if asked is not None:
+        told = f"{label} leaves open whether its base floats"
+        kind = "floating" if asked else "fixed"
+        notes.append(f"{told}: compared as {kind}, like the other")
+    return ReadDescription(robot, tuple(notes), found.tells_base)
+
+
+def _of_folder(folder: Path, label: str) -> Described:
+    if (folder / MANIFEST).is_file():
+        return described_generated(folder, label)
+    if is_robcogen_folder(folder):
+        return described_robcogen(folder, label)
+    raise FormatError("no generated code in this folder")
+
+
+def _with_fixed_base(robot: Described) -> Described:
+    masses = NO_BODY, *robot.skeleton.masses[1:]
+    return replace(robot, skeleton=replace(robot.skeleton, masses=masses, is_floating=False))
+
+
+def _format(path: Path) -> Format:
+    format = format_of_suffix(path.suffix)
+    if format is None:
+        known = [suffix for format in all_formats() for suffix in format.suffixes]
+        raise FormatError(suffix_unknown(path.suffix, known))
+    return format

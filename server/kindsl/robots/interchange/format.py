@@ -1,0 +1,166 @@
+"""A format of other tools: its name, its reader, its writer."""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+from typing import TYPE_CHECKING, NamedTuple
+
+from kindsl.language.text.phrases import alternatives, counted
+from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY
+
+if TYPE_CHECKING:
+    from kindsl.language.semantics.parameters import JointProperties
+    from kindsl.robots.interchange.robot_description import RobotDescription
+    from kindsl.robots.interchange.written_numbers import FileNumbers
+    from kindsl.robots.mechanism.skeleton import Skeleton
+
+    Joints = Mapping[str, JointProperties]
+
+
+class FormatError(ValueError):
+    """A file is not in its format, or not supported by the other one; one sentence."""
+
+
+class ReadRobot(NamedTuple):
+    """A robot that was read.
+
+    Attributes:
+        robot: All that a document says of it.
+        remarks: Notes on parts that could not be kept.
+        joints: Properties in the configuration, by joint name.
+        tells_base: Whether the file says that the root floats, or that it is fixed.
+    """
+
+    robot: "RobotDescription"
+    remarks: tuple[str, ...]
+    joints: "Joints" = MappingProxyType({})
+    tells_base: bool = False
+
+
+class WrittenRobot(NamedTuple):
+    """A text in another format.
+
+    Attributes:
+        text: The text.
+        remarks: Notes on what is more or less in it.
+        joints: Properties to write into a configuration, by the document's joint names.
+    """
+
+    text: str
+    remarks: tuple[str, ...]
+    joints: "Joints" = MappingProxyType({})
+
+
+class ReadingChoices(NamedTuple):
+    """Options of reading; each format takes what concerns it.
+
+    Attributes:
+        floating: Whether the root floats, whatever the file says.
+        package_paths: Folders with packages, for a xacro file.
+        arguments: Of a xacro file, by their names.
+        model_paths: Folders with models, for an SDF.
+    """
+
+    floating: bool = False
+    package_paths: tuple[Path, ...] = ()
+    arguments: Mapping[str, str] = MappingProxyType({})
+    model_paths: tuple[Path, ...] = ()
+
+
+class WritingChoices(NamedTuple):
+    """Options of a format, and values that the document does not have.
+
+    Attributes:
+        endless_joints: Whether revolute joints are written as endless ones where a format has
+            these, or as ordinary ones.
+        joints: Properties in the configuration, by joint name.
+    """
+
+    endless_joints: bool = False
+    joints: "Joints" = MappingProxyType({})
+
+
+_INDEPENDENT = ": it is now independent"
+AS_WRITTEN = ReadingChoices()
+ORDINARY = WritingChoices()
+
+
+def told_joints(joints: "Iterable[tuple[str, JointProperties]]") -> "Joints":
+    """Return the properties of the joints of which anything is told, by joint name."""
+    return {name: own for name, own in joints if any(value is not None for value in own)}
+
+
+def joints_dropped(joints: "Joints") -> str:
+    """Return the note on limits and friction of joints, which the language does not support."""
+    where = "kindsl.toml takes them, as [joints.NAME]"
+    return f"limits, friction and armature of {counted(len(joints), 'joint')} dropped: {where}"
+
+
+def suffix_unknown(suffix: str, known: Iterable[str], otherwise: str = "") -> str:
+    """Return the sentence on a file whose name does not tell its format.
+
+    Args:
+        suffix: The file's suffix.
+        known: Those that do.
+        otherwise: What else would.
+    """
+    told = f"the suffix '{suffix}'" if suffix else "a name without a suffix"
+    return f"{told} does not determine the format: use {alternatives(known)}{otherwise}"
+
+
+def mimic_dropped(joint: str, other: str) -> str:
+    """Return the note on a joint that moves as another does."""
+    return f"the joint '{joint}' mimics '{other}'{_INDEPENDENT}"
+
+
+def n_mimics(remarks: Iterable[str]) -> int:
+    """Return how many notes are on such joints."""
+    return sum(remark.endswith(_INDEPENDENT) for remark in remarks)
+
+
+def gravity_dropped(gravity: Sequence[float]) -> str:
+    """Return the note on a gravity other than the usual one, m/s^2 in the world's frame."""
+    numbers = ",".join(f"{component:.15g}" for component in gravity)
+    usual = ", ".join(f"{component:g}" for component in STANDARD_GRAVITY)
+    told = f"gravity ({numbers.replace(',', ', ')}) m/s² dropped"
+    return f"{told}: kindsl computes with ({usual}) unless given --gravity={numbers}"
+
+
+Reader = Callable[[Path, ReadingChoices], ReadRobot]
+Parser = Callable[[bytes | str, str, ReadingChoices], ReadRobot]
+Writer = Callable[[str, "Skeleton", WritingChoices], WrittenRobot]
+
+
+def file_reader(parse: Parser) -> Reader:
+    """Return what reads files of a format whose texts say it all."""
+    return lambda path, choices: parse(path.read_bytes(), path.stem, choices)
+
+
+@dataclass(frozen=True, slots=True)
+class Format:
+    """One format; a module of the folder `interchange` holds it as `FORMAT`.
+
+    Attributes:
+        name: Its name on the command line: `"urdf"`.
+        title: Its name for people: `"URDF"`.
+        suffixes: Of its files, in lower case, the usual one first.
+        extra: The extra that installs what it needs, empty if that is nothing more.
+        read: Takes a file and choices. Raises FormatError, OSError, and ModuleNotFoundError for
+            what is not installed.
+        parse: The same of a text, which names no other files, and what to call a robot without a
+            name. None where it takes more than the text.
+        find_numbers: Finds the numbers in a file's content, for comparing; None where that is not
+            known.
+        write: Takes the robot's name, its skeleton and choices. Raises FormatError and
+            ModuleNotFoundError.
+    """
+
+    name: str
+    title: str
+    suffixes: tuple[str, ...]
+    extra: str
+    read: Reader | None = None
+    parse: Parser | None = None
+    write: Writer | None = None
+    find_numbers: "Callable[[bytes | str], FileNumbers] | None" = None

@@ -1,0 +1,154 @@
+"""Parts of an MJCF beyond poses and masses: refused if they change the tree, else noted."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from kindsl.language.text.phrases import counted
+from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY
+from kindsl.robots.interchange.format import FormatError, gravity_dropped
+
+# What is counted and taken away before the model is compiled, in an order that leaves no reference.
+_DROPPED = (
+    ("keys", "keyframe"),
+    ("sensors", "sensor"),
+    ("actuators", "actuator"),
+    ("tendons", "tendon"),
+    ("pairs", "contact pair"),
+    ("excludes", "contact exclusion"),
+    ("skins", "skin"),
+    ("cameras", "camera"),
+    ("lights", "light"),
+    ("tuples", "tuple"),
+)
+_JOINT_FORCES = (
+    ("springs", ("jnt_stiffness", "jnt_stiffnesspoly")),
+    ("damping other than in proportion to speed", ("dof_dampingpoly",)),
+)
+_FREE_FORCES = (
+    ("damping", ("dof_damping",)),
+    ("dry friction", ("dof_frictionloss",)),
+    ("armature", ("dof_armature",)),
+)
+_FREE = 0
+_BALL = 1
+_LOOPS = ("connect", "weld")
+
+
+def losses(spec: Any) -> Iterator[str]:
+    """Yield a note on each dropped part.
+
+    Raises:
+        FormatError: An equality closes a loop, or there is a deformable body.
+    """
+    _check_equalities(spec)
+    if len(spec.flexes):
+        raise FormatError(
+            "the MJCF has a deformable body (flex), which the language does not support"
+        )
+    for name, noun in _DROPPED:
+        if n := len(getattr(spec, name)):
+            yield f"{counted(n, noun)} dropped: not supported"
+    n_drawn = sum(len(body.geoms) > 0 for body in spec.bodies)
+    if n_drawn:
+        yield f"geometry and meshes of {_bodies(n_drawn)} dropped"
+    for equality in spec.equalities:
+        yield f"{_told(equality)} dropped: the joints are now independent"
+
+
+def strip(spec: Any) -> None:
+    """Take away what neither moves nor weighs, so that its files need not be there."""
+    import mujoco
+
+    for name, _ in _DROPPED:
+        for element in list(getattr(spec, name)):
+            spec.delete(element)
+    for equality in list(spec.equalities):
+        spec.delete(equality)
+    always = mujoco.mjtInertiaFromGeom.mjINERTIAFROMGEOM_TRUE
+    for body in spec.bodies:
+        if body == spec.worldbody or (
+            body.explicitinertial and body.compiler.inertiafromgeom != always
+        ):
+            for geom in list(body.geoms):
+                spec.delete(geom)
+    _strip_assets(spec)
+    spec.compiler.fusestatic = False
+
+
+def joint_losses(model: Any) -> Iterator[str]:
+    """Yield a note on each dropped property of joints."""
+    for what, names in _JOINT_FORCES:
+        if n := len({joint for name in names for joint in _joints_with(model, name)}):
+            yield f"{what} of {counted(n, 'joint')} dropped: not supported"
+    for what, names in _FREE_FORCES:
+        joints = {joint for name in names for joint in _joints_with(model, name)}
+        if any(model.jnt_type[joint] == _FREE for joint in joints):
+            yield f"{what} of the floating base dropped: not supported"
+
+
+def _joints_with(model: Any, name: str) -> set[int]:
+    """Return the joints with a number other than zero; MuJoCo's versions have not all of them."""
+    rows = [int(row) for row, value in enumerate(getattr(model, name, ())) if np.any(value)]
+    return {int(model.dof_jntid[row]) for row in rows} if name.startswith("dof") else set(rows)
+
+
+def physics_losses(model: Any) -> Iterator[str]:
+    """Yield a note on each dropped force on all bodies."""
+    import mujoco
+
+    is_off = bool(model.opt.disableflags & mujoco.mjtDisableBit.mjDSBL_GRAVITY)
+    gravity = (0.0, 0.0, 0.0) if is_off else tuple(map(float, model.opt.gravity))
+    if gravity != STANDARD_GRAVITY:
+        yield gravity_dropped(gravity)
+    if n := sum(value != 0.0 for value in model.body_gravcomp):
+        yield f"gravity compensation of {_bodies(n)} dropped: not supported"
+    if model.opt.density or model.opt.viscosity:
+        yield "forces of the fluid around the bodies dropped: not supported"
+
+
+def check_joints(model: Any) -> None:
+    """Raise FormatError for a ball joint."""
+    for joint in range(model.njnt):
+        if model.jnt_type[joint] == _BALL:
+            name, body = model.joint(joint).name, model.body(model.jnt_bodyid[joint]).name
+            told = f"the joint '{name}'" if name else f"a joint of the body '{body}'"
+            raise FormatError(f"{told} is a ball joint, which the language does not support")
+
+
+def _strip_assets(spec: Any) -> None:
+    used = {geom.meshname for geom in spec.geoms} | {geom.hfieldname for geom in spec.geoms}
+    for geom in spec.geoms:
+        geom.material = ""
+    for site in spec.sites:
+        site.material = ""
+    for name in ("materials", "textures"):
+        for element in list(getattr(spec, name)):
+            spec.delete(element)
+    for name in ("meshes", "hfields"):
+        for element in list(getattr(spec, name)):
+            if element.name not in used:
+                spec.delete(element)
+
+
+def _check_equalities(spec: Any) -> None:
+    for equality in spec.equalities:
+        if _kind(equality) in _LOOPS:
+            raise FormatError(
+                f"{_told(equality)} closes a kinematic loop, which the language does not support"
+            )
+
+
+def _told(equality: Any) -> str:
+    named = f" '{equality.name}'" if equality.name else ""
+    ends = " and ".join(f"'{name}'" for name in (equality.name1, equality.name2) if name)
+    return f"the equality{named} ({_kind(equality)} of {ends})"
+
+
+def _kind(equality: Any) -> str:
+    return str(equality.type).rpartition("mjEQ_")[2].lower()
+
+
+def _bodies(number: int) -> str:
+    return "1 body" if number == 1 else f"{number} bodies"

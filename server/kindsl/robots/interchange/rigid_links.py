@@ -1,0 +1,214 @@
+"""Links as other formats have them: joints about any axis, fixed ones too; and what becomes of it.
+
+In a robot description joints turn about z or slide along it, and no joint is fixed: link frames are
+turned with their joints, and what is fixed to a link becomes a frame and a mass of it.
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Literal
+
+from kindsl.mechanics.rigid.body import MassDistribution, Symmetric, lumped, seen_from
+from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3, rotation_from_z
+from kindsl.robots.interchange.format import FormatError
+from kindsl.robots.interchange.robot_description import (
+    DescribedFrame,
+    DescribedLink,
+    DescribedPart,
+    RobotDescription,
+    is_in_place,
+)
+
+LinkJoint = Literal["", "fixed", "revolute", "prismatic"]
+# What URDF and SDF call the kinds of joints that there are here.
+JOINT_KINDS: dict[str, LinkJoint] = {
+    "revolute": "revolute",
+    "continuous": "revolute",
+    "prismatic": "prismatic",
+    "fixed": "fixed",
+}
+# What both call the moments of `Symmetric`.
+TENSOR = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
+BaseKind = Literal["fixed", "floating"]
+_GREATEST = 1e60
+_AT_ORIGIN = (0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class RigidLink:
+    """A link with the joint that carries it.
+
+    Attributes:
+        name: The link's name.
+        parent: Index of the parent among the links, less than its own; None for the root.
+        joint: Name of the joint, empty for the root.
+        joint_kind: Empty for the root.
+        axis: Of a moving joint, in the joint's frame, not zero.
+        parent_T_joint: The joint's frame in the parent's; the root's frame in the world's.
+        joint_T_link: The link's frame in the joint's while it is at zero.
+        parent_T_origin: What the joint's pose is written in, in the parent's frame.
+        written_T_joint: The joint's frame in the one that is written.
+        body: In the link's frame, None where nothing is known.
+        frames: Fixed to the link.
+    """
+
+    name: str
+    parent: int | None = None
+    joint: str = ""
+    joint_kind: LinkJoint = ""
+    axis: Vector3 = (0.0, 0.0, 1.0)
+    parent_T_joint: RigidPose = IDENTITY
+    joint_T_link: RigidPose = IDENTITY
+    parent_T_origin: RigidPose = IDENTITY
+    written_T_joint: RigidPose = IDENTITY
+    body: MassDistribution | None = None
+    frames: tuple[DescribedFrame, ...] = ()
+
+
+@dataclass(slots=True)
+class _Body:
+    """A link with all that is fixed to it, while it is put together."""
+
+    link: RigidLink
+    parent: int | None
+    parent_T_joint: RigidPose
+    parent_T_origin: RigidPose = IDENTITY
+    written_T_joint: RigidPose = IDENTITY
+    parts: list[DescribedPart] = field(default_factory=list)
+    frames: list[DescribedFrame] = field(default_factory=list)
+
+
+def described(name: str, base: BaseKind, links: Sequence[RigidLink]) -> RobotDescription:
+    """Return the robot whose links these are, each subtree together.
+
+    A fixed base has the world's frame, in which gravity is along -z, wherever the root's frame is;
+    a floating one has the root's.
+
+    Args:
+        name: The robot's name.
+        base: Whether the root is free to move.
+        links: The root first, parents before children.
+
+    Raises:
+        FormatError: A number is not finite, or beyond all measure.
+    """
+    for link in links:
+        _check_finite(link)
+    bodies: list[_Body] = []
+    placed: dict[int, tuple[int, RigidPose]] = {}
+    for index in _depth_first(links):
+        link = links[index]
+        if link.joint_kind == "fixed" and link.parent is not None:
+            body, body_T_parent = placed[link.parent]
+            body_T_link = body_T_parent.then(link.parent_T_joint).then(link.joint_T_link)
+            bodies[body].frames.append(DescribedFrame(link.name, body_T_link))
+        else:
+            body, body_T_link = len(bodies), _add_body(link, base, bodies, placed)
+        placed[index] = body, body_T_link
+        _attach(link, bodies[body], body_T_link)
+    return RobotDescription(name, base == "floating", tuple(map(_described, bodies)))
+
+
+def fixed_remarks(links: Sequence[RigidLink], noun: str, robot: RobotDescription) -> Iterator[str]:
+    """Yield what became of links that do not move by themselves, and which have no mass."""
+    parts = (part for body in robot.links for part in body.parts)
+    merged = {part.name for part in parts if is_in_place(part.body_T_link)}
+    carriers: list[int] = []
+    for index, link in enumerate(links):
+        is_fixed = link.joint_kind == "fixed" and link.parent is not None
+        carriers.append(carriers[link.parent or 0] if is_fixed else index)
+        if is_fixed:
+            carrier = links[carriers[index]].name
+            became = "merged with it" if link.name in merged else "became a frame of it"
+            yield f"the {noun} '{link.name}', fixed to '{carrier}', {became}"
+    heavy = {carriers[index] for index, link in enumerate(links) if link.body is not None}
+    for index, link in enumerate(links):
+        if link.joint_kind in ("revolute", "prismatic") and index not in heavy:
+            yield f"the {noun} '{link.name}' has no inertia"
+
+
+def moves(links: Iterable[RigidLink]) -> bool:
+    """Return whether any joint moves, as a document needs one that does."""
+    return any(link.joint_kind in ("revolute", "prismatic") for link in links)
+
+
+def root_remarks(root: RigidLink, base: BaseKind) -> Iterator[str]:
+    """Yield what became of the root's pose in the world."""
+    pose = root.parent_T_joint
+    if base == "fixed" and pose != IDENTITY:
+        yield f"the frame of the fixed base '{root.name}' is now the world's"
+    elif base == "floating" and pose.rotation != IDENTITY.rotation:
+        yield f"the initial orientation of the floating base '{root.name}' dropped"
+
+
+def _check_finite(link: RigidLink) -> None:
+    poses = [link.parent_T_joint, link.joint_T_link, *(f.link_T_frame for f in link.frames)]
+    numbers = [*link.axis, *(number for pose in poses for number in pose.numbers)]
+    if link.body is not None:
+        numbers += [link.body.mass, *link.body.com, *link.body.moments]
+    if not all(abs(number) < _GREATEST for number in numbers):
+        raise FormatError(f"'{link.name}' has a number that is not finite")
+
+
+def _depth_first(links: Sequence[RigidLink]) -> Iterator[int]:
+    below: dict[int, list[int]] = {}
+    for index, link in enumerate(links):
+        if link.parent is not None:
+            below.setdefault(link.parent, []).append(index)
+    pending = [0]
+    while pending:
+        index = pending.pop()
+        yield index
+        pending += reversed(below.get(index, []))
+
+
+def _add_body(
+    link: RigidLink, base: BaseKind, bodies: list[_Body], placed: dict[int, tuple[int, RigidPose]]
+) -> RigidPose:
+    """Add the body of a link that moves, or of the root; return the link's frame in its own."""
+    if link.parent is None:
+        bodies.append(_Body(link, None, IDENTITY))
+        return link.parent_T_joint if base == "fixed" else IDENTITY
+    parent, body_T_parent = placed[link.parent]
+    joint_T_body = RigidPose(rotation_from_z(link.axis), _AT_ORIGIN)
+    pose = body_T_parent.then(link.parent_T_joint).then(joint_T_body)
+    origin, written = body_T_parent.then(link.parent_T_origin), link.written_T_joint
+    bodies.append(_Body(link, parent, pose, origin, written.then(joint_T_body)))
+    return joint_T_body.inverse().then(link.joint_T_link)
+
+
+def about_origin(mass: float, tensor: Symmetric, link_T_inertial: RigidPose) -> MassDistribution:
+    """Return mass and inertia in the link's frame.
+
+    Args:
+        mass: Kilograms.
+        tensor: `xx yy zz xy xz yz` of the inertia tensor about the centre of mass, along the
+            inertial frame's axes.
+        link_T_inertial: A frame whose origin is the centre of mass.
+    """
+    xx, yy, zz, xy, xz, yz = tensor
+    moments = (xx, yy, zz, 0.0 - xy, 0.0 - xz, 0.0 - yz)
+    return seen_from(MassDistribution(mass, _AT_ORIGIN, moments), link_T_inertial)
+
+
+def _attach(link: RigidLink, body: _Body, body_T_link: RigidPose) -> None:
+    own = None if link.body is None else seen_from(link.body, body_T_link)
+    body.parts.append(DescribedPart(link.name, body_T_link, own))
+    for frame in link.frames:
+        body.frames.append(DescribedFrame(frame.name, body_T_link.then(frame.link_T_frame)))
+
+
+def _described(body: _Body) -> DescribedLink:
+    masses = [part.body for part in body.parts if part.body is not None]
+    return DescribedLink(
+        body.link.name,
+        lumped(masses) if masses else None,
+        tuple(body.frames),
+        body.parent,
+        body.link.joint,
+        body.link.joint_kind,
+        body.parent_T_joint,
+        tuple(body.parts),
+        body.parent_T_origin,
+        body.written_T_joint,
+    )

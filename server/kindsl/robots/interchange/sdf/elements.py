@@ -1,0 +1,97 @@
+"""The elements of an SDF file and the values in them, each error with its line."""
+
+from math import radians
+from typing import Any
+
+from kindsl.mechanics.rigid.pose import (
+    IDENTITY,
+    RigidPose,
+    meant_angle,
+    pose_from_fixed_axes,
+    rotation_from_quaternion,
+)
+from kindsl.robots.interchange.format import FormatError
+from kindsl.robots.interchange.xml_reading import XmlError, finite_number, parsed_xml
+
+
+def parsed(content: bytes | str) -> Any:
+    """Return the root element.
+
+    Raises:
+        FormatError: It is no well-formed SDF.
+    """
+    try:
+        root = parsed_xml(content)
+    except XmlError as error:
+        raise FormatError(f"not a readable SDF: {error}") from error
+    if root.tag != "sdf":
+        raise FormatError(f"not an SDF: its root element is <{root.tag}>, not <sdf>")
+    return root
+
+
+def defect(element: Any, what: str) -> FormatError:
+    """Return the error for what is wrong with an element."""
+    name = element.get("name")
+    told = f"{element.tag} name='{name}'" if name else element.tag
+    return FormatError(f"line {element.sourceline}: <{told}> {what}")
+
+
+def name_of(element: Any) -> str:
+    """Return an element's name, which it must have."""
+    name = (element.get("name") or "").strip()
+    if not name:
+        raise defect(element, "has no name")
+    return str(name)
+
+
+def text_of(element: Any, tag: str) -> str:
+    """Return the text of a child, which must be there."""
+    child = element.find(tag)
+    text = "" if child is None else (child.text or "").strip()
+    if not text:
+        raise defect(element, f"has no <{tag}>")
+    return str(text)
+
+
+def is_true(element: Any, tag: str) -> bool:
+    """Return whether a child says so."""
+    return (element.findtext(tag) or "").strip().lower() in ("1", "true")
+
+
+def number_of(element: Any, tag: str, default: float) -> float:
+    """Return the number in a child, the default where there is no such child."""
+    child = element.find(tag)
+    return default if child is None else numbers_in(child, 1)[0]
+
+
+def numbers_in(element: Any, count: int) -> list[float]:
+    """Return the finite numbers in an element, or raise where there are more or fewer."""
+    words = (element.text or "").split()
+    if len(words) != count:
+        raise defect(element, f"has {len(words)} numbers, not {count}")
+    return [_number(element, word) for word in words]
+
+
+def pose_of(element: Any) -> RigidPose:
+    """Return the pose that an element's <pose> gives; none is the identity."""
+    pose = element.find("pose")
+    if pose is None or not (pose.text or "").strip():
+        return IDENTITY
+    if pose.get("rotation_format", "euler_rpy") == "quat_xyzw":
+        x, y, z, *quaternion = numbers_in(pose, 7)
+        rotation = rotation_from_quaternion(*quaternion)
+        if rotation is None:
+            raise defect(pose, "has a quaternion of no length")
+        return RigidPose(rotation, (x, y, z))
+    x, y, z, *angles = numbers_in(pose, 6)
+    if (pose.get("degrees") or "").lower() in ("1", "true"):
+        angles = [radians(angle) for angle in angles]
+    roll, pitch, yaw = map(meant_angle, angles)
+    return pose_from_fixed_axes((x, y, z), (roll, pitch, yaw))
+
+
+def _number(element: Any, word: str) -> float:
+    value = finite_number(word)
+    if value is None:
+        raise defect(element, f"has '{word}', which is not a finite number")
+    return value

@@ -1,0 +1,253 @@
+"""SDF to a robot description: one model, its links in a tree."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from kindsl.language.text.phrases import listed
+from kindsl.mechanics.rigid.body import MassDistribution, Symmetric
+from kindsl.mechanics.rigid.pose import IDENTITY, Vector3
+from kindsl.robots.interchange.format import FormatError, ReadRobot, told_joints
+from kindsl.robots.interchange.rigid_links import (
+    JOINT_KINDS,
+    TENSOR,
+    BaseKind,
+    RigidLink,
+    about_origin,
+    described,
+    fixed_remarks,
+    moves,
+    root_remarks,
+)
+from kindsl.robots.interchange.robot_description import DescribedFrame
+from kindsl.robots.interchange.sdf.elements import (
+    defect,
+    is_true,
+    name_of,
+    number_of,
+    numbers_in,
+    parsed,
+    pose_of,
+    text_of,
+)
+from kindsl.robots.interchange.sdf.frame_graph import MODEL, WORLD, FrameGraph, reference_of
+from kindsl.robots.interchange.sdf.including import include, not_found
+from kindsl.robots.interchange.sdf.joint_properties import joint_properties
+from kindsl.robots.interchange.sdf.losses import losses, world_losses
+from kindsl.robots.interchange.sdf.nesting import flatten
+
+_Z = (0.0, 0.0, 1.0)
+_UNIT: Symmetric = (1.0, 1.0, 1.0, 0.0, 0.0, 0.0)
+
+
+def robot_of_sdf(
+    text: bytes | str, name: str, *, floating: bool = False, searched: Sequence[Path] = ()
+) -> ReadRobot:
+    """Return the robot of an SDF's text.
+
+    Args:
+        text: As in the file.
+        name: Not needed: a model has a name.
+        floating: Whether the root floats though it is fixed to the world.
+        searched: Folders of the models that it includes.
+
+    Raises:
+        FormatError: The text is unreadable or beyond the Kinematics-DSL.
+    """
+    del name
+    root = parsed(text)
+    include(root, searched)
+    model, others = _only_model(root, searched)
+    flatten(model)
+    graph = FrameGraph(model, root.get("version") or "")
+    joints = _joints_by_child(model, graph)
+    start, is_fixed = _root(model, graph, joints)
+    base: BaseKind = "fixed" if is_fixed and not floating else "floating"
+    links = _links(model, graph, joints, start, base)
+    if not moves(links):
+        raise FormatError("the SDF has no joint that moves, and a document needs one")
+    robot = described(name_of(model), base, links)
+    told = (
+        *others,
+        *world_losses(root),
+        *losses(model),
+        *_default_masses(model, start, base),
+        *root_remarks(links[0], base),
+        *fixed_remarks(links, "link", robot),
+    )
+    own = ((name_of(joint), joint_properties(joint)) for joint in model.iterfind("joint"))
+    return ReadRobot(robot, told, told_joints(own), tells_base=is_fixed)
+
+
+def _only_model(root: Any, searched: Sequence[Path]) -> tuple[Any, tuple[str, ...]]:
+    """Return the model, and what is said of the others, which are static."""
+    models = [*root.findall("model"), *root.findall("world/model")]
+    moving = [model for model in models if not is_true(model, "static")] if models[1:] else models
+    if len(moving) != 1:
+        missing = root.find("world/include")
+        if missing is not None and not moving:
+            raise not_found(missing, searched)
+        told = listed(f"'{m.get('name')}'" for m in models[:5])
+        found = f"{len(models)} models" if models else "no model"
+        raise FormatError(f"the SDF has {found}, exactly one is required" + (told and f": {told}"))
+    _check_model(root, moving[0], searched)
+    static = (f"'{name_of(model)}'" for model in models if model is not moving[0])
+    return moving[0], tuple(f"the static model {name} dropped" for name in static)
+
+
+def _check_model(root: Any, model: Any, searched: Sequence[Path]) -> None:
+    """Raise where what a model is made of is not all in it."""
+    joint = root.find("world/joint")
+    if joint is not None:
+        raise defect(joint, "is a joint of the world, which is not supported")
+    for inclusion in model.iter("include"):
+        raise not_found(inclusion, searched)
+    for origin in model.iter("origin"):
+        raise defect(origin, "is the pose of SDF before 1.2, which is not supported")
+    if next(model.iter("link"), None) is None:
+        raise defect(model, "has no link")
+
+
+def _joints_by_child(model: Any, graph: FrameGraph) -> dict[str, Any]:
+    """Return the joint that carries each link."""
+    joints: dict[str, Any] = {}
+    for joint in model.iterfind("joint"):
+        kind = joint.get("type")
+        if kind not in JOINT_KINDS:
+            raise defect(joint, f"is a {kind} joint, which the language does not support")
+        child = graph.link_of(text_of(joint, "child"), joint)
+        if child == WORLD:
+            raise defect(joint, "has the world as its child")
+        if child in joints:
+            first = name_of(joints[child])
+            raise defect(joint, f"gives link '{child}' a second parent after joint '{first}'")
+        joints[child] = joint
+    return joints
+
+
+def _root(model: Any, graph: FrameGraph, joints: Mapping[str, Any]) -> tuple[str, bool]:
+    """Return the root, and whether it is fixed: the world, or a link that hangs on nothing else."""
+    on_world = [child for child, joint in joints.items() if _parent(joint, graph) == WORLD]
+    names = [name_of(link) for link in model.iterfind("link")]
+    free = [name for name in names if name not in joints]
+    if len(free) + bool(on_world) != 1:
+        roots = [*(["the world"] if on_world else []), *(f"'{name}'" for name in free)]
+        if not roots:
+            raise FormatError(
+                "the joints of the SDF close a kinematic loop, which the language does not support"
+            )
+        number = f"{len(roots)} root links, exactly one root link is required"
+        raise FormatError(f"the SDF has {number}: {listed(roots[:5])}")
+    if not on_world:
+        return free[0], is_true(model, "static")
+    welded = len(on_world) == 1 and joints[on_world[0]].get("type") == "fixed"
+    return (on_world[0] if welded else WORLD), True
+
+
+def _parent(joint: Any, graph: FrameGraph) -> str:
+    return graph.link_of(text_of(joint, "parent"), joint)
+
+
+def _links(
+    model: Any, graph: FrameGraph, joints: Mapping[str, Any], start: str, base: BaseKind
+) -> list[RigidLink]:
+    """Return the links, parents first."""
+    elements = {name_of(link): link for link in model.iterfind("link")}
+    frames = _frames(model, graph, start if base == "fixed" else WORLD)
+    below: dict[str, list[str]] = {}
+    for child, joint in joints.items():
+        below.setdefault(_parent(joint, graph), []).append(child)
+    world_T_start = IDENTITY if start == WORLD else graph.world_T(start, model)
+    first = RigidLink(start, parent_T_joint=world_T_start, frames=tuple(frames.get(start, ())))
+    if start != WORLD:
+        first = replace(first, body=_body(elements[start]))
+    links = [first]
+    for index, link in enumerate(links):
+        for child in below.get(link.name, ()):
+            if child != start:
+                moved = _carried(joints[child], index, link.name, child, graph)
+                fixed = tuple(frames.get(child, ()))
+                links.append(replace(moved, body=_body(elements[child]), frames=fixed))
+    if len(links) != len(elements) + (start == WORLD):
+        reached = {link.name for link in links}
+        lost = next(name for name in elements if name not in reached)
+        raise defect(elements[lost], "is in a kinematic loop, which the language does not support")
+    return links
+
+
+def _carried(joint: Any, index: int, parent: str, child: str, graph: FrameGraph) -> RigidLink:
+    model_T_joint = graph.model_T(name_of(joint), joint)
+    parent_T_joint = graph.model_T(parent, joint).inverse().then(model_T_joint)
+    joint_T_child = model_T_joint.inverse().then(graph.model_T(child, joint))
+    placing = graph.placing(joint)
+    model_T_written = graph.model_T(name_of(placing), joint)
+    model_T_origin = graph.model_T(reference_of(placing), joint)
+    kind = JOINT_KINDS[joint.get("type")]
+    axis = _Z
+    if kind != "fixed":
+        axis = model_T_joint.inverse().turn(_axis_in_model(joint, graph))
+    return RigidLink(
+        child,
+        index,
+        name_of(joint),
+        kind,
+        axis,
+        parent_T_joint,
+        joint_T_child,
+        graph.model_T(parent, joint).inverse().then(model_T_origin),
+        model_T_written.inverse().then(model_T_joint),
+    )
+
+
+def _axis_in_model(joint: Any, graph: FrameGraph) -> Vector3:
+    axis = joint.find("axis")
+    xyz = None if axis is None else axis.find("xyz")
+    x, y, z = _Z if xyz is None else numbers_in(xyz, 3)
+    if not (x or y or z):
+        raise defect(xyz, f"of joint '{name_of(joint)}' has no length")
+    frame = name_of(joint) if xyz is None else xyz.get("expressed_in")
+    if not frame:
+        is_in_model = graph.has_axes_in_model or is_true(axis, "use_parent_model_frame")
+        frame = MODEL if is_in_model else name_of(joint)
+    return graph.model_T(frame, joint).turn((x, y, z))
+
+
+def _frames(model: Any, graph: FrameGraph, on_world: str) -> dict[str, list[DescribedFrame]]:
+    """Return the frames by the link that they are attached to, the world's by another name."""
+    found: dict[str, list[DescribedFrame]] = {}
+    for frame in model.iterfind("frame"):
+        name = name_of(frame)
+        link = graph.link_of(name, frame)
+        link = on_world if link == WORLD else link
+        link_T_frame = graph.model_T(link, frame).inverse().then(graph.model_T(name, frame))
+        found.setdefault(link, []).append(DescribedFrame(name, link_T_frame))
+    return found
+
+
+def _body(link: Any) -> MassDistribution:
+    """Return a link's mass; SDFormat's default is 1 kg, and 1 kg m^2 about each axis."""
+    inertial = link.find("inertial")
+    if inertial is None:
+        return about_origin(1.0, _UNIT, IDENTITY)
+    if (inertial.get("auto") or "").lower() in ("1", "true"):
+        raise defect(link, "takes its inertia from its shape (auto), which is not supported")
+    pose = inertial.find("pose")
+    if pose is not None and pose.get("relative_to"):
+        raise defect(pose, "of an inertia is relative to another frame, which SDFormat refuses")
+    inertia = inertial.find("inertia")
+    tensor = _UNIT if inertia is None else _tensor(inertia)
+    return about_origin(number_of(inertial, "mass", 1.0), tensor, pose_of(inertial))
+
+
+def _tensor(inertia: Any) -> Symmetric:
+    named = zip(TENSOR, _UNIT, strict=True)
+    xx, yy, zz, xy, xz, yz = (number_of(inertia, tag, default) for tag, default in named)
+    return xx, yy, zz, xy, xz, yz
+
+
+def _default_masses(model: Any, start: str, base: BaseKind) -> Iterator[str]:
+    for link in model.iterfind("link"):
+        name = name_of(link)
+        if link.find("inertial") is None and (name != start or base == "floating"):
+            yield f"the link '{name}' has no inertia: SDFormat's default is 1 kg"

@@ -1,0 +1,150 @@
+"""A skeleton to SDF: every link at its joint, every joint in its parent link."""
+
+from collections.abc import Iterator
+from math import sqrt
+from xml.etree.ElementTree import Element
+
+from kindsl.language.semantics.parameters import UNTOLD
+from kindsl.mechanics.rigid.body import (
+    ROUNDING_OF_MOMENTS,
+    MassDistribution,
+    eigensystem,
+    principal_moments,
+    second_moments_about_com,
+    shifted,
+)
+from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Rotation
+from kindsl.robots.interchange.format import ORDINARY, WritingChoices, WrittenRobot
+from kindsl.robots.interchange.sdf.frame_graph import WORLD
+from kindsl.robots.interchange.sdf.joint_properties import add_properties
+from kindsl.robots.interchange.xml_writing import added, document_text, numbers
+from kindsl.robots.mechanism.skeleton import Skeleton
+
+# The first version whose poses may be quaternions, which keep every rotation exact.
+_VERSION = "1.9"
+_WELD = ("weld", "world_fixed")  # the joint that fixes the base
+
+
+def written_sdf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINARY) -> WrittenRobot:
+    """Return the SDF of a mechanism; a fixed base has a fixed joint to the world.
+
+    Args:
+        name: The robot's name.
+        skeleton: Its bodies.
+        choices: Joint properties to write.
+    """
+    names = _names(skeleton)
+    body_names = [names["link", n] for n in skeleton.body_names]
+    root = Element("sdf", {"version": _VERSION})
+    model = added(root, "model", name=name, canonical_link=body_names[0])
+    base = added(model, "link", name=body_names[0])
+    if skeleton.is_floating:
+        _add_inertial(base, skeleton.masses[0])
+    else:
+        _add_joint(model, names[_WELD], "fixed", WORLD, body_names[0])
+    for link, parent in skeleton.links():
+        axis = _add_link(model, skeleton, names, link, body_names[parent])
+        add_properties(axis, choices.joints.get(skeleton.joint_names[link - 1], UNTOLD))
+    for frame in skeleton.frames:
+        attached = body_names[frame.body]
+        element = added(model, "frame", name=names["frame", frame.name], attached_to=attached)
+        _add_pose(element, frame.pose)
+    renamed = (
+        f"the {kind} '{old}' is now '{new}': names are unique in SDF"
+        for (kind, old), new in names.items()
+        if old != new and (kind, old) != _WELD
+    )
+    return WrittenRobot(document_text(root), (*renamed, *_refused_elsewhere(skeleton)))
+
+
+def _names(skeleton: Skeleton) -> dict[tuple[str, str], str]:
+    """Return a name for each kind and name, unique among all; of the joint to the world too."""
+    things = [("link", name) for name in skeleton.body_names]
+    things += [("joint", name) for name in skeleton.joint_names]
+    things += [("frame", frame.name) for frame in skeleton.frames]
+    taken = {WORLD}
+    names: dict[tuple[str, str], str] = {}
+    for kind, name in (*things, _WELD):
+        free = name.replace("::", "_")
+        while free in taken:
+            free += f"_{kind}"
+        taken.add(free)
+        names[kind, name] = free
+    return names
+
+
+def _add_link(
+    model: Element, skeleton: Skeleton, names: dict[tuple[str, str], str], link: int, parent: str
+) -> Element:
+    """Add a link and its joint; return the joint's axis."""
+    i = link - 1
+    name = names["link", skeleton.link_names[i]]
+    joint_name = names["joint", skeleton.joint_names[i]]
+    element = added(model, "link", name=name)
+    added(element, "pose", relative_to=joint_name)
+    _add_inertial(element, skeleton.masses[link])
+    joint = _add_joint(model, joint_name, skeleton.joint_kinds[i], parent, name)
+    _add_pose(joint, skeleton.placements[i], relative_to=parent)
+    axis = added(joint, "axis")
+    added(axis, "xyz").text = "0 0 1"
+    return axis
+
+
+def _add_joint(model: Element, name: str, kind: str, parent: str, child: str) -> Element:
+    joint = added(model, "joint", name=name, type=kind)
+    added(joint, "parent").text = parent
+    added(joint, "child").text = child
+    return joint
+
+
+def _add_inertial(link: Element, body: MassDistribution) -> None:
+    """Add mass and inertia about the centre of mass, along the link's axes."""
+    inertial = added(link, "inertial")
+    if any(body.com):
+        added(inertial, "pose").text = f"{numbers(body.com)} 0 0 0"
+    added(inertial, "mass").text = numbers([body.mass])
+    inertia = added(inertial, "inertia")
+    Ix, Iy, Iz, Ixy, Ixz, Iyz = shifted(body, -1.0).moments
+    tensor = {"ixx": Ix, "ixy": -Ixy, "ixz": -Ixz, "iyy": Iy, "iyz": -Iyz, "izz": Iz}
+    for tag, value in tensor.items():
+        added(inertia, tag).text = numbers([value])
+
+
+def _add_pose(element: Element, pose: RigidPose, **reference: str) -> None:
+    position = numbers(pose.translation)
+    if pose.rotation == IDENTITY.rotation:
+        added(element, "pose", **reference).text = f"{position} 0 0 0"
+        return
+    turned = added(element, "pose", rotation_format="quat_xyzw", **reference)
+    turned.text = f"{position} {numbers(_quaternion(pose.rotation))}"
+
+
+def _quaternion(rotation: Rotation) -> list[float]:
+    """Return x, y, z, w: of the rows of `4 q q^T`, the one that is exact for this turn.
+
+    Source: Shepperd 1978, Quaternion from rotation matrix.
+    """
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = rotation
+    rows = (
+        (1.0 + xx - yy - zz, xy + yx, xz + zx, zy - yz),
+        (xy + yx, 1.0 - xx + yy - zz, yz + zy, xz - zx),
+        (xz + zx, yz + zy, 1.0 - xx - yy + zz, yx - xy),
+        (zy - yz, xz - zx, yx - xy, 1.0 + xx + yy + zz),
+    )
+    row = rows[max(range(4), key=lambda i: rows[i][i])]
+    length = sqrt(sum(entry * entry for entry in row))
+    side = -length if row[3] < 0.0 else length
+    return [entry / side for entry in row]
+
+
+def _refused_elsewhere(skeleton: Skeleton) -> Iterator[str]:
+    for index, (name, body) in enumerate(zip(skeleton.body_names, skeleton.masses, strict=True)):
+        if index == 0 and not skeleton.is_floating:
+            continue
+        pairs = eigensystem(second_moments_about_com(body))
+        moments = principal_moments(pairs)
+        is_broken = pairs[0].value < -ROUNDING_OF_MOMENTS * moments[2]
+        if body.mass == 0.0 and not any(moments):
+            yield f"the link '{name}' has no mass: other tools refuse it"
+        elif body.mass <= 0.0 or moments[0] <= 0.0 or is_broken:
+            yield f"inertia of '{name}' is physically impossible: other tools refuse it"

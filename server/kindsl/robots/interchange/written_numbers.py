@@ -1,0 +1,98 @@
+"""The numbers of another format's file: what they are of, and where they stand."""
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+from kindsl.language.semantics.expressions import half_unit
+from kindsl.language.text.lines import LineIndex
+from kindsl.mechanics.rigid.pose import Rotation
+from kindsl.robots.comparison.written import TextPlace, WrittenNumber
+from kindsl.robots.interchange.xml_reading import DECIMAL, XmlError, parsed_xml
+
+_WORD = re.compile(r"\S+")
+_ATTRIBUTE = r"""[\s"']{name}\s*=\s*(?:"([^"]*)"|'([^']*)')"""
+_TAG = re.compile(r"""<(?:[^"'>]|"[^"]*"|'[^']*')*>""")
+
+
+class FileNumbers(NamedTuple):
+    """The numbers of one file.
+
+    Attributes:
+        found: By `"link"` or `"joint"`, its name, and one of `INERTIA` or `POSE`.
+        turns: The axes of moments in their link's frame, by link, where they are turned.
+    """
+
+    found: Mapping[tuple[str, str, str], WrittenNumber]
+    turns: Mapping[str, Rotation]
+
+
+NO_NUMBERS = FileNumbers({}, {})
+
+
+class XmlNumbers:
+    """Finds numbers in the text of an XML file.
+
+    Attributes:
+        root: Its root element, None where the text is not XML.
+    """
+
+    def __init__(self, content: bytes | str) -> None:
+        self._text = content if isinstance(content, str) else content.decode("utf-8", "replace")
+        self._lines = LineIndex(self._text)
+        try:
+            self.root: Any = parsed_xml(self._text)
+        except XmlError:
+            self.root = None
+
+    def of_attribute(self, element: Any, name: str) -> list[WrittenNumber]:
+        """Return the numbers in an attribute, none where there is no element or attribute."""
+        if element is None or element.get(name) is None:
+            return []
+        tag = _TAG.match(self._text, element.offset)
+        match = tag and re.search(_ATTRIBUTE.format(name=re.escape(name)), tag[0])
+        if not match:
+            return []
+        group = 1 if match[1] is not None else 2
+        return self._numbers(match[group], element.offset + match.start(group))
+
+    def of_text(self, element: Any) -> list[WrittenNumber]:
+        """Return the numbers that an element holds, none where there is no element or text."""
+        tag = None if element is None else _TAG.match(self._text, element.offset)
+        return self._numbers(element.text, tag.end()) if tag and element.text else []
+
+    def _numbers(self, text: str, offset: int) -> list[WrittenNumber]:
+        return [self._number(word, offset) for word in _WORD.finditer(text)]
+
+    def _number(self, word: re.Match[str], offset: int) -> WrittenNumber:
+        start = offset + word.start()
+        place = TextPlace(self._lines.position(start)[0] + 1, start, offset + word.end())
+        return written_number(word[0], place)
+
+
+def implied(
+    kind: str, owner: str, names: Sequence[str], numbers: Sequence[WrittenNumber]
+) -> Iterator[tuple[tuple[str, str, str], WrittenNumber]]:
+    """Yield one place for all that is said there in another form; its values are not known."""
+    if numbers:
+        places = [number.at for number in numbers if isinstance(number.at, TextPlace)]
+        text = " ".join(number.text for number in numbers)
+        at = places[0]._replace(end=places[-1].end)
+        for name in names:
+            yield (kind, owner, name), WrittenNumber(text, 0.0, 0.0, at, is_implied=True)
+
+
+def written_number(text: str, place: TextPlace) -> WrittenNumber:
+    """Return a decimal number with its place."""
+    if not DECIMAL.fullmatch(text):
+        return WrittenNumber(text, float("nan"), 0.0, place)
+    return WrittenNumber(text, float(text), half_unit(text), place)
+
+
+def keyed(
+    kind: str, owner: str, names: Sequence[str], numbers: Sequence[WrittenNumber]
+) -> Iterator[tuple[tuple[str, str, str], WrittenNumber]]:
+    """Yield numbers by what they are of, where there is one for each name."""
+    if len(numbers) == len(names):
+        for name, number in zip(names, numbers, strict=True):
+            yield (kind, owner, name), number

@@ -1,0 +1,93 @@
+"""A process of its own that writes the URDF of a xacro file to stdout.
+
+A xacro file holds Python expressions, which may take for ever and all memory there is. The one
+argument is a JSON object: `file`, `arguments` of the file, `searched` folders of packages. Ends
+with 1 after one sentence on stdout where the file cannot be expanded.
+"""
+
+import contextlib
+import io
+import json
+import sys
+from pathlib import Path
+from types import ModuleType
+
+_MEMORY = 4 * 2**30
+
+
+def main() -> int:
+    """Expand the file that the argument names."""
+    _bound_memory()
+    import xacro
+
+    task = json.loads(sys.argv[1])
+    _let_find([Path(folder) for folder in task["searched"]])
+    arguments = _Arguments(task["arguments"])
+    try:
+        with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+            text = xacro.process_file(task["file"], mappings=arguments).toxml()
+            arguments.require_asked(task["arguments"])
+            status = 0
+    except Exception as error:
+        text, status = _reason(error), 1
+    sys.stdout.buffer.write(text.encode("utf-8", "replace"))
+    return status
+
+
+class _Arguments(dict[str, str]):
+    """Arguments that know which of them the file asks for."""
+
+    def __init__(self, given: dict[str, str]) -> None:
+        super().__init__(given)
+        self._asked: dict[str, None] = {}
+
+    def __contains__(self, name: object) -> bool:
+        self._asked[str(name)] = None
+        return super().__contains__(name)
+
+    def __getitem__(self, name: str) -> str:
+        self._asked[name] = None
+        return super().__getitem__(name)
+
+    def require_asked(self, given: dict[str, str]) -> None:
+        """Raise ValueError if the file does not ask for one."""
+        from kindsl.language.text.nearest import hint, nearest_name
+
+        for name in given:
+            if name not in self._asked:
+                raise ValueError(f"no argument '{name}'{hint(nearest_name(name, self._asked))}")
+
+
+def _let_find(searched: list[Path]) -> None:
+    """Answer `$(find PACKAGE)`, which asks this module of ROS, from folders."""
+    from kindsl.robots.interchange.xacro.packages import package_folder
+
+    def share_folder(name: str) -> str:
+        found = package_folder(name, searched)
+        if found is None:
+            listed = ", ".join(map(str, searched))
+            raise LookupError(f"the package '{name}' is in none of {listed}: --package-path DIR")
+        return str(found)
+
+    index, packages = (ModuleType(f"ament_index_python{end}") for end in ("", ".packages"))
+    vars(packages)["get_package_share_directory"] = share_folder
+    sys.modules.update({module.__name__: module for module in (index, packages)})
+
+
+def _reason(error: Exception) -> str:
+    """Return one sentence; xacro wraps what an expression raised."""
+    if isinstance(getattr(error, "exc", error), MemoryError):
+        return f"it needs more than {_MEMORY // 2**30} GB of memory"
+    return " ".join(str(error).split()) or type(error).__name__
+
+
+def _bound_memory() -> None:
+    """Let the system refuse more memory, where it can."""
+    with contextlib.suppress(ImportError, OSError, ValueError):
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_AS, (_MEMORY, _MEMORY))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

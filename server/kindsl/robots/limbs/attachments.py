@@ -1,0 +1,190 @@
+"""Names that tell who carries whom: limbs on another limb's body, exchanged joints."""
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
+from itertools import combinations, pairwise
+from typing import NamedTuple
+
+from kindsl.robots.limbs.names import label_of, tokens
+
+_MOST_CROSSED, _MOST_ODD, _ENOUGH = 2, 40, 2
+_SAYING_NOTHING = frozenset(("link", "joint"))
+_Side = tuple[str, str]
+_Words = tuple[str, ...]
+_Sided = Mapping[str, _Side]
+
+
+class Attachment(NamedTuple):
+    """The names of a link, of what carries it, and of the joint between them."""
+
+    link: str
+    parent: str
+    joint: str
+
+
+class Misplaced(NamedTuple):
+    """A link that is not attached as its twins are, or as other links by their names.
+
+    Attributes:
+        attachment: Its names.
+        meant: The name of the parent, or of the joint, that is expected, if there is one.
+        twins: The attachments of its twins; none where its own name tells.
+    """
+
+    attachment: Attachment
+    meant: str | None
+    twins: tuple[Attachment, ...]
+
+
+class _View(NamedTuple):
+    """The carrier of a link, as its twins see it: its words, and whether it is of the same side."""
+
+    words: _Words
+    side: str
+
+
+class LimbNames:
+    """The names of a robot's links and joints, and what they tell."""
+
+    def __init__(self, attachments: Sequence[Attachment]) -> None:
+        self._attachments = attachments
+        self._limb_words = _words_of_numbered(attachments)
+        links = [a.parent for a in attachments] + [a.link for a in attachments]
+        self._links = self._sided(dict.fromkeys(links))
+        self._joints = self._sided(a.joint for a in attachments)
+        by_part: dict[_Words, dict[_Side, list[Attachment]]] = {}
+        for attachment in attachments:
+            label, words = self._read(attachment.link)
+            if any(label):
+                by_part.setdefault(words, {}).setdefault(label, []).append(attachment)
+        self._twins = [
+            [found[0] for found in by_label.values()]
+            for by_label in by_part.values()
+            if len(by_label) > 1 and all(len(found) == 1 for found in by_label.values())
+        ]
+
+    @cached_property
+    def elsewhere(self) -> list[Misplaced]:
+        """The links that another body carries than their twins let expect."""
+        return self._misplaced(self._links, "parent")
+
+    @cached_property
+    def crossed(self) -> list[Misplaced]:
+        """The links whose joint is another than their twins, or names, let expect."""
+        return self._misplaced(self._joints, "joint") or self._crossed_by_name()
+
+    def _misplaced(self, sided: _Sided, what: str) -> list[Misplaced]:
+        """Return what is not attached as its twins; nothing where that is not a slip or two."""
+        across: list[Misplaced] = []
+        odd: list[tuple[set[_View], list[Misplaced]]] = []
+        for twins in self._twins:
+            views = {a: self._view(a, getattr(a, what), sided) for a in twins}
+            count = Counter(views.values())
+            crossed = [a for a, view in views.items() if view.side == "other"]
+            accused = crossed or [a for a, view in views.items() if count[view] == 1]
+            found = [self._judged(a, views, accused, sided) for a in accused]
+            if crossed:
+                across += found
+            elif len(count) > 1:
+                is_told = len(found) == 1 if len(twins) > 2 else _is_sided(twins, what, sided)
+                if len(count) > 2 or not is_told:
+                    return []
+                odd.append((set(count), found))
+        if across:
+            return across if not odd and len(across) <= _MOST_CROSSED else []
+        told = [each for _, group in odd for each in group]
+        if what == "joint" and len(odd) == 2 and odd[0][0] == odd[1][0]:
+            return told
+        # A part that is only named otherwise has no place elsewhere.
+        is_alone = len(odd) == 1 and (what == "parent" or len(told) == 1)
+        return told if is_alone and all(each.meant is not None for each in told) else []
+
+    def _judged(
+        self,
+        accused: Attachment,
+        views: Mapping[Attachment, _View],
+        among: Sequence[Attachment],
+        sided: _Sided,
+    ) -> Misplaced:
+        """Return an attachment with what its twins, which are not accused, let expect."""
+        twins = tuple(a for a in views if a not in among)
+        meant = None
+        if len({views[a] for a in twins}) == 1:
+            words, side = views[twins[0]]
+            label = self._read(accused.link)[0]
+            alike = (n for n, own in sided.items() if own == label and self._read(n)[1] == words)
+            meant = words[0] if side == "none" else next(alike, None)
+        return Misplaced(accused, meant, twins)
+
+    def _crossed_by_name(self) -> list[Misplaced]:
+        """Return two links that have each other's joints, as the names of all others go."""
+        customs = [(a, tuple(_customs(a.link, a.joint))) for a in self._attachments]
+        count = Counter(custom for _, each in customs for custom in each)
+        usual = {custom for custom, number in count.items() if number >= _ENOUGH}
+        odd = [a for a, own in customs if usual.isdisjoint(own)]
+        pairs = [
+            (one, other)
+            for one, other in combinations(odd[:_MOST_ODD] if usual else (), 2)
+            if not usual.isdisjoint(_customs(one.link, other.joint))
+            and not usual.isdisjoint(_customs(other.link, one.joint))
+        ]
+        if len(pairs) != 1:
+            return []
+        one, other = pairs[0]
+        return [Misplaced(one, other.joint, ()), Misplaced(other, one.joint, ())]
+
+    def _read(self, name: str) -> tuple[_Side, _Words]:
+        """Return side and row, or for them the number of a limb, and the other words."""
+        side, row, words, _ = label_of(name)
+        for index, word in enumerate(words[1:] if not (side or row) else (), 1):
+            if word.isdigit() and words[index - 1] in self._limb_words:
+                return (word, ""), words[:index] + words[index + 1 :]
+        return (side, row), words
+
+    def _sided(self, names: Iterable[str]) -> _Sided:
+        """Return side and row of the names that have a twin: `torso_l3` has none."""
+        found: dict[_Words, list[tuple[str, _Side]]] = {}
+        for name in names:
+            label, words = self._read(name)
+            found.setdefault(words, []).append((name, label))
+        groups = (group for group in found.values() if len(group) > 1)
+        return {name: label for group in groups for name, label in group if any(label)}
+
+    def _view(self, attachment: Attachment, name: str, sided: _Sided) -> _View:
+        label = sided.get(name)
+        if label is None:
+            return _View((name,), "none")
+        mine = self._links.get(attachment.link, ("", ""))
+        is_same = all(x == y or not x or not y for x, y in zip(mine, label, strict=True))
+        return _View(self._read(name)[1], "same" if is_same else "other")
+
+
+def _is_sided(twins: Sequence[Attachment], what: str, sided: _Sided) -> bool:
+    """Return whether names can tell of two twins that one differs."""
+    known = [getattr(a, what) in sided for a in twins]
+    return any(known) if what == "parent" else all(known)
+
+
+def _customs(link: str, joint: str) -> Iterator[object]:
+    """Yield how a joint is named after its link: with its words, or a number so much higher."""
+    here, there = ([w for w in tokens(n) if w not in _SAYING_NOTHING] for n in (link, joint))
+    if here == there:
+        yield "same"
+    numbers = [[int(word) for word in words if word.isdigit()] for words in (here, there)]
+    if all(len(each) == 1 for each in numbers):
+        words = [tuple(w for w in words if not w.isdigit()) for words in (here, there)]
+        yield (*words, numbers[1][0] - numbers[0][0])
+
+
+def _words_of_numbered(attachments: Iterable[Attachment]) -> set[str]:
+    """Return the words before the numbers of three or more limbs: `leg` of `leg3_coxa`."""
+    heads: dict[tuple[str, _Words], dict[_Words, set[str]]] = {}
+    for link, parent, _ in attachments:
+        side, row, words, part = label_of(link)
+        numbers = tuple(word for word in words if word.isdigit())
+        if numbers and not (side or row):
+            before = {w for w, number in pairwise(words) if number.isdigit()}
+            heads.setdefault((parent, part), {})[numbers] = before
+    many = [by_number for by_number in heads.values() if len(by_number) > 2]
+    return {word for by_number in many for word in set.intersection(*by_number.values())}

@@ -1,0 +1,117 @@
+"""Mounts of a limb's head and its twin's, at the body that carries both."""
+
+from collections.abc import Iterator
+from itertools import product as combinations
+from math import atan2, hypot
+from typing import NamedTuple
+
+from kindsl.mechanics.rigid.pose import (
+    Rotation,
+    Vector3,
+    cross,
+    dot,
+    pose_from,
+    product,
+    transposed,
+    turned,
+)
+from kindsl.robots.limbs.limb import Body
+
+_APART = 1e-3
+# The plainest explanation first: what costs more must explain a slip more.
+_TURNED, _MOVED, _LIKE = 0.1, 0.1, 0.3
+
+# What pairs of one robot share: a map of directions, and whether limbs are copies.
+Way = tuple[Rotation, bool]
+
+
+class Mount(NamedTuple):
+    """A map from the head of a limb to that of its twin.
+
+    Attributes:
+        map: Of directions at the carrier.
+        place: The twin's place that follows, in the carrier's frame.
+        extra: Cost beforehand; the plainer the less.
+        free_axis: Along which the twin may be moved, if any.
+        is_copy: Whether the limb itself is not mirrored though its mount is.
+    """
+
+    map: Rotation
+    place: Vector3
+    extra: float
+    free_axis: int | None = None
+    is_copy: bool = False
+
+    @property
+    def way(self) -> Way:
+        """The properties that pairs of one robot share: the map, and whether it is a copy."""
+        return self.map, self.is_copy
+
+
+def diagonal(x: float, y: float, z: float) -> Rotation:
+    """Return a diagonal matrix."""
+    return (x, 0.0, 0.0), (0.0, y, 0.0), (0.0, 0.0, z)
+
+
+def is_proper(matrix: Rotation) -> bool:
+    """Return whether an orthogonal matrix is a rotation, no reflection."""
+    return dot(matrix[0], cross(matrix[1], matrix[2])) > 0.0
+
+
+_SAME = diagonal(1.0, 1.0, 1.0)
+_MIRRORS = (diagonal(-1.0, 1.0, 1.0), diagonal(1.0, -1.0, 1.0), diagonal(1.0, 1.0, -1.0))
+_HALF_TURNS = (diagonal(1.0, -1.0, -1.0), diagonal(-1.0, 1.0, -1.0), diagonal(-1.0, -1.0, 1.0))
+# How frames of twins may differ: signed permutations that keep the joint's axis up to its sign.
+CONVENTIONS: list[Rotation] = []
+for _x, _y, _z in combinations((1.0, -1.0), repeat=3):
+    CONVENTIONS += [diagonal(_x, _y, _z), ((0.0, _x, 0.0), (_y, 0.0, 0.0), (0.0, 0.0, _z))]
+REFLECTIONS = CONVENTIONS[::2]
+
+
+def mounts(how: str, one: Body, other: Body) -> Iterator[Mount]:
+    """Yield what may take a head to its twin.
+
+    Args:
+        how: `LR` for a left and a right limb, `ROW` for two of one side, `TURN` for numbered ones,
+            `HELD` for what limbs hold: it is mounted in any way, mirrored or alike.
+        one: The first head.
+        other: Its twin.
+    """
+    here, there = one.translation, other.translation
+    if how == "HELD":
+        for C in CONVENTIONS:
+            turn = product(product(other.rotation, transposed(C)), transposed(one.rotation))
+            yield Mount(turn, there, 0.0)
+        return
+    apart = [abs(x - y) > _APART for x, y in zip(here, there, strict=True)]
+    for axis, mirror in enumerate(_MIRRORS):
+        j, k = (axis + 1) % 3, (axis + 2) % 3
+        place, along = turned(mirror, here), moved(here, there, axis)
+        if how == "ROW":
+            if apart[axis] or not any(apart):
+                yield from (Mount(matrix, along, 0.0, axis) for matrix in (mirror, _SAME))
+            continue
+        yield Mount(mirror, place, 0.0)
+        if how == "LR" and apart[axis]:
+            # The same limb at the mirrored place, on a like, a mirrored or a turned mount.
+            yield Mount(mirror, place, _LIKE, is_copy=True)
+            yield from (Mount(turn, place, _LIKE) for turn in (_SAME, *_HALF_TURNS))
+        if how == "LR" and min(abs(here[j]), abs(here[k])) > _APART:
+            yield Mount(_HALF_TURNS[axis], turned(_HALF_TURNS[axis], here), _TURNED)
+        if how == "TURN" and min(hypot(p[j], p[k]) for p in (here, there)) > _APART:
+            turn = _turn(axis, atan2(there[k], there[j]) - atan2(here[k], here[j]))
+            yield Mount(turn, turned(turn, here), 0.0)
+        if how == "TURN" and apart[axis]:
+            yield Mount(_SAME, along, _MOVED, axis)
+
+
+def moved(here: Vector3, there: Vector3, axis: int) -> Vector3:
+    """Return a place moved to another along an axis."""
+    x, y, z = (there[i] if i == axis else here[i] for i in range(3))
+    return x, y, z
+
+
+def _turn(axis: int, angle: float) -> Rotation:
+    """Return a rotation about an axis."""
+    x, y, z = (angle if i == axis else 0.0 for i in range(3))
+    return pose_from((0.0, 0.0, 0.0), (x, y, z)).rotation

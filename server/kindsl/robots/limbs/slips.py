@@ -1,0 +1,68 @@
+"""Numbers of a triple that were typed wrongly, and the fewest that would have to be typed anew."""
+
+from collections.abc import Iterator
+from math import cos, degrees, pi
+
+from kindsl.mechanics.rigid.pose import Rotation, Vector3, angles
+
+_FACTORS = (1000.0, 100.0, 10.0, 0.1, 0.01, 0.001, degrees(1.0))
+_OWN, _TWIN = 1e-5, 1e-3
+
+
+def n_retyped(written: Vector3, meant: Vector3) -> int:
+    """Return how many numbers of a triple no sign, order or unit explains.
+
+    A triple that has only zeros was left as it was, which counts as one.
+    """
+    if all(map(_is_near, sorted(map(abs, written)), sorted(map(abs, meant)))):
+        return 0
+    odd = [(x, y) for x, y in zip(written, meant, strict=True) if not _is_near(x, y)]
+    if any(all(_is_near(abs(x), f * abs(y), f) for x, y in odd) for f in _FACTORS):
+        return 0
+    return len(odd) if any(written) else 1
+
+
+def angles_near(rotation: Rotation, own: Vector3, twin: Vector3) -> Vector3:
+    """Return angles that make a rotation, in as few changes of those written as can be, radians.
+
+    Args:
+        rotation: To be made.
+        own: The angles as written.
+        twin: Those of the twin.
+    """
+
+    def n_changed(option: Vector3) -> int:
+        return sum(x != y for x, y in zip(option, own, strict=True))
+
+    return min(
+        (_worded(option, own, twin) for option in _triples(rotation, own, twin)), key=n_changed
+    )
+
+
+def _triples(rotation: Rotation, own: Vector3, twin: Vector3) -> Iterator[Vector3]:
+    """Yield the angles that make a rotation; where only a sum counts, some that may be meant."""
+    a, b, c = angles(rotation, _TWIN)
+    if abs(cos(b)) > _TWIN:
+        yield a, b, c
+        yield a + pi, pi - b, c + pi
+        return
+    sign = 1.0 if b > 0.0 else -1.0
+    for x in (own[0], twin[0], -twin[0], 0.0):
+        yield x, b, sign * (a - x)
+    for z in (own[2], twin[2], -twin[2], 0.0):
+        yield a - sign * z, b, z
+
+
+def _worded(option: Vector3, own: Vector3, twin: Vector3) -> Vector3:
+    """Return the same angles as they are written, if they are, else within half a turn."""
+    found = []
+    for angle, mine, his in zip(option, own, twin, strict=True):
+        words = [(mine, _OWN), *((sign * x, _TWIN) for x in (his, *twin) for sign in (1.0, -1.0))]
+        wound = (angle + pi) % (2 * pi) - pi
+        near = (w for w, within in words if abs((w - angle + pi) % (2 * pi) - pi) <= within)
+        found.append(0.0 + next(near, wound))
+    return found[0], found[1], found[2]
+
+
+def _is_near(here: float, there: float, scale: float = 1.0) -> bool:
+    return abs(here - there) <= 1e-4 * scale + 0.003 * abs(there)

@@ -1,0 +1,65 @@
+"""Link frames of a part of a robot and of its twin, as the joint frames place them."""
+
+from collections.abc import Iterator
+from itertools import product as combinations
+
+from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.kinematic_tree import Edge, KinematicTree
+from kindsl.mechanics.rigid.pose import Rotation, turned
+from kindsl.robots.limbs.comparison import LimbComparison, Tolerance
+from kindsl.robots.limbs.limb import Body, Match, Values, body_of
+from kindsl.robots.limbs.mounts import Mount, diagonal, moved
+
+_DEEPEST = 16
+_NEAR = Tolerance(1e-9, 0.02, 0.02)
+_OF_CHANGE, _OF_MOVING = 0.01, 1.0
+
+
+def twin_frames(tree: KinematicTree, one: Link, other: Link, values: Values) -> list[Rotation]:
+    """Return the C that may take coordinates in a twin's link frame to those in a part's.
+
+    A reflection or a turn in the frame of the body that carries both takes the part's joints to
+    those of its twin. Along one axis that is not reversed the twin may be moved besides: hind legs
+    are often copies of the fore legs. What moves nothing comes first, then what changes least.
+
+    Args:
+        tree: The robot.
+        one: A part.
+        other: Its twin.
+        values: Of the parameters.
+
+    Returns:
+        Signed permutations; none where the parts do not lie so, or one carries the other.
+    """
+    here, there = _way_up(tree, one), _way_up(tree, other)
+    carriers = [edge.predecessor for edge in there]
+    n_here = next((n for n, e in enumerate(here, 1) if e.predecessor in carriers), 0)
+    n_there = carriers.index(here[n_here - 1].predecessor) + 1 if n_here else -1
+    bodies = [(body_of(a, values), body_of(b, values)) for a, b in zip(here, there, strict=False)]
+    rows = [Match(i - 1, a, b) for i, (a, b) in enumerate(bodies[:n_here][::-1]) if a and b]
+    if n_here != n_there or len(rows) < n_here:
+        return []
+    ways = sorted(_mounts(rows[0].one, rows[0].other), key=lambda mount: mount.extra)
+    found = LimbComparison(rows, "", ways, _NEAR).readings() if ways else ()
+    return [r.conventions[n_here - 1] for r in found if r.slip is None]
+
+
+def _way_up(tree: KinematicTree, link: Link) -> list[Edge]:
+    """Return the edges from a link to the base, the first of them if they are very many."""
+    way: list[Edge] = []
+    edge = tree.supporting_edge(link)
+    while edge is not None and len(way) < _DEEPEST:
+        way.append(edge)
+        edge = tree.supporting_edge(edge.predecessor)
+    return way
+
+
+def _mounts(one: Body, other: Body) -> Iterator[Mount]:
+    here, there = one.translation, other.translation
+    for signs in combinations((1.0, -1.0), repeat=3) if not _NEAR.is_same(there, here) else ():
+        turn, change = diagonal(*signs), _OF_CHANGE * (3.0 - sum(signs))
+        yield Mount(turn, turned(turn, here), change)
+        for axis in range(3):
+            if signs[axis] > 0.0:
+                place = moved(turned(turn, here), there, axis)
+                yield Mount(turn, place, _OF_MOVING + change)

@@ -1,0 +1,246 @@
+"""Numbers of a robot's limbs that do not fit their twins, and the numbers that were meant.
+
+Limbs of a group are read in pairs. Where three are alike but for one, and one place of it would
+make it alike, its twins convict that place; of two limbs either may be wrong. Where all joints
+agree, each mass, CoM and moments that one limb only has so is convicted.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from math import inf
+from typing import NamedTuple
+
+from kindsl.mechanics.rigid.pose import IDENTITY, Rotation, pose_from, transposed
+from kindsl.robots.limbs.comparison import LimbComparison
+from kindsl.robots.limbs.limb import Limbs, Side, held_by, matched
+from kindsl.robots.limbs.slips import n_retyped
+from kindsl.robots.limbs.weighing import Accusation, Masses, Suspect, WeighedComparison, seen_by
+
+# Bodies of a pair of which a number may be typed anew; of fewer it is a sign, an order, a unit.
+_SMALLEST = {"LR": 3, "HELD": 2}
+_SAME_PLACE, _SAME_TURN = 1e-3, 0.02
+_Pair = tuple[Side, Side]
+_ByTwin = Sequence[Sequence[Accusation]]
+_Weighed = Mapping[_Pair, WeighedComparison]
+_Way = Mapping[_Pair, Rotation]
+
+
+class MeantNumbers(NamedTuple):
+    """A place with the numbers that its twins have there, at each assignment of parameters."""
+
+    place: Suspect
+    meant: tuple[tuple[float, ...], ...]
+
+
+class LimbVerdict(NamedTuple):
+    """The misfits of a limb.
+
+    Attributes:
+        places: Where: the one that is odd, or those among which nobody can choose.
+        repairs: What to write, one for each way to put it right; none where that is not known.
+        twins: Names of links that agree with each other; none for a pair.
+        is_convicted: Whether the twins outvote one limb; of a pair either may be wrong.
+    """
+
+    places: tuple[Suspect, ...]
+    repairs: tuple[MeantNumbers, ...]
+    twins: tuple[str, ...]
+    is_convicted: bool
+
+
+class ComparedLimbs:
+    """A group of limbs compared in pairs, their masses left aside.
+
+    Attributes:
+        pairs: The comparisons.
+        held: What a left and a right limb of them hold: groups of their own.
+        links: The names of the links that are compared.
+    """
+
+    def __init__(self, limbs: Limbs) -> None:
+        heads = dict(limbs.heads)
+        self.held: list[ComparedLimbs] = []
+        self.pairs: dict[_Pair, LimbComparison] = {}
+        for one, other, how in limbs.pairs():
+            rows = matched(heads[one], heads[other])
+            if rows is not None:
+                self.pairs[one, other] = LimbComparison(rows, how)
+                for hands in held_by(rows) if how == "LR" else ():
+                    sides = zip((one, other), hands, strict=True)
+                    self.held.append(ComparedLimbs(Limbs(tuple(sides), True, True)))
+        compared = (row for pair in self.pairs.values() for row in pair.rows)
+        self.links = list(dict.fromkeys(body.name for _, *both in compared for body in both))
+
+
+def verdicts(limbs: ComparedLimbs, masses: Masses) -> list[LimbVerdict]:
+    """Return what does not fit in a group of limbs, nothing where more than a slip or two does."""
+    weighed = _in_one_way({p: WeighedComparison(c, masses) for p, c in limbs.pairs.items()})
+    weighed = _without_strangers(weighed)
+    if all(c.n_slips == 0 for c in weighed.values()):
+        return [*_odd_masses(weighed)] if weighed else []
+    return _convicted(weighed) or [v for c in weighed.values() for v in _of_pair(c)]
+
+
+def agreed(found: Sequence[Sequence[LimbVerdict]]) -> list[LimbVerdict]:
+    """Return what is found at every assignment of parameters, with what is meant at each."""
+    made = []
+    for verdict in found[0]:
+        key = verdict.places, verdict.is_convicted
+        same = [[v for v in each if (v.places, v.is_convicted) == key][:1] for each in found]
+        if all(same):
+            together = zip(*(each[0].repairs for each in same), strict=False)
+            repairs = tuple(
+                MeantNumbers(each[0].place, tuple(repair.meant[0] for repair in each))
+                for each in together
+            )
+            made.append(verdict._replace(repairs=repairs))
+    return made
+
+
+def _in_one_way(pairs: _Weighed) -> _Weighed:
+    """Return all pairs of a sort read in the way in which one of them agrees best."""
+    found = dict(pairs)
+    for how in ("LR", "ROW"):
+        alike = {pair: c for pair, c in pairs.items() if c.limbs.how == how}
+        whole = [c.best for c in alike.values() if c.n_slips == 0]
+        if whole:
+            _, best = min(whole, key=lambda each: each[0])
+            found |= {pair: c.in_way(best.mount.way) for pair, c in alike.items()}
+    return found
+
+
+def _without_strangers(pairs: _Weighed) -> _Weighed:
+    """Return the pairs without limbs that differ from every other by more than a slip: a thumb."""
+    kin = {label for pair, c in pairs.items() if c.n_slips <= 1 for label in pair}
+    return {pair: c for pair, c in pairs.items() if kin.issuperset(pair)}
+
+
+def _convicted(pairs: _Weighed) -> list[LimbVerdict]:
+    """Return the verdict of two twins or more, which agree themselves, on the limb they accuse.
+
+    It names one place where that is the cheapest alone.
+    """
+    cases: dict[tuple[Side, Suspect], dict[_Pair, list[Accusation]]] = {}
+    for pair, c in pairs.items():
+        for both in c.accusations if len(c.limbs.rows) > 1 or c.limbs.other_kinds else ():
+            for label, said in zip(pair, both, strict=True):
+                cases.setdefault((label, said.place), {}).setdefault(pair, []).append(said)
+    ranked: list[tuple[tuple[float, ...], Accusation, _ByTwin]] = []
+    by_twin: _ByTwin
+    for (label, _), by_pair in cases.items():
+        others = [c for pair, c in pairs.items() if label not in pair]
+        by_twin = list(by_pair.values())
+        meant = _agreed(by_twin)
+        if meant is not None and others and all(c.n_slips == 0 for c in others):
+            cost = sum(min(said.cost for said in each) for each in by_twin) / len(by_twin)
+            ranked.append(((-len(by_twin), round(cost, 2), meant.n_retyped), meant, by_twin))
+    ranked.sort(key=lambda each: each[0])
+    likeliest = [each for each in ranked if each[0] == ranked[0][0]]
+    if not likeliest:
+        return []
+    _, meant, by_twin = likeliest[0]
+    places = tuple(said.place for _, said, _ in likeliest)
+    repairs = (MeantNumbers(meant.place, (meant.meant,)),) if len(likeliest) == 1 else ()
+    return [LimbVerdict(places, repairs, tuple(each[0].twin for each in by_twin), True)]
+
+
+def _agreed(by_twin: _ByTwin) -> Accusation | None:
+    """Return that on which the most twins agree, two at least; None where they do not."""
+    ranked = []
+    for order, each in enumerate(said for options in by_twin for said in options):
+        n_agreeing = sum(any(_agree(each, other) for other in options) for options in by_twin)
+        likelihood = each.free_axis is not None, round(each.cost, 3), each.n_retyped, each.change
+        ranked.append(((-n_agreeing, *likelihood, order), each))
+    (n_agreeing, *_), meant = min(ranked)
+    return meant if -n_agreeing > 1 else None
+
+
+def _agree(one: Accusation, other: Accusation) -> bool:
+    here, there, within = one.meant, other.meant, _SAME_PLACE
+    if one.place.what == "angles":
+        here, there, within = _matrix(*here), _matrix(*there), _SAME_TURN
+    free = one.free_axis, other.free_axis
+    pairs = enumerate(zip(here, there, strict=True))
+    return all(i in free or abs(x - y) < within for i, (x, y) in pairs)
+
+
+def _matrix(x: float, y: float, z: float) -> tuple[float, ...]:
+    return pose_from((0.0, 0.0, 0.0), (x, y, z)).numbers
+
+
+def _of_pair(c: WeighedComparison) -> Iterator[LimbVerdict]:
+    """Yield what differs between a left and a right limb by one slip; either may be wrong."""
+    limbs = c.limbs
+    if limbs.how not in _SMALLEST:
+        return
+    most = 1 if len(limbs.rows) >= _SMALLEST[limbs.how] else 0
+    ranked = [
+        ((round(one.cost, 2), min(one.n_retyped, other.n_retyped)), other.change, (one, other))
+        for one, other in c.accusations
+        if one.place.what != "angles" or limbs.is_seen_below(one.place.joint)
+    ]
+    ranked.sort(key=lambda each: each[:2])
+    if ranked and ranked[0][0][1] <= most:
+        tied = [both for likelihood, _, both in ranked if likelihood == ranked[0][0]]
+        places = dict.fromkeys(said.place for both in tied for said in both)
+        repairs = tuple(MeantNumbers(said.place, (said.meant,)) for said in tied[0][::-1])
+        yield LimbVerdict(tuple(places), repairs, (), False)
+
+
+def _odd_masses(pairs: _Weighed) -> Iterator[LimbVerdict]:
+    """Yield each mass, CoM and moments that only one limb has so, where all joints agree.
+
+    Twins may be mirrored as the limbs are, or all have the same numbers; all limbs in one way,
+    that in which they agree most: two ways would accuse two limbs.
+    """
+    mirrored = {pair: c.best[1].conventions for pair, c in pairs.items()}
+    odd = {index for pair, c in pairs.items() for index, _ in c.differing(mirrored[pair])}
+    if len(pairs) == 1 and odd:
+        yield from _odd_com(pairs, mirrored)
+    for index in sorted(odd):
+        ways: list[_Way] = [{pair: each[index] for pair, each in mirrored.items()}]
+        ways.append(dict.fromkeys(pairs, IDENTITY.rotation))
+        found = [(_differing(pairs, index, way), way) for way in ways]
+        differing, way = min(found, key=lambda each: sum(map(len, each[0].values())))
+        for label in dict.fromkeys(label for pair in pairs for label in pair):
+            mine = [words for pair, words in differing.items() if label in pair]
+            others = [words for pair, words in differing.items() if label not in pair]
+            words = set.intersection(*mine).difference(*others)
+            if words and len(mine) > 1 and others:
+                yield _odd_mass(label, index, sorted(words), pairs, way)
+
+
+def _differing(pairs: _Weighed, index: int, way: _Way) -> dict[_Pair, set[str]]:
+    return {p: {what for _, what in c.differing({index: way[p]})} for p, c in pairs.items()}
+
+
+def _odd_com(
+    pairs: _Weighed, conventions: Mapping[_Pair, Mapping[int, Rotation]]
+) -> Iterator[LimbVerdict]:
+    """Yield the one CoM that a sign or an order keeps from being that of the other side."""
+    ((pair, c),) = pairs.items()
+    differing = c.differing(conventions[pair])
+    coms = [index for index, what in differing if what == "com"]
+    if len(coms) != 1 or len(c.limbs.rows) < _SMALLEST.get(c.limbs.how, inf):
+        return
+    alone, as_copies = [(coms[0], "com")], c.differing({coms[0]: IDENTITY.rotation})
+    way = {pair: conventions[pair][coms[0]]}
+    one, other = (_odd_mass(label, coms[0], ["com"], pairs, way) for label in pair)
+    x, y, z = one.repairs[0].meant[0]
+    is_slip = n_retyped(c.masses[one.places[0].link].com, (x, y, z)) == 0
+    if is_slip and [each for each in differing if each[0] == coms[0]] == alone == as_copies:
+        yield LimbVerdict(other.places + one.places, other.repairs + one.repairs, (), False)
+
+
+def _odd_mass(
+    label: Side, index: int, words: Sequence[str], pairs: _Weighed, way: _Way
+) -> LimbVerdict:
+    """Return the verdict on numbers of a body, and the first twin's in their place."""
+    mine = [pair for pair in pairs if label in pair]
+    rows = [pairs[pair].limbs.rows[index][1:][:: 1 if pair[0] == label else -1] for pair in mine]
+    (body, twin), C = rows[0], way[mine[0]]
+    what = words[0] if len(words) == 1 else "inertia"
+    meant = seen_by(pairs[mine[0]].masses[twin.name], C if mine[0][1] == label else transposed(C))
+    numbers = {"mass": (meant.mass,), "com": meant.com, "moments": meant.moments}
+    place = Suspect(body.name, body.joint, what)
+    repair = MeantNumbers(place, (numbers.get(what, (meant.mass, *meant.com, *meant.moments)),))
+    return LimbVerdict((place,), (repair,), tuple(twin.name for _, twin in rows), True)

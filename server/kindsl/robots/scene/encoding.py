@@ -1,0 +1,87 @@
+"""Messages as bytes for the viewer, and as JSON."""
+
+import json
+import math
+from array import array
+from collections.abc import Mapping
+from dataclasses import is_dataclass
+from typing import Any
+
+from kindsl.robots.scene.geometry import Shape, lowered
+from kindsl.robots.scene.messages import Change, Part
+
+# MessagePack's extension types of the viewer, by the kind of number in a typed array.
+_EXTENSIONS = {"f": 0x17, "I": 0x16}
+
+
+def plain(message: Part | Change) -> dict[str, Any]:
+    """Return a message as dictionaries and lists, with its shapes in meshcat's form."""
+    whole: dict[str, Any] = {"type": message.type, **_fields(message)}
+    return whole
+
+
+def encode(message: Part | Change) -> bytes:
+    """Return a message's MessagePack bytes."""
+    import umsgpack  # type: ignore[import-untyped]
+
+    def extension(numbers: "array[Any]") -> Any:
+        return umsgpack.Ext(_EXTENSIONS[numbers.typecode], numbers.tobytes())
+
+    handlers = {array: extension}
+    told = plain(message)
+    try:
+        packed: bytes = umsgpack.packb(told, ext_handlers=handlers)
+    except UnicodeEncodeError:
+        packed = umsgpack.packb(_printable(told), ext_handlers=handlers)
+    return packed
+
+
+def as_json(message: Part | Change) -> str:
+    """Return a message as JSON, with arrays as lists.
+
+    What is no finite number becomes null, since JSON has no other word for it.
+    """
+    told = plain(message)
+    try:
+        return _json(told)
+    except ValueError:
+        return _json(_finite(told))
+
+
+def _fields(value: Any) -> dict[str, Any]:
+    return {name: _plain(getattr(value, name)) for name in value.__slots__}
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, Shape):
+        return lowered(value)
+    if isinstance(value, tuple):
+        # Numbers and texts, of which there are most, are plain already.
+        has_more = bool(value) and not isinstance(value[0], float | str)
+        return [_plain(item) for item in value] if has_more else value
+    if isinstance(value, Mapping):
+        return dict(value)
+    if not is_dataclass(value):
+        return value
+    return plain(value) if hasattr(value, "type") else _fields(value)  # type: ignore[arg-type]
+
+
+def _json(value: object) -> str:
+    return json.dumps(value, default=list, separators=(",", ":"), allow_nan=False)
+
+
+def _finite(value: Any) -> Any:
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if isinstance(value, dict):
+        return {key: _finite(item) for key, item in value.items()}
+    return [_finite(item) for item in value] if isinstance(value, list | tuple) else value
+
+
+def _printable(value: Any) -> Any:
+    """Return a message without the surrogates that undecodable bytes of a document leave."""
+    if isinstance(value, str):
+        return value.encode(errors="replace").decode()
+    if isinstance(value, dict):
+        return {key: _printable(item) for key, item in value.items()}
+    return [_printable(item) for item in value] if isinstance(value, list | tuple) else value

@@ -1,0 +1,85 @@
+"""Values to draw with for parameters that have none: a robot is shown before they are known."""
+
+from collections.abc import Iterator, Mapping
+from math import hypot, isfinite
+from statistics import median
+from typing import NamedTuple
+
+from kindsl.language.semantics.declarations import Frame, Pose, ValueKind, pose_values
+from kindsl.language.semantics.expressions import ParameterUse, symbols
+from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.parameters import Parameter
+
+USUAL_LENGTH = 0.3  # metres
+_NEGLIGIBLE = 1e-6  # metres
+_DIGITS = 2
+
+
+class Guesses(NamedTuple):
+    """The values drawn in place of missing ones.
+
+    Attributes:
+        values: A length or angle by the name of each parameter without a value.
+        left_out: Parameters of masses and moments without a value: what they are in is not drawn.
+        joints: Names of the joints whose place is a guess.
+        frames: Names of the optional frames whose place is a guess.
+    """
+
+    values: Mapping[str, float]
+    left_out: tuple[str, ...]
+    joints: frozenset[str]
+    frames: frozenset[str]
+
+
+NO_GUESSES = Guesses({}, (), frozenset(), frozenset())
+
+
+def guesses(model: Model, values: Mapping[str, float]) -> Guesses:
+    """Return what to draw with.
+
+    Args:
+        model: The document's model.
+        values: Of parameters by name, and of constants by `<name>`.
+    """
+    unbound = [p for p in model.parameters if str(p.name) not in values]
+    if not unbound:
+        return NO_GUESSES
+    placing = [p for p in unbound if p.kind is not ValueKind.DYNAMICS]
+    length = _typical_length(model, values) if placing else USUAL_LENGTH
+    found = {str(p.name): _guess(p, length) for p in placing}
+    joints = (j.name for j in model.joints if _depends(j.pose, found))
+    frames = (n for f in model.frames if _depends(f.pose, found) for n in (f.name, _long(f)))
+    left_out = tuple(str(p.name) for p in unbound if p.kind is ValueKind.DYNAMICS)
+    return Guesses(found, left_out, frozenset(map(str, joints)), frozenset(map(str, frames)))
+
+
+def _long(frame: Frame) -> str:
+    """Return what a frame is called whose name was taken."""
+    return f"{frame.link}.{frame.name}"
+
+
+def _guess(parameter: Parameter, length: float) -> float:
+    return length if parameter.kind is ValueKind.LENGTH else 0.0
+
+
+def _typical_length(model: Model, values: Mapping[str, float]) -> float:
+    """Return the median distance between a link's frame and its joints, metres."""
+    lengths = list(_lengths(model, values))
+    return float(f"{median(lengths):.{_DIGITS}g}") if lengths else USUAL_LENGTH
+
+
+def _lengths(model: Model, values: Mapping[str, float]) -> Iterator[float]:
+    for joint in model.joints:
+        vector = joint.pose.translation
+        numbers = [c.value(values) for c in vector.components] if vector is not None else []
+        known = [number for number in numbers if number is not None and isfinite(number)]
+        if len(known) == len(numbers) and hypot(*known) > _NEGLIGIBLE:
+            yield hypot(*known)
+
+
+def _depends(pose: Pose, names: Mapping[str, float]) -> bool:
+    return any(
+        isinstance(symbol, ParameterUse) and str(symbol.name) in names
+        for expression, _ in pose_values(pose)
+        for symbol in symbols(expression)
+    )

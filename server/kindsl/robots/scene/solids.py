@@ -1,0 +1,257 @@
+"""Links drawn as bodies: the uniform solid with the inertia, and bones to the joints."""
+
+import math
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from functools import lru_cache
+from statistics import median
+from typing import Literal, NamedTuple, TypeAlias
+
+from kindsl.mechanics.rigid.body import NO_BODY, MassDistribution, principal_moments_about_com
+from kindsl.mechanics.rigid.pose import RigidPose, Vector3, dot, minus
+from kindsl.mechanics.rigid.solid import Solid, equivalent_solid
+from kindsl.robots.mechanism.body_verdicts import body_verdicts
+from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.scene.size import Extent, Segment
+
+# How a solid stands to what is plausible. Of glass is what would hide the robot.
+Look: TypeAlias = Literal["sound", "glass", "doubtful", "impossible"]
+
+WATER = 1000.0  # kg/m^3, where no link says better
+USUAL = (300.0, 3000.0)
+LIGHTEST, DENSEST = 50.0, 20_000.0
+# Densities go in steps, so that an edit of one mass does not make all bones breathe.
+STEP = 1.1
+LIGHT = 0.08  # of the robot's own density
+PLACEHOLDER = 1e-3  # of the robot's mass
+BONE = 0.6  # of the radius that the mass would fill
+BENEATH = 0.85  # of a body's least semi-axis: a bone in it stays beneath its surface
+THINNEST, THICKEST = 0.55, 4.0  # units
+DRUM, MOST_UNLIKE = 1.15, 2.5  # of a bone's radius; of the thinner of two bones'
+# Of the robot's size, the longest semi-axis that is drawn unasked.
+LARGEST: Mapping[Look, float] = {
+    "sound": math.inf, "glass": math.inf, "doubtful": 1.0, "impossible": 0.5
+}  # fmt: skip
+SUNK = 0.25  # of the robot's size, below the ground
+_MOST_KNOWN = 1 << 12
+
+
+class Doubt(NamedTuple):
+    """A defect of a body, or a possible one.
+
+    Attributes:
+        word: A short name of it.
+        code: The rule that reports it.
+        sentence: For people.
+    """
+
+    word: str
+    code: str
+    sentence: str
+
+
+class LinkSolid(NamedTuple):
+    """A link as a body; positions are in its frame, lengths in metres.
+
+    Attributes:
+        core: Its uniform solid, None where there is none to be drawn.
+        look: Its verdict in the picture.
+        doubts: The gravest first.
+        is_oversized: Whether the core would hide the robot, as a wrong inertia makes it.
+        shell: How much smaller a shell of the robot's usual density is that has the same mass and
+            inertia, as a factor; 1 where the core is as dense.
+        bone: Radius of the bones to its joints.
+        strut: From a bone to the centre of mass where the core touches none, else empty.
+        drum: Radius of the supporting joint's drum.
+        is_shaded: Whether it is told from its parent by a shade.
+    """
+
+    core: Solid | None
+    look: Look
+    doubts: tuple[Doubt, ...]
+    is_oversized: bool
+    shell: float
+    bone: float
+    strut: tuple[Vector3, ...]
+    drum: float
+    is_shaded: bool
+
+
+def link_solids(
+    skeleton: Skeleton, extent: Extent, unknown: Collection[str] = ()
+) -> list[LinkSolid]:
+    """Return the body of each link, the base first.
+
+    Args:
+        skeleton: The robot.
+        extent: Its measures.
+        unknown: Names of the bodies whose masses or moments are not known.
+    """
+    masses = known_masses(skeleton, unknown)
+    density = usual_density(masses)
+    moving = masses if skeleton.is_floating else masses[1:]
+    total = sum(max(0.0, body.mass) for body in moving)
+    bodies = zip(masses, extent.segments, _doubts(skeleton, masses), strict=True)
+    alone = [
+        _shape(body, segments, doubts, density, extent.radius, extent.size)
+        if _counts(body, total, density, is_at_rest=not (i or skeleton.is_floating))
+        else _bare(doubts, extent.radius)
+        for i, (body, segments, doubts) in enumerate(bodies)
+    ]
+    return _joined(skeleton, extent, alone)
+
+
+def known_masses(skeleton: Skeleton, unknown: Collection[str]) -> list[MassDistribution]:
+    """Return the mass distributions of the base and the links, nothing for those unknown."""
+    bodies = zip(skeleton.body_names, skeleton.masses, strict=True)
+    return [NO_BODY if name in unknown else body for name, body in bodies]
+
+
+def _doubts(skeleton: Skeleton, masses: Sequence[MassDistribution]) -> Iterator[tuple[Doubt, ...]]:
+    """Yield what is doubtful about each body, nothing of a fixed base."""
+    children: list[list[Vector3]] = [[] for _ in masses]
+    frames: list[list[Vector3]] = [[] for _ in masses]
+    for parent, placement in zip(skeleton.parents, skeleton.placements, strict=True):
+        children[parent].append(placement.translation)
+    for frame in skeleton.frames:
+        frames[frame.body].append(frame.pose.translation)
+    named = zip(skeleton.body_names, masses, children, frames, strict=True)
+    for i, (name, body, joints, own) in enumerate(named):
+        is_judged = i or skeleton.is_floating
+        yield _doubts_of(name, body, tuple(joints), tuple(own)) if is_judged else ()
+
+
+@lru_cache(maxsize=_MOST_KNOWN)
+def _doubts_of(
+    name: str, body: MassDistribution, joints: tuple[Vector3, ...], frames: tuple[Vector3, ...]
+) -> tuple[Doubt, ...]:
+    if body.mass < 0.0:
+        return (Doubt("impossible", "KD303", f"mass of '{name}' is negative"),)
+    solid = equivalent_solid(body)
+    if solid is not None and not solid.is_possible:
+        is_indefinite = principal_moments_about_com(body)[0] < 0.0
+        code = "KD301" if is_indefinite else "KD302"
+        return (Doubt("impossible", code, f"inertia of '{name}' is physically impossible"),)
+    verdicts = body_verdicts(name, body, joints, frames)
+    return tuple(Doubt(verdict.kind, verdict.code, verdict.sentence) for verdict in verdicts)
+
+
+def usual_density(bodies: Sequence[MassDistribution]) -> float:
+    """Return the density that most of a robot's links have, kg/m^3."""
+    solids = (equivalent_solid(body) for body in bodies)
+    usual = [s.density for s in solids if s and s.is_possible and LIGHTEST < s.density < DENSEST]
+    if not usual:
+        return WATER
+    stepped = float(STEP ** round(math.log(median(usual), STEP)))
+    return min(max(stepped, USUAL[0]), USUAL[1])
+
+
+def _counts(body: MassDistribution, total: float, density: float, *, is_at_rest: bool) -> bool:
+    """Return whether an inertia is meant: of a placeholder or a fixed base it may be anything."""
+    solid = equivalent_solid(body)
+    if solid is None:
+        return False
+    is_plausible = solid.is_possible and solid.density >= LIGHT * density
+    return is_plausible or (body.mass >= PLACEHOLDER * total and not is_at_rest)
+
+
+def _bare(doubts: tuple[Doubt, ...], unit: float) -> LinkSolid:
+    """Return a link that is drawn by its bones alone: a placeholder is not judged."""
+    grave = tuple(doubt for doubt in doubts if doubt.code == "KD303")
+    look: Look = "impossible" if grave else "sound"
+    return LinkSolid(None, look, grave, False, 1.0, THINNEST * unit, (), unit, False)
+
+
+@lru_cache(maxsize=_MOST_KNOWN)
+def _shape(
+    body: MassDistribution,
+    segments: tuple[Segment, ...],
+    doubts: tuple[Doubt, ...],
+    density: float,
+    unit: float,
+    size: float,
+) -> LinkSolid:
+    core = equivalent_solid(body)
+    assert core is not None
+    ends = [segment.end for segment in segments]
+    radius = min(BONE * filling_radius(ends, body.mass / density), BENEATH * min(core.semi_axes))
+    look: Look = "impossible" if not core.is_possible else "doubtful" if doubts else "sound"
+    return LinkSolid(
+        core=core,
+        look=look,
+        doubts=doubts,
+        is_oversized=core.reach > LARGEST[look] * size,
+        shell=shell_factor(core.density / density) if core.is_possible else 1.0,
+        bone=min(max(radius, THINNEST * unit), THICKEST * unit),
+        strut=_strut(core, ends),
+        drum=unit,
+        is_shaded=False,
+    )
+
+
+def shell_factor(share: float) -> float:
+    """Return how much smaller a shell is than the solid with its mass and inertia, as a factor.
+
+    With an inner surface like the outer one, `c` times as large, its second moments are those of
+    the solid if it is `f = sqrt((1 - c^3) / (1 - c^5))` times as large, and its mass if `f^3 (1 -
+    c^3)` is the solid's density as a share of its own.
+
+    Args:
+        share: The density of the solid as a share of the shell's.
+    """
+    low, high, factor = 0.0, 1.0, 1.0
+    for _ in range(30 if share < 1.0 else 0):
+        c = 0.5 * (low + high)
+        factor = math.sqrt((1.0 - c**3) / (1.0 - c**5))
+        low, high = (c, high) if factor**3 * (1.0 - c**3) > share else (low, c)
+    return factor
+
+
+def filling_radius(ends: Sequence[Vector3], volume: float) -> float:
+    """Return the radius at which tubes from the origin to some ends and a ball have a volume."""
+    length = sum(math.hypot(*end) for end in ends)
+    low, high = 0.0, volume ** (1 / 3)
+    for _ in range(40):
+        middle = 0.5 * (low + high)
+        is_more = math.pi * middle**2 * (length + 4 / 3 * middle) > volume
+        low, high = (low, middle) if is_more else (middle, high)
+    return low
+
+
+def _strut(core: Solid, ends: Sequence[Vector3]) -> tuple[Vector3, ...]:
+    """Return the way from the nearest bone to the centre of mass, empty where they touch."""
+    places = [_nearest(core.center, end) for end in ends] or [(0.0, 0.0, 0.0)]
+    place = min(places, key=lambda place: math.dist(place, core.center))
+    way = minus(place, core.center)
+    is_touched = dot(way, core.support(way)) >= dot(way, place)
+    return () if is_touched else (place, core.center)
+
+
+def _nearest(point: Vector3, end: Vector3) -> Vector3:
+    """Return the place between the origin and an end that is nearest to a point."""
+    share = min(max(dot(point, end) / dot(end, end), 0.0), 1.0) if any(end) else 0.0
+    return share * end[0], share * end[1], share * end[2]
+
+
+def _joined(skeleton: Skeleton, extent: Extent, alone: Sequence[LinkSolid]) -> list[LinkSolid]:
+    """Return the bodies with what depends on their parents and on where they stand."""
+    parents = (None, *skeleton.parents)
+    joined: list[LinkSolid] = []
+    for own, parent, pose in zip(alone, parents, skeleton.zero_poses(), strict=True):
+        is_shaded = parent is not None and not joined[parent].is_shaded
+        drum = _drum(own.bone, own.bone if parent is None else alone[parent].bone, extent.radius)
+        look: Look = "glass" if own.look == "sound" and _sinks(own, pose, extent) else own.look
+        joined.append(own._replace(look=look, drum=drum, is_shaded=is_shaded))
+    return joined
+
+
+def _drum(own: float, other: float, unit: float) -> float:
+    return max(unit, DRUM * min(max(own, other), MOST_UNLIKE * min(own, other)))
+
+
+def _sinks(link: LinkSolid, pose: RigidPose, extent: Extent) -> bool:
+    """Return whether a core reaches well below the ground, so that it would hide the robot."""
+    core, limit = link.core, extent.ground - SUNK * extent.size
+    if core is None or pose.point(core.center)[2] - math.hypot(*core.semi_axes) > limit:
+        return False
+    x, y, z = pose.rotation[2]
+    return pose.point(core.support((-x, -y, -z)))[2] < limit
