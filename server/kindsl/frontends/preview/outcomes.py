@@ -94,7 +94,7 @@ def _newly_impossible(before: Analysis, after: Analysis) -> str:
 def _impossible_bodies(analysis: Analysis) -> dict[str, str]:
     """Return what is said of each impossible body, by its name."""
     return {
-        finding.message.split("'")[1]: finding.message
+        finding.subject.name: finding.message
         for finding in analysis.check_without_twins()
         if finding.code in _IMPOSSIBLE and finding.severity is Severity.ERROR
     }

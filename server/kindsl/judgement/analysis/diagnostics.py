@@ -6,6 +6,7 @@ from typing import NamedTuple
 from kindsl.judgement.analysis.text_fix import TextFix
 from kindsl.judgement.rules.base import Finding, Fix, Rule, Severity, Tag
 from kindsl.judgement.rules.page_files import page_address
+from kindsl.judgement.rules.subject import DOCUMENT, Subject, subject_at
 from kindsl.language.semantics.places import Located
 from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.language.text.display import html_of
@@ -21,7 +22,11 @@ class RelatedPlace(NamedTuple):
 
 
 class Diagnostic(NamedTuple):
-    """A finding as it is shown; offsets in code points of the document, `end` exclusive."""
+    """A finding as it is shown; offsets in code points of the document, `end` exclusive.
+
+    Attributes:
+        subject: The thing that it is about.
+    """
 
     code: str
     name: str
@@ -34,6 +39,7 @@ class Diagnostic(NamedTuple):
     tag: Tag | None = None
     choices: tuple[TextFix, ...] = ()
     explains: frozenset[str] = frozenset()
+    subject: Subject = DOCUMENT
 
     @property
     def url(self) -> str | None:
@@ -95,6 +101,7 @@ class Resolver:
             finding.tag,
             tuple(map(self._fix, finding.choices)),
             finding.explains,
+            finding.subject or subject_at(finding.at),
         )
 
     def _fix(self, fix: Fix) -> TextFix:

@@ -13,6 +13,7 @@ from kindsl.judgement.config.toml_places import KeyPath
 from kindsl.judgement.rules.base import Severity
 from kindsl.judgement.rules.checks.kd404_unused_binding import RULE
 from kindsl.judgement.rules.checks.kd404_unused_binding import unused_bindings as vain_bindings
+from kindsl.judgement.rules.subject import DOCUMENT, Subject, SubjectKind
 
 _TWIN = "twin"
 _WORD = re.compile(r"\w+")
@@ -57,7 +58,9 @@ def unused_bindings(
         return []
     severity = severity_of(RULE, None, settings)
     findings = [
-        _finding(severity, configuration.places.get(bound.keys, (0, 0)), _message(bound, used))
+        _finding(
+            severity, configuration.places.get(bound.keys, (0, 0)), bound, _message(bound, used)
+        )
         for bound in _unused(configuration, used, others)
     ]
     return sorted(findings, key=lambda finding: finding.start)
@@ -125,5 +128,7 @@ def _of_table(pattern: str | None, keys: KeyPath, decisions: Decisions) -> Itera
             yield _Bound(pattern, "joint", (*keys, "poses", pose, name))
 
 
-def _finding(severity: Severity, span: tuple[int, int], message: str) -> Diagnostic:
-    return Diagnostic(RULE.code, RULE.name, severity, message, *span)
+def _finding(severity: Severity, span: tuple[int, int], bound: _Bound, message: str) -> Diagnostic:
+    is_named = bound.kind != _TWIN
+    subject = Subject(SubjectKind(bound.kind), str(bound.keys[-1])) if is_named else DOCUMENT
+    return Diagnostic(RULE.code, RULE.name, severity, message, *span, subject=subject)

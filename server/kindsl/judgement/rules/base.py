@@ -5,6 +5,7 @@ from enum import StrEnum
 from typing import NamedTuple
 
 from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.subject import Subject
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Declarations, Joint, Link
 from kindsl.language.semantics.model import Model
@@ -70,6 +71,7 @@ class Finding(NamedTuple):
         severity: Where it differs from the rule's.
         tag: How to draw it.
         explains: Codes of findings at the same place that it makes needless, but for their fixes.
+        subject: The thing that it is about, if not the one in whose text `at` lies.
     """
 
     at: Located
@@ -80,6 +82,7 @@ class Finding(NamedTuple):
     tag: Tag | None = None
     choices: tuple[Fix, ...] = ()
     explains: frozenset[str] = frozenset()
+    subject: Subject | None = None
 
 
 class Example(NamedTuple):

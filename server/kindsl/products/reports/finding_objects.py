@@ -22,6 +22,7 @@ def finding_object(path: str, finding: Diagnostic, lines: LineIndex) -> dict[str
         "name": finding.name,
         "severity": finding.severity.value,
         "message": printable(finding.message),
+        "subject": {"kind": finding.subject.kind.value, "name": finding.subject.name},
         "start": position_object(lines, finding.start),
         "end": position_object(lines, finding.end),
         "related": [

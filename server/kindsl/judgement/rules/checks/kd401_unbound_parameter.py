@@ -31,6 +31,7 @@ from kindsl.judgement.rules.base import Example, Finding, Fix, Replacement, Rule
 from kindsl.judgement.rules.broken_text import is_doubtful, is_greek_pi
 from kindsl.judgement.rules.context import ROBCOGEN2, Context
 from kindsl.judgement.rules.examples import joint
+from kindsl.judgement.rules.subject import parameter_subject
 from kindsl.judgement.rules.units import numbers_with_unit
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
@@ -47,7 +48,9 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
         if not is_known and not numbers_with_unit(parameter, context.values):
             message = f"parameter '{parameter.name}' ({parameter.kind}) has no value"
             fix = _default(parameter) if context.targets == {ROBCOGEN2} else None
-            yield Finding(parameter.name, message, fix=fix)
+            yield Finding(
+                parameter.name, message, fix=fix, subject=parameter_subject(parameter.name)
+            )
 
 
 def _default(parameter: Parameter) -> Fix:

@@ -17,6 +17,7 @@ from collections.abc import Iterator
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import joint
+from kindsl.judgement.rules.subject import parameter_subject
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 
@@ -29,7 +30,9 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
             if other.value({}) != defaults[0].value({}):
                 message = f"parameter '{parameter.name}' has conflicting defaults: "
                 message += f"{defaults[0].text} and {other.text}"
-                yield Finding(other, message, (Related(defaults[0], "the first default"),))
+                related = Related(defaults[0], "the first default")
+                subject = parameter_subject(parameter.name)
+                yield Finding(other, message, (related,), subject=subject)
 
 
 def _joint(second: str) -> str:

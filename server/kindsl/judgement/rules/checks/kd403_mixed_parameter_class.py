@@ -21,6 +21,7 @@ from collections.abc import Iterator
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import joint
+from kindsl.judgement.rules.subject import parameter_subject
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import ValueKind
 from kindsl.language.semantics.model import Model
@@ -42,7 +43,9 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
                 here, first = _WORDS[use.kind], _WORDS[parameter.kind]
                 message = f"parameter '{parameter.name}' is {here} here and {first} elsewhere: "
                 message += "the generators keep two values"
-                yield Finding(use.name, message, (Related(parameter.name, f"{first} here"),))
+                related = Related(parameter.name, f"{first} here")
+                subject = parameter_subject(parameter.name)
+                yield Finding(use.name, message, (related,), subject=subject)
 
 
 def _joint(angle: str) -> str:

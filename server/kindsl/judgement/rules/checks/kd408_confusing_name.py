@@ -26,6 +26,7 @@ from kindsl.judgement.rules.base import Example, Finding, Fix, Related, Replacem
 from kindsl.judgement.rules.broken_text import is_doubtful, is_greek_pi
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import joint
+from kindsl.judgement.rules.subject import parameter_subject
 from kindsl.judgement.rules.units import NumberWithUnit, numbers_with_unit
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
@@ -39,30 +40,30 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     for parameter in model.parameters:
         if is_doubtful(parameter):
             continue
-        name = str(parameter.name)
+        name, subject = str(parameter.name), parameter_subject(parameter.name)
         if is_greek_pi(name) and name not in context.values:
             message = f"'{name}' is a parameter, not the constant PI"
             for use in parameter.uses:
-                yield Finding(use.name, message, fix=_replacement(use.name, name))
+                fix = _replacement(use.name, name)
+                yield Finding(use.name, message, fix=fix, subject=subject)
             continue
         units = numbers_with_unit(parameter, context.values)
         for found in units:
             message = (
                 f"'{found.text}' is {found.number} times a parameter '{name}': numbers have no unit"
             )
-            yield Finding(found.place, message, fix=_in_si(found))
+            yield Finding(found.place, message, fix=_in_si(found), subject=subject)
         if units:
             continue
         other = model.body_named.get(name) or model.joint_named.get(name)
         if other is not None:
             what = "link" if name in model.body_named else "joint"
             related = Related(other.name, f"{what} '{name}'")
-            yield Finding(
-                parameter.name, f"parameter '{name}' has the same name as a {what}", (related,)
-            )
+            message = f"parameter '{name}' has the same name as a {what}"
+            yield Finding(parameter.name, message, (related,), subject=subject)
         elif name[:2].lower() == "pi" and not context.targets:
             message = f"robcogen2 reads parameter '{name}' as '{name[:2]}' and stops"
-            yield Finding(parameter.name, message)
+            yield Finding(parameter.name, message, subject=subject)
 
 
 def _small_pi(model: Model) -> Iterator[Finding]:

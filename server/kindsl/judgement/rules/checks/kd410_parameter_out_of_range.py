@@ -22,6 +22,7 @@ from collections.abc import Iterator
 from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import joint
+from kindsl.judgement.rules.subject import parameter_subject
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.parameters import Binding
@@ -36,7 +37,8 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
             limit = _broken_limit(binding, value)
             if limit:
                 message = f"parameter '{parameter.name}' is {value:g}, {limit}"
-                yield Finding(parameter.name, message)
+                subject = parameter_subject(parameter.name)
+                yield Finding(parameter.name, message, subject=subject)
 
 
 def _broken_limit(binding: Binding, value: float) -> str:

@@ -58,7 +58,7 @@ def repair_problem(
     else:
         code, message = _lost(read, tokens, *added[0])
     repairs = _repairs(text, read, tokens, changes, words)
-    if not added and message.endswith("is not a name"):
+    if not added and not _are_separators(gone):
         repairs = _as_one_name(text, tokens, gone) or repairs
     if len(repairs) > 1:
         return Problem(code, message, start, end, choices=repairs)
@@ -116,7 +116,7 @@ def _is_function(tokens: Sequence[Token], group: Sequence[RepairStep]) -> bool:
 
 def _left_out(text: str, tokens: Sequence[Token], gone: Sequence[Token]) -> str:
     """Return what to say about tokens that are too much; glued to a name they spoil it."""
-    if all(token.text in _SEPARATORS for token in gone):
+    if _are_separators(gone):
         return f"unexpected '{gone[0].text}'"
     for token in tokens:
         if token.end == gone[0].start and token.text[:1].isidentifier():
@@ -127,10 +127,14 @@ def _left_out(text: str, tokens: Sequence[Token], gone: Sequence[Token]) -> str:
     return f"unexpected '{shown(first_row(text, gone))}'"
 
 
+def _are_separators(gone: Sequence[Token]) -> bool:
+    return all(token.text in _SEPARATORS for token in gone)
+
+
 def _as_one_name(text: str, tokens: Sequence[Token], gone: Sequence[Token]) -> tuple[Repair, ...]:
     """Return the repair of a name with signs in it, `_` in their place; none if it is no name."""
     first = next((token for token in tokens if token.end == gone[0].start), None)
-    if first is None:
+    if first is None or not first.text[:1].isidentifier():
         return ()
     written = text[first.start : gone[-1].end]
     signs = [token for token in gone if not token.text[:1].isalnum()]
