@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 
 from kindsl.judgement.config.configuration_reading import configuration_of
-from kindsl.judgement.config.tables import DOCUMENT_KEYS, KEYS
+from kindsl.judgement.config.schema import DOCUMENT_KEYS, KEYS
 
 PAGE = (Path(__file__).parents[2] / "docs" / "configuration.md").read_text()
 

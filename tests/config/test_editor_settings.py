@@ -1,12 +1,18 @@
 """What the editor may say, however it says it."""
 
+import json
+from pathlib import Path
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from kindsl.frontends.features.inlay_hints import DEFAULT_HINTS
 from kindsl.judgement.analysis.settings import Settings
-from kindsl.judgement.config.editor_settings import editor_settings, merged
+from kindsl.judgement.config.editor_settings import EditorSettings, editor_settings, merged
+from kindsl.judgement.config.schema import EDITOR_KEYS
 from kindsl.judgement.rules.base import Severity
+from kindsl.judgement.rules.context import TARGETS
 from kindsl.language.semantics.parameters import Binding, JointProperties
 
 steady = settings(deadline=None, derandomize=True)
@@ -56,6 +62,43 @@ def test_everything_is_understood() -> None:
         },
     )
     assert found.inlay_hints == {"units": True}
+
+
+def test_what_is_right_beside_a_mistake_is_kept() -> None:
+    found = editor_settings(
+        {"ignore": ["KD7", "K"], "parameters": {"a": {"value": 1, "max": "2"}, "b": 2}}
+    )
+    assert found.problems == (
+        "setting 'kindsl.ignore[1]': no rule has a code that begins with 'K'",
+        "setting 'kindsl.parameters.a.max' must be a number, not a string",
+    )
+    assert found.rules.ignore == ("KD7",)
+    assert {name: binding.value for name, binding in found.rules.bindings.items()} == {
+        "a": 1.0, "b": 2.0,
+    }  # fmt: skip
+
+
+MANIFEST = json.loads(
+    (Path(__file__).parents[2] / "vscode-extension" / "package.json").read_text()
+)["contributes"]["configuration"]["properties"]
+# What the extension reads itself: how the server is found, and when it opens its panel.
+OF_THE_EXTENSION = ("preview", "interpreter", "importStrategy", "path", "args", "trace")
+
+
+def test_the_extension_offers_the_settings_of_the_schema() -> None:
+    names = [name.removeprefix("kindsl.") for name in MANIFEST]
+    offered = [name for name in names if name.split(".")[0] not in OF_THE_EXTENSION]
+    hints = ["inlayHints.enabled", *(f"inlayHints.{name}" for name in DEFAULT_HINTS._fields)]
+    assert sorted(offered) == sorted((*EDITOR_KEYS, "diagnostics.delay", *hints))
+    assert MANIFEST["kindsl.target"]["items"]["enum"] == list(TARGETS)
+    levels = MANIFEST["kindsl.severity"]["additionalProperties"]["enum"]
+    assert levels == [severity.value for severity in Severity]
+
+
+def test_the_defaults_of_the_extension_are_those_of_the_schema() -> None:
+    found = editor_settings({name: setting["default"] for name, setting in MANIFEST.items()})
+    defaults = {"enabled": True, **DEFAULT_HINTS._asdict()}
+    assert found == EditorSettings(inlay_hints=defaults)
 
 
 def test_hints_are_switched_together_or_each() -> None:

@@ -291,7 +291,7 @@ def test_findings_show_what_the_client_can() -> None:
     ]
 
 
-_NO_NUMBER = "parameters' gives 'a' something other than a finite number"
+_NUMBER = "a number, or a table with 'value', 'min', 'max'"
 
 
 class TestSettings:
@@ -300,29 +300,37 @@ class TestSettings:
     @pytest.mark.parametrize(
         ("raw", "problem"),
         [
-            ({"target": "ros"}, "target' names 'ros', which is not one of robcogen, robcogen2"),
-            ({"target": 3}, "target' is not a list of strings"),
-            ({"ignore": "KD1"}, "ignore' is not a list of strings"),
-            ({"ignore": ["KD1", 2]}, "ignore' is not a list of strings"),
-            ({"severity": []}, "severity' is not an object"),
+            ({"target": "ros"}, "target': unknown target 'ros' (known: robcogen, robcogen2)"),
+            ({"target": 3}, "target' must be a list of strings, not a number"),
+            ({"ignore": {}}, "ignore' must be a list of strings, not a table"),
+            ({"ignore": [2]}, "ignore[0]' must be a string, not a number"),
+            ({"ignore": ["K"]}, "ignore[0]': no rule has a code that begins with 'K'"),
+            ({"severity": []}, "severity' must be a table, not a list"),
             (
                 {"severity": {"KD1": "bad"}},
-                "severity' gives KD1 a severity other than error, warning, info, hint",
+                "severity.KD1': unknown severity 'bad' of 'KD1'"
+                " (known: error, warning, info, hint)",
             ),
-            ({"parameters": [1]}, "parameters' is not an object"),
+            ({"parameters": [1]}, "parameters' must be a table, not a list"),
             *(
-                ({"parameters": {"a": v}}, _NO_NUMBER)
-                for v in (True, "1", math.nan, math.inf, 10**400, {}, {"value": 1, "max": "2"})
+                ({"parameters": {"a": v}}, f"parameters.a' must be {_NUMBER}, not {kind}")
+                for v, kind in ((True, "a boolean"), ("1", "a string"), (None, "null"))
             ),
+            *(
+                ({"parameters": {"a": v}}, "parameters.a' must be finite")
+                for v in (math.nan, math.inf, 10**400)
+            ),
+            ({"parameters": {"a": {}}}, "parameters.a' has no 'value'"),
             *(
                 (
                     {"diagnostics": {"delay": v}},
-                    "diagnostics.delay' is not a number of milliseconds up to 60000",
+                    "diagnostics.delay' is not between 0 and 60000 milliseconds",
                 )
-                for v in (-1, 60_001, "1", True)
+                for v in (-1, 60_001)
             ),
-            ({"inlayHints": {"units": 1}}, "inlayHints' has 'units' other than true or false"),
-            ({"inlayHints": "all"}, "inlayHints' is not an object"),
+            ({"diagnostics.delay": "1"}, "diagnostics.delay' must be a number, not a string"),
+            ({"inlayHints": {"units": 1}}, "inlayHints.units' must be a boolean, not a number"),
+            ({"inlayHints": "all"}, "inlayHints' must be a table, not a string"),
         ],
     )  # fmt: skip
     def test_nonsense(self, raw: object, problem: str) -> None:

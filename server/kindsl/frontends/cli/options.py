@@ -128,7 +128,7 @@ def _add_pages(group: Any) -> None:
 
 
 def _codes(text: str) -> list[str]:
-    from kindsl.judgement.config.tables import is_code
+    from kindsl.judgement.config.schema import is_code
 
     codes = _elements(text)
     for code in codes:
@@ -141,7 +141,7 @@ def _targets(text: str) -> list[str]:
     targets = _elements(text)
     for target in targets:
         if target not in TARGETS:
-            from kindsl.judgement.config.tables import did_you_mean
+            from kindsl.judgement.config.schema import did_you_mean
 
             hint = did_you_mean(target, TARGETS)
             raise argparse.ArgumentTypeError(f"unknown target '{target}'{hint}")

@@ -8,7 +8,8 @@ from functools import lru_cache
 from typing import NoReturn
 
 from kindsl.judgement.config.configuration import Configuration
-from kindsl.judgement.config.tables import Checker
+from kindsl.judgement.config.configuration_reading import error_at
+from kindsl.judgement.config.schema import Mistake
 from kindsl.language.text.regular import require_regular
 from kindsl.language.text.saves import Stamp, stamp
 
@@ -81,7 +82,5 @@ def _is_texts(known: object) -> bool:
 
 
 def _refuse(configuration: Configuration, what: str) -> NoReturn:
-    path, text, places = configuration.path, configuration.text, configuration.places
-    checker = Checker(path, text, places, configuration.root)
-    checker.wrong(("baseline",), f"baseline '{configuration.baseline}' {what}")
-    raise checker.error
+    sentence = f"baseline '{configuration.baseline}' {what}"
+    raise error_at(configuration, [Mistake(("baseline",), sentence)])

@@ -42,7 +42,7 @@ class Configuration(NamedTuple):
     common: Decisions
     documents: tuple[DocumentTable, ...]
     places: Places
-    root: tuple[str, ...]
+    root: tuple[str, ...] = ()
     baseline: str = ""
     twins: tuple[TwinTable, ...] = ()
 

@@ -3,22 +3,29 @@
 import os
 import re
 import tomllib
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from kindsl.judgement.config.configuration import Configuration, DocumentTable
+from kindsl.judgement.config.decisions import Decisions, TwinTable
 from kindsl.judgement.config.errors import ConfigurationError, ConfigurationProblem, KeyPlace
 from kindsl.judgement.config.file_names import PYTHON_FILE, PYTHON_TABLE
-from kindsl.judgement.config.tables import (
+from kindsl.judgement.config.schema import (
     DOCUMENT_KEYS,
     KEYS,
-    Checker,
+    Given,
+    Mistake,
     bindings,
     decisions,
-    twin_of,
+    dotted,
+    pattern,
+    stripped,
+    twin,
 )
-from kindsl.judgement.config.toml_places import KeyPath, toml_places
+from kindsl.judgement.config.toml_places import Places, toml_places
 from kindsl.language.semantics.parameters import Binding
 from kindsl.language.text.lines import LineIndex
+from kindsl.language.text.printable import printable
 from kindsl.language.text.regular import require_regular
 
 _TOML_ERROR = re.compile(
@@ -61,21 +68,22 @@ def configuration_of(path: str, text: str) -> Configuration:
         ConfigurationError: It is no TOML, or has a wrong key or value.
     """
     root = PYTHON_TABLE if os.path.basename(path) == PYTHON_FILE else ()
-    table, checker = _parsed(path, text, root)
+    content: object = _parsed(path, text)
     for name in root:
-        table = table.get(name, {}) if isinstance(table, dict) else table
-    if not isinstance(table, dict):
-        checker.wrong_type((), table, "a table")
-        table = {}
-    checker.known_keys((), table, KEYS)
-    common = decisions(checker, (), table)
-    entries = enumerate(checker.tables(("document",), table))
-    documents = tuple(_document(checker, ("document", number), entry) for number, entry in entries)
-    entries = enumerate(checker.tables(("twins",), table))
-    twins = tuple(twin_of(checker, ("twins", number), entry) for number, entry in entries)
-    baseline = checker.text(("baseline",), table)
-    checker.raise_if_wrong()
-    return Configuration(path, text, common, documents, checker.places, root, baseline, twins)
+        content = content.get(name, {}) if isinstance(content, dict) else content
+    places = toml_places(text)
+    table = Given(content, (), [])
+    if not isinstance(content, dict):
+        table.must_be("a table")
+        table = table._replace(value={})
+    table.allow(KEYS)
+    common = decisions(table, path)
+    documents = tuple(_document(each, path) for each in table.at("document").tables())
+    twins = tuple(_twin(each, path, root, places) for each in table.at("twins").tables())
+    baseline = stripped(table.at("baseline"))
+    found = Configuration(path, text, common, documents, places, root, baseline, twins)
+    _raise_if_wrong(found, table.mistakes)
+    return found
 
 
 def read_parameters(path: str) -> dict[str, Binding]:
@@ -84,29 +92,57 @@ def read_parameters(path: str) -> dict[str, Binding]:
     Raises:
         ConfigurationError: It cannot be read, is no TOML, or has a wrong value.
     """
-    table, checker = _parsed(path, text_of(path), ())
-    inner = table.get("parameters")
-    if isinstance(inner, dict) and "value" not in inner:
-        found = bindings(checker, ("parameters",), inner)
-    else:
-        found = bindings(checker, (), table)
-    checker.raise_if_wrong()
+    text = text_of(path)
+    table = Given(_parsed(path, text), (), [])
+    inner = table.at("parameters")
+    is_inner = isinstance(inner.value, dict) and "value" not in inner.value
+    found = bindings(inner if is_inner else table, path)
+    _raise_if_wrong(Configuration(path, text, Decisions(), (), toml_places(text)), table.mistakes)
     return found
 
 
-def _document(checker: Checker, keys: KeyPath, table: dict[str, Any]) -> DocumentTable:
-    checker.known_keys(keys, table, DOCUMENT_KEYS)
-    return DocumentTable(checker.pattern((*keys, "path"), table), decisions(checker, keys, table))
+def error_at(configuration: Configuration, mistakes: Iterable[Mistake]) -> ConfigurationError:
+    """Return an error with mistakes at the places of their keys, or of the nearest keys above."""
+    lines = LineIndex(configuration.text)
+    problems = [_problem(configuration, lines, mistake) for mistake in mistakes]
+    return ConfigurationError(tuple(sorted(problems, key=lambda p: p.place.start)))
 
 
-def _parsed(path: str, text: str, root: tuple[str, ...]) -> tuple[dict[str, Any], Checker]:
+def _raise_if_wrong(configuration: Configuration, mistakes: Sequence[Mistake]) -> None:
+    if mistakes:
+        raise error_at(configuration, mistakes)
+
+
+def _problem(
+    configuration: Configuration, lines: LineIndex, mistake: Mistake
+) -> ConfigurationProblem:
+    path, places = (*configuration.root, *mistake.keys), configuration.places
+    above = (path[:length] for length in range(len(path), 0, -1))
+    start, end = next(places[known] for known in above if known in places)
+    line, column = lines.position(start)
+    key = dotted(mistake.keys)
+    message = mistake.sentence or f"'{key or dotted(PYTHON_TABLE)}' {mistake.predicate}"
+    place = KeyPlace(line + 1, column + 1, start, end)
+    return ConfigurationProblem(configuration.path, place, key, printable(message))
+
+
+def _document(table: Given, origin: str) -> DocumentTable:
+    table.allow(DOCUMENT_KEYS)
+    return DocumentTable(pattern(table.require("path")), decisions(table, origin))
+
+
+def _twin(table: Given, path: str, root: tuple[str, ...], places: Places) -> TwinTable:
+    documents, file = twin(table, os.path.dirname(path))
+    return TwinTable(documents, file, places.get((*root, *table.keys, "file"), (0, 0)))
+
+
+def _parsed(path: str, text: str) -> dict[str, Any]:
     try:
-        table = tomllib.loads(text)
+        return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise _not_toml(path, text, str(error)) from None
     except RecursionError:
         raise _error(path, _START, "is nested too deeply") from None
-    return table, Checker(path, text, toml_places(text), root)
 
 
 def _not_toml(path: str, text: str, message: str) -> ConfigurationError:

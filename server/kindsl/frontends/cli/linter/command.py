@@ -156,7 +156,7 @@ def _tell_about_rules(args: Any) -> int:
         return OK
     rule = rule_named(args.explain)
     if rule is None:
-        from kindsl.judgement.config.tables import did_you_mean
+        from kindsl.judgement.config.schema import did_you_mean
 
         known = [name for rule in all_rules() for name in (rule.code, rule.name)]
         hint = did_you_mean(args.explain.upper(), known).partition(" (known")[0]
