@@ -47,7 +47,7 @@ def test_json_is_exact(kdsl_lint: Runner, folder: Path) -> None:
         "code": "KD005",
         "name": "invalid-number",
         "severity": "error",
-        "subject": {"kind": "joint", "name": "shoulder"},
+        "subject": {"kind": "joint", "name": "elbow"},
         "start": {"line": 21, "column": 32, "offset": offset},
         "end": {"line": 21, "column": 33, "offset": offset + 1},
         "related": [],
