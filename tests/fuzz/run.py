@@ -22,7 +22,7 @@ _SERVER = FOLDER.parents[1] / "server"
 # Of quick targets, what their inputs are meant to reach: to be watched takes most time.
 _WATCHED = {
     "document": ("kindsl.language.syntax.", "kindsl.judgement.rules.checks."),
-    "page": ("kindsl.preview.", "kindsl.frontends.features.manipulation."),
+    "page": ("kindsl.frontends.preview.", "kindsl.frontends.features.manipulation."),
 }
 # Not watched: how the parser looks for a repair says little of an input, and takes most time.
 _SEARCH = (

@@ -127,7 +127,7 @@ async def test_each_page_of_a_document_follows_the_others_until_it_leaves(client
         say(page, {"type": "hello", "joints": {}, "parameters": {}})
         await client.seen(lambda m, page=page: m.get("params", {}).get("document") == page)
     client.messages.clear()
-    say(pages[0], {"type": "set-joint", "name": "LF_HFE", "value": 0.5})
+    say(pages[0], {"type": "set-joints", "values": {"LF_HFE": 0.5}})
     await client.seen(lambda m: m.get("params", {}).get("document") == pages[1])
     say(pages[1], None)
     client.messages.clear()

@@ -8,7 +8,7 @@ from tests.preview.robots import ARM
 from kindsl.frontends.preview.channel import Tab
 from kindsl.frontends.preview.document_preview import DocumentPreview
 from kindsl.frontends.preview.dragging import Dragging
-from kindsl.frontends.preview.requests import parse_request, request_of
+from kindsl.frontends.preview.requests import BadRequestError, parse_request, request_of
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.language.text.edits import apply_edits
 from kindsl.robots.scene.encoding import plain
@@ -288,7 +288,8 @@ async def test_moments_with_parameters_stay_where_they_are():
     ],
 )
 def test_nonsense_is_no_request(text):
-    assert parse_request(text) is None
+    with pytest.raises(BadRequestError):
+        parse_request(text)
 
 
 async def test_a_document_that_nobody_writes_has_no_handles():

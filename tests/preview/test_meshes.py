@@ -123,7 +123,7 @@ def test_those_of_a_twin_are_offered_and_read_when_they_are_asked_for(urdf):
     preview = shown(ARM, Settings(twins=(TwinFile(str(urdf), "../arm.urdf"),)))
     (told,) = messages(preview, "meshes")
     assert (told.name, told.is_loaded, preview.mesh_files) == ("../arm.urdf", False, {})
-    assert parse_request('{"type": "meshes"}') == ShowMeshes()
+    assert parse_request('{"type": "show-meshes"}') == ShowMeshes()
     preview.show_meshes()
     assert len(messages(preview, "visual")) == 6
 

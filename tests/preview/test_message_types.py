@@ -1,13 +1,22 @@
 """The page's types say what the scene's messages say."""
 
 import dataclasses
+import inspect
 from collections.abc import Mapping
-from typing import ClassVar, Literal, get_args
+from typing import Annotated, ClassVar, Literal, get_args, get_origin, get_type_hints
 
 import pytest
 
-from kindsl.frontends.preview import message_types
+from kindsl.frontends.preview import message_types, requests
+from kindsl.mechanics.rigid.pose import Vector3
 from kindsl.robots.scene import messages
+from kindsl.robots.scene.messages import Metres
+from kindsl.robots.scene.size import Segment
+
+KINDS = (
+    *get_args(messages.Part), messages.Core, messages.Handle, messages.DifferenceRow, Segment,
+    messages.Change, *get_args(requests.Request),
+)  # fmt: skip
 
 
 def test_the_file_is_as_the_messages_want_it(monkeypatch, tmp_path, capsys):
@@ -19,16 +28,12 @@ def test_the_file_is_as_the_messages_want_it(monkeypatch, tmp_path, capsys):
     assert message_types.main(["--check"]) == 0
 
 
-@pytest.mark.parametrize(
-    "kind",
-    (*get_args(messages.Part), messages.HandleRow, messages.Change),
-    ids=lambda k: k.__name__,
-)
-def test_each_field_of_a_message_is_described(kind):
-    first, lines = message_types.described(kind)
-    assert first.endswith(".")
-    assert list(lines) == [field.name for field in dataclasses.fields(kind)]
-    assert all(line.endswith(".") for line in lines.values())
+@pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.__name__)
+def test_each_number_of_a_message_has_a_unit(kind):
+    assert (inspect.getdoc(kind) or "").partition("\n")[0].endswith(".")
+    for name, hint in get_type_hints(kind, include_extras=True).items():
+        if hint in (float, Vector3) or float in get_args(hint):
+            assert get_origin(hint) is Annotated, f"{kind.__name__}.{name}"
 
 
 def test_no_two_messages_have_one_type():
@@ -39,59 +44,51 @@ def test_no_two_messages_have_one_type():
 def test_all_that_a_message_can_hold_has_a_type():
     @dataclasses.dataclass(frozen=True)
     class Made:
-        """What is made up.
-
-        Attributes:
-            name: A name that is
-                told on two lines.
-            size: A number or none.
-            pair: A place.
-            rows: Rows of pairs.
-            words: One of two words, several times.
-            counts: By name.
-        """
+        """What is made up."""
 
         type: ClassVar[Literal["made"]] = "made"
         name: str
-        size: float | None
-        pair: tuple[float, bool]
+        size: Annotated[float | None, "metres"]
+        pair: Annotated[tuple[float, bool], "a place"]
         rows: tuple[tuple[str, int], ...]
         words: tuple[Literal["a", "b"], ...]
-        counts: Mapping[str, int]
+        counts: Annotated[Mapping[str, Metres], "by name"]
+        far: Annotated[Metres, "largest of them"]
 
     assert (
-        message_types._interface(Made)
+        message_types.interface(Made)
         == """
 /** What is made up. */
 export interface Made {
   readonly type: "made";
-  /** A name that is told on two lines. */
   readonly name: string;
-  /** A number or none. */
+  /** Metres. */
   readonly size: number | null;
   /** A place. */
   readonly pair: readonly [number, boolean];
-  /** Rows of pairs. */
   readonly rows: readonly (readonly [string, number])[];
-  /** One of two words, several times. */
   readonly words: readonly ("a" | "b")[];
   /** By name. */
   readonly counts: { readonly [name: string]: number };
+  /** Largest of them, metres. */
+  readonly far: number;
 }
 """
     )
 
 
+def test_what_a_page_may_leave_out_is_optional():
+    text = message_types.interface(requests.Plan)
+    assert '  readonly type: "plan";\n' in text
+    assert "  readonly revision: number;\n" in text and "  readonly name?: string;\n" in text
+
+
 def test_what_no_page_could_read_is_refused():
     @dataclasses.dataclass(frozen=True)
     class Made:
-        """What is made up.
-
-        Attributes:
-            names: In no order.
-        """
+        """What is made up."""
 
         names: set[str]
 
     with pytest.raises(TypeError, match="a message cannot hold"):
-        message_types._interface(Made)
+        message_types.interface(Made)

@@ -7,6 +7,7 @@ from contextlib import suppress
 from urllib.parse import urlsplit
 
 import pytest
+import umsgpack
 from tests.preview.robots import ARM
 from tests.preview.websocket import connected
 from tornado.httpclient import AsyncHTTPClient, HTTPClientError, HTTPRequest
@@ -168,8 +169,8 @@ async def test_the_answers_keep_the_token_to_themselves(server):
     assert "unsafe-eval" not in response.headers["Content-Security-Policy"]
 
 
-async def test_what_is_no_request_does_no_harm(server):
-    lift = {"type": "set-joint", "name": "lift", "value": 0.2}
+async def test_what_is_no_request_is_refused_and_does_no_harm(server):
+    lift = {"type": "set-joints", "values": {"lift": 0.2}}
     address = f"ws://127.0.0.1:{server.port}/live?token={server.token}"
     async with connected(address) as connection, asyncio.timeout(60.0):
         for message in ("", "{", "[]", json.dumps({"type": "eval", "code": "1"}), "[" * 9999):
@@ -178,6 +179,11 @@ async def test_what_is_no_request_does_no_harm(server):
         await connection.write_message(json.dumps(lift))
         while not server._documents["arm.kindsl"]._joints:
             await asyncio.sleep(0.01)
+        refused = ""
+        while not refused:
+            change = umsgpack.unpackb(await connection.read_message())
+            refused = next((m["reason"] for m in change["parts"] if m["type"] == "refused"), "")
+    assert refused in ("a message is not JSON", "a message has no known type")
 
 
 async def test_an_oversized_message_closes_the_line(server):
@@ -257,7 +263,7 @@ def test_a_hand_never_meets_the_budget():
     budget = Budget(lambda: now[0])
     for _ in range(6000):
         now[0] += 1 / 120
-        assert budget.spend('{"type": "set-joint", "name": "LF_HFE", "value": 0.123456789}')
+        assert budget.spend('{"type": "set-joints", "values": {"LF_HFE": 0.123456789}}')
 
 
 async def test_an_unknown_document_is_told_so(server):

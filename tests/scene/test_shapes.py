@@ -21,7 +21,7 @@ from kindsl.robots.scene.messages import (
     Change,
     Delete,
     FindingMessage,
-    HandleRow,
+    Handle,
     HandlesMessage,
     SetObject,
     SetTransform,
@@ -196,7 +196,7 @@ class TestMessages:
         }  # fmt: skip
 
     def test_json_has_lists_for_arrays_and_null_for_what_is_no_number(self) -> None:
-        row = HandleRow("x", math.nan, "0.5", "", ("joint 'a' x",), "")
+        row = Handle("x", math.nan, "0.5", "", ("joint 'a' x",), "")
         told = json.loads(as_json(HandlesMessage("joint", "a", 2, "", (row,))))
         assert told == {
             "type": "handles", "path": "/kindsl/handles", "kind": "joint", "name": "a",

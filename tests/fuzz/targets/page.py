@@ -6,13 +6,14 @@ Input: messages, one a line; what they drag is written into the document at once
 import asyncio
 import json
 from collections.abc import Mapping
+from contextlib import suppress
 
 from tests.support import robots
 
 from kindsl.frontends.preview.channel import Tab
 from kindsl.frontends.preview.documents import DocumentPreviews
 from kindsl.frontends.preview.outcomes import Writing
-from kindsl.frontends.preview.requests import Request, parse_request
+from kindsl.frontends.preview.requests import BadRequestError, Request, parse_request
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.language.text.edits import apply_edits
 from kindsl.robots.scene.encoding import as_json, encode
@@ -53,7 +54,10 @@ class _Previews(DocumentPreviews):
 def one_input(data: bytes) -> None:
     """Show a robot with a parameter, receive messages, and send all that is shown."""
     lines = data.decode("utf-8", "surrogateescape").split("\n")[:_MOST_MESSAGES]
-    requests = [request for request in map(parse_request, lines) if request is not None]
+    requests: list[Request] = []
+    for line in lines:
+        with suppress(BadRequestError):
+            requests.append(parse_request(line))
     if requests:
         _LOOP.run(_receive(requests))
 

@@ -11,16 +11,16 @@ from kindsl.frontends.preview.channel import Tab
 from kindsl.frontends.preview.comparing import OtherRobot
 from kindsl.frontends.preview.document_preview import DocumentPreview, ShownVersion
 from kindsl.frontends.preview.dragging import Dragging
-from kindsl.frontends.preview.gesture_requests import Drag, GestureRequest
 from kindsl.frontends.preview.meshes import MeshSource
 from kindsl.frontends.preview.outcomes import Writing
 from kindsl.frontends.preview.requests import (
     Compare,
+    Drag,
+    GestureRequest,
     Hello,
     KeepPose,
     Request,
     Reveal,
-    SetJoint,
     SetJoints,
     SetParameters,
     ShowMeshes,
@@ -186,9 +186,7 @@ class DocumentPreviews(ABC):
 
     def receive(self, document: DocumentPreview, tab: Tab, request: Request) -> None:
         """Do what a page asks for."""
-        if isinstance(request, SetJoint):
-            document.set_joint(request.name, request.value, tab)
-        elif isinstance(request, SetJoints):
+        if isinstance(request, SetJoints):
             for name, value in request.values.items():
                 document.set_joint(name, value, tab)
         elif isinstance(request, SetParameters):
@@ -260,7 +258,7 @@ class DocumentPreviews(ABC):
         analysis = document.analysis
         if isinstance(request, KeepPose):
             joints = {str(joint.name) for joint in analysis.model.joints}
-            kept = {name: value for name, value in request.joints.items() if name in joints}
+            kept = {name: value for name, value in request.values.items() if name in joints}
             lines = self.on_write(key, KeepPose(request.name, kept))
         else:
             names = {str(parameter.name) for parameter in analysis.model.parameters}

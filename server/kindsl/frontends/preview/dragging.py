@@ -14,15 +14,14 @@ from kindsl.frontends.features.manipulation.handles import handles
 from kindsl.frontends.features.manipulation.mirror_leg import can_mirror
 from kindsl.frontends.features.manipulation.things import Thing, carrying_frame
 from kindsl.frontends.preview.document_preview import DocumentPreview
-from kindsl.frontends.preview.gesture_requests import Drag, GestureRequest, Grasp, Plan
 from kindsl.frontends.preview.outcomes import RequestOutcome, Writing, drag_outcome, plan_outcome
+from kindsl.frontends.preview.requests import Drag, GestureRequest, Grasp, Plan
 from kindsl.frontends.preview.steps import Steps
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.text.edits import difference
 from kindsl.robots.scene.messages import (
     DraggedMessage,
     EditingMessage,
-    HandleRow,
     HandlesMessage,
     PlanMessage,
     WrittenMessage,
@@ -194,7 +193,7 @@ class Dragging:
             name=held.name,
             revision=self._preview.revision,
             frame=carrying_frame(analysis.model, held),
-            components=tuple(HandleRow(**handle._asdict()) for handle in found),
+            components=tuple(found),
             can_mirror=held.kind == "com" and can_mirror(analysis.model, held.name),
         )
         self._preview.channel.replace("handles", keyed([message]))

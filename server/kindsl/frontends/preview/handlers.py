@@ -13,9 +13,14 @@ from kindsl.frontends.preview.assets import assets, live_page
 from kindsl.frontends.preview.budget import Budget
 from kindsl.frontends.preview.channel import Tab
 from kindsl.frontends.preview.document_preview import DocumentPreview
-from kindsl.frontends.preview.requests import MOST_BYTES, Request, parse_request
+from kindsl.frontends.preview.requests import (
+    MOST_BYTES,
+    BadRequestError,
+    Request,
+    parse_request,
+)
 from kindsl.robots.scene.encoding import encode
-from kindsl.robots.scene.messages import Change
+from kindsl.robots.scene.messages import Change, RefusedMessage
 
 TOO_MUCH = 1008
 # The viewer and its control library set styles from scripts; nothing may evaluate text as code.
@@ -172,15 +177,18 @@ class LiveHandler(CheckedHandler, WebSocketHandler):
         self.server.connected(self)
 
     def on_message(self, message: str | bytes) -> None:
-        """Do what the page asks for; what is no request is passed over.
+        """Do what the page asks for, or answer why it is no request.
 
         A page that asks for more than it may loses its line; ours comes back with its values.
         """
         if not self.budget.spend(message):
             self.close(TOO_MUCH, "too many messages")
             return
-        request = parse_request(message) if isinstance(message, str) else None
-        if request is not None:
+        try:
+            request = parse_request(message)
+        except BadRequestError as error:
+            self.tab.send(RefusedMessage(str(error)))
+        else:
             self.server.receive(self.document, self.tab, request)
 
     def on_close(self) -> None:

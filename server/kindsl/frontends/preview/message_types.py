@@ -1,25 +1,34 @@
 """Writes the types of messages: `python -m kindsl.frontends.preview.message_types [--check]`."""
 
-import dataclasses
 import inspect
-import re
 import sys
 from collections.abc import Iterator, Mapping
 from enum import StrEnum
 from pathlib import Path
 from types import NoneType, UnionType
-from typing import Any, ClassVar, Literal, Union, get_args, get_origin, get_type_hints
+from typing import (
+    Annotated,
+    Any,
+    ClassVar,
+    Literal,
+    NewType,
+    Union,
+    get_args,
+    get_origin,
+    get_type_hints,
+)
 
-from kindsl.robots.scene import messages
+from kindsl.frontends.preview.requests import Request, type_of
 from kindsl.robots.scene.geometry import Shape
+from kindsl.robots.scene.messages import Change, Part
 
 TARGET = Path(__file__).parent / "page" / "messages.d.ts"
 _HEAD = """\
-// What the server tells the page. Generated from server/kindsl/robots/scene/messages.py by
+// Messages between server and page. Generated from server/kindsl/robots/scene/messages.py and
+// server/kindsl/frontends/preview/requests.py by
 // `python -m kindsl.frontends.preview.message_types`; do not edit.
 //
-// Lengths are in metres, angles in radians, masses in kilograms. A matrix has 16 numbers, column by
-// column (three.js' order). What is no finite number may come as null in JSON.
+// Numbers that are not finite may come as null in JSON.
 """
 # In the form of three.js' JSON, for the viewer's own loader.
 _SHAPE = """
@@ -49,14 +58,19 @@ _WORDS: Mapping[Any, str] = {
 
 def declarations() -> str:
     """Return the text of `messages.d.ts`."""
-    interfaces = (_interface(kind) for kind in _classes())
-    names = "\n  | ".join(kind.__name__ for kind in get_args(messages.Part))
-    part = f"\n/** One piece of news. */\nexport type Part =\n  | {names};\n"
-    return "".join((_HEAD, _SHAPE, *interfaces, part))
+    kinds = dict.fromkeys(_referenced((Part, Change, Request)))
+    unions = "".join(
+        f"\n/** {line} */\nexport type {name} =\n  | {members};\n"
+        for name, line, union in (
+            ("Part", "One piece of news.", Part), ("Request", "What the page asks for.", Request),
+        )
+        for members in ["\n  | ".join(kind.__name__ for kind in get_args(union))]
+    )  # fmt: skip
+    return "".join((_HEAD, _SHAPE, *map(interface, kinds), unions))
 
 
 def main(arguments: list[str]) -> int:
-    """Write the file, or say that it is not as the messages want it; return the exit status."""
+    """Write the file, or check that it is up to date; return the exit status."""
     wanted = declarations()
     if "--check" in arguments:
         if TARGET.is_file() and TARGET.read_text(encoding="utf-8") == wanted:
@@ -67,42 +81,47 @@ def main(arguments: list[str]) -> int:
     return 0
 
 
-def described(kind: type) -> tuple[str, dict[str, str]]:
-    """Return what a message's docstring says of it, and of each of its fields."""
-    text = inspect.cleandoc(kind.__doc__ or "")
-    first, _, rest = text.partition("\n")
-    found = re.findall(r"^ {4}(\w+): (.*(?:\n {8}.*)*)", rest, re.MULTILINE)
-    return first, {name: re.sub(r"\s+", " ", line) for name, line in found}
-
-
-def _classes() -> Iterator[type]:
-    """Yield the messages in the order of their file."""
-    for kind in vars(messages).values():
-        if inspect.isclass(kind) and kind.__module__ == messages.__name__:
-            yield kind
-
-
-def _interface(kind: type) -> str:
-    first, lines = described(kind)
-    hints = get_type_hints(kind)
-    rows = [f"\n/** {first} */", f"export interface {kind.__name__} {{"]
-    if get_origin(hints.get("type")) is ClassVar:
-        rows.append(f"  readonly type: {_type(*get_args(hints['type']))};")
-    for field in dataclasses.fields(kind):
-        rows.append(f"  /** {lines[field.name]} */")
-        rows.append(f"  readonly {field.name}: {_type(hints[field.name])};")
+def interface(kind: type) -> str:
+    """Return a message, or what one is made of, as an interface of TypeScript."""
+    rows = [f"\n/** {(inspect.getdoc(kind) or '').partition(chr(10))[0]} */"]
+    rows.append(f"export interface {kind.__name__} {{")
+    is_request = kind in get_args(Request)
+    rows += [f'  readonly type: "{type_of(kind)}";'] if is_request else []
+    optional = getattr(kind, "_field_defaults", ()) if is_request else ()
+    for name, hint in get_type_hints(kind, include_extras=True).items():
+        notes = ", ".join(reversed(getattr(hint, "__metadata__", ())))
+        rows += [f"  /** {notes[:1].upper()}{notes[1:]}. */"] if notes else []
+        rows.append(f"  readonly {name}{'?' if name in optional else ''}: {_type(hint)};")
     return "\n".join((*rows, "}", ""))
+
+
+def _referenced(hints: tuple[Any, ...]) -> Iterator[type]:
+    """Yield the classes that hints name, each after those that it is made of."""
+    for hint in hints:
+        if _is_record(hint):
+            yield from _referenced(tuple(get_type_hints(hint).values()))
+            yield hint
+        else:
+            yield from _referenced(get_args(hint) if get_origin(hint) is not Literal else ())
+
+
+def _is_record(hint: Any) -> bool:
+    return inspect.isclass(hint) and hint is not Shape and bool(get_type_hints(hint))
 
 
 def _type(hint: Any) -> str:
     """Return an annotation as TypeScript."""
     if hint in _WORDS:
         return _WORDS[hint]
-    if hint == messages.Part:
+    if hint == Part:
         return "Part"
+    if isinstance(hint, NewType):
+        return _type(hint.__supertype__)
     if inspect.isclass(hint) and issubclass(hint, StrEnum):
         return " | ".join(f'"{word}"' for word in hint)
     origin, arguments = get_origin(hint), get_args(hint)
+    if origin in (Annotated, ClassVar):
+        return _type(arguments[0])
     if origin is Literal:
         return " | ".join(f'"{word}"' for word in arguments)
     if origin in (Union, UnionType):
@@ -113,8 +132,8 @@ def _type(hint: Any) -> str:
         return f"readonly [{', '.join(_type(argument) for argument in arguments)}]"
     if origin is not None and issubclass(origin, Mapping):
         return f"{{ readonly [name: string]: {_type(arguments[1])} }}"
-    if dataclasses.is_dataclass(hint):
-        return hint.__name__  # type: ignore[union-attr]
+    if _is_record(hint):
+        return str(hint.__name__)
     raise TypeError(f"a message cannot hold {hint!r}")
 
 

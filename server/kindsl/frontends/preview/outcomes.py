@@ -11,7 +11,7 @@ from kindsl.frontends.features.manipulation.mirror_leg import mirror_leg
 from kindsl.frontends.features.manipulation.pose_as_zero import pose_as_zero
 from kindsl.frontends.features.manipulation.set_component import set_component
 from kindsl.frontends.features.manipulation.things import Thing
-from kindsl.frontends.preview.gesture_requests import Drag, Plan
+from kindsl.frontends.preview.requests import Drag, Plan
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.rules.base import Severity
 from kindsl.language.text.edits import TextEdit
@@ -71,7 +71,7 @@ def drag_outcome(
     if isinstance(change, Refusal):
         return change
     edits, label = change.edits, f"Set {request.component} of {request.kind} '{request.name}'"
-    if request.carries and edits:
+    if request.carries and request.kind == "com" and edits:
         carried = carried_moments(analysis, request.name, request.component, change.value)
         if isinstance(carried, Refusal):
             return carried
@@ -106,7 +106,7 @@ def plan_outcome(analysis: Analysis, request: Plan) -> RequestOutcome | Refusal:
     if isinstance(gesture, Refusal):
         return gesture
     writing = Writing(gesture.title, analysis.text, gesture.edits)
-    return RequestOutcome(writing, None if request.is_accepted else analysis.edited(gesture.edits))
+    return RequestOutcome(writing, None if request.accepted else analysis.edited(gesture.edits))
 
 
 def _gesture(analysis: Analysis, request: Plan) -> Gesture | Refusal:

@@ -8,9 +8,9 @@ from kindsl.frontends.preview.channel import Tab
 from kindsl.frontends.preview.document_preview import DocumentPreview
 from kindsl.frontends.preview.documents import DocumentPreviews, OnEdit, OnReveal
 from kindsl.frontends.preview.documents import identifier as identifier_of
-from kindsl.frontends.preview.requests import Hello, request_of
+from kindsl.frontends.preview.requests import BadRequestError, Hello, request_of
 from kindsl.robots.scene.encoding import as_json
-from kindsl.robots.scene.messages import Change
+from kindsl.robots.scene.messages import Change, RefusedMessage
 
 T = TypeVar("T")
 
@@ -59,14 +59,21 @@ class PostedPreviews(DocumentPreviews):
     def take(self, name: str, data: object) -> None:
         """Do what a page asks for; one that says hello is sent everything, None is goodbye."""
         document = self.document(name.partition("/")[0])
-        request = request_of(data)
         if document is None:
             return
-        if data is None or isinstance(request, Hello):
+        if data is None:
             self._leave(name, document)
+            return
+        try:
+            request = request_of(data)
+        except BadRequestError as error:
+            if name in self._pages:
+                self._pages[name].tab.send(RefusedMessage(str(error)))
+            return
         if isinstance(request, Hello):
+            self._leave(name, document)
             self._join(name, document)
-        if request is not None and name in self._pages:
+        if name in self._pages:
             self.receive(document, self._pages[name].tab, request)
 
     def _leave(self, name: str, document: DocumentPreview) -> None:

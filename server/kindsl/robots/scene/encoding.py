@@ -16,8 +16,8 @@ _EXTENSIONS = {"f": 0x17, "I": 0x16}
 
 def plain(message: Part | Change) -> dict[str, Any]:
     """Return a message as dictionaries and lists, with its shapes in meshcat's form."""
-    whole: dict[str, Any] = {"type": message.type, **_fields(message)}
-    return whole
+    fields = {name: _plain(getattr(message, name)) for name in message.__slots__}
+    return {"type": message.type, **fields}
 
 
 def encode(message: Part | Change) -> bytes:
@@ -48,22 +48,18 @@ def as_json(message: Part | Change) -> str:
         return _json(_finite(told))
 
 
-def _fields(value: Any) -> dict[str, Any]:
-    return {name: _plain(getattr(value, name)) for name in value.__slots__}
-
-
 def _plain(value: Any) -> Any:
     if isinstance(value, Shape):
         return lowered(value)
-    if isinstance(value, tuple):
+    if type(value) is tuple:
         # Numbers and texts, of which there are most, are plain already.
         has_more = bool(value) and not isinstance(value[0], float | str)
         return [_plain(item) for item in value] if has_more else value
+    if isinstance(value, tuple):
+        return {name: _plain(item) for name, item in value._asdict().items()}  # type: ignore[attr-defined]
     if isinstance(value, Mapping):
         return dict(value)
-    if not is_dataclass(value):
-        return value
-    return plain(value) if hasattr(value, "type") else _fields(value)  # type: ignore[arg-type]
+    return plain(value) if is_dataclass(value) else value  # type: ignore[arg-type]
 
 
 def _json(value: object) -> str:

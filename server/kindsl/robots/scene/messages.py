@@ -3,64 +3,59 @@
 `messages.d.ts` of the page is written from this file
 (`python -m kindsl.frontends.preview.message_types`).
 A message is the value of its `type` at its `path`, the place in the scene that it speaks of:
-`/kindsl/TREE/GROUP/NAME/CATEGORY/MARK`; a later one of the same type and path replaces it.
-
-`set_object`, `set_transform` and `delete` are meshcat's. Lengths are in metres, angles in radians,
-masses in kilograms. A matrix has 16 numbers, column by column, and maps coordinates of the thing
-that it places to those of what carries it.
+`/kindsl/TREE/GROUP/NAME/CATEGORY/MARK`; a later one of the same type and path replaces it. Names
+are those in the document. `set_object`, `set_transform` and `delete` are meshcat's.
 """
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import ClassVar, Literal, TypeAlias
+from typing import Annotated, ClassVar, Literal, NamedTuple, TypeAlias
 
 from kindsl.language.semantics.declarations import ValueKind
 from kindsl.mechanics.rigid.joint_kind import JointKind
 from kindsl.mechanics.rigid.pose import Vector3
 from kindsl.robots.scene.geometry import Shape
 from kindsl.robots.scene.picture import PictureState
-from kindsl.robots.scene.solids import Look
+from kindsl.robots.scene.size import Segment
+from kindsl.robots.scene.solids import Doubt, Look
 
+ROOT = "/kindsl"
+
+Metres: TypeAlias = Annotated[float, "metres"]
+Position: TypeAlias = Annotated[Vector3, "metres"]
+Kilograms: TypeAlias = Annotated[float, "kilograms"]
+Density: TypeAlias = Annotated[float, "kilograms per cubic metre"]
+# Of a joint or a handle, by its kind.
+Travel: TypeAlias = Annotated[float, "radians or metres"]
+# Of a parameter, by its kind.
+Quantity: TypeAlias = Annotated[float, "metres, radians or kg, kg m, kg m^2"]
+Matrix: TypeAlias = Annotated[tuple[float, ...], "16 numbers, column by column"]
+Sentence: TypeAlias = Annotated[str, "for people"]
 # A value with all parameters zero, and the factor of each parameter by name.
 Affine: TypeAlias = tuple[float, tuple[tuple[str, float], ...]]
-ROOT = "/kindsl"
 
 
 @dataclass(frozen=True, slots=True)
 class SetObject:
-    """Draw a shape.
-
-    Attributes:
-        path: Of the mark.
-        object: The shape, in meshcat's form.
-    """
+    """Draw a shape."""
 
     type: ClassVar[Literal["set_object"]] = "set_object"
     path: str
-    object: Shape
+    object: Annotated[Shape, "in meshcat's form"]
 
 
 @dataclass(frozen=True, slots=True)
 class SetTransform:
-    """Place a shape.
-
-    Attributes:
-        path: Of the mark.
-        matrix: Places and stretches the mark in the frame of its link, joint or frame.
-    """
+    """Place and stretch a mark in the frame of its link, joint or frame."""
 
     type: ClassVar[Literal["set_transform"]] = "set_transform"
     path: str
-    matrix: tuple[float, ...]
+    matrix: Matrix
 
 
 @dataclass(frozen=True, slots=True)
 class Delete:
-    """Forget a path and all below it.
-
-    Attributes:
-        path: The highest that is gone.
-    """
+    """Forget a path and all below it."""
 
     type: ClassVar[Literal["delete"]] = "delete"
     path: str
@@ -68,663 +63,393 @@ class Delete:
 
 @dataclass(frozen=True, slots=True)
 class ModelMessage:
-    """The robot as a whole, at its zero configuration.
-
-    Attributes:
-        name: The document's.
-        is_floating: Whether its base moves freely.
-        size: Diagonal of the box around all bodies, metres.
-        center: Middle of that box in the base's frame, metres.
-        ground: Height of the ground in the base's frame, metres.
-        unit: Radius to draw bodies with, metres; marks are made for a radius of 1.
-        density: That most of its links have, kg/m^3.
-        path: Constant.
-    """
+    """The robot as a whole, at its zero configuration."""
 
     type: ClassVar[Literal["model"]] = "model"
     name: str
-    is_floating: bool
-    size: float
-    center: Vector3
-    ground: float
-    unit: float
-    density: float
+    is_floating: Annotated[bool, "whether its base moves freely"]
+    size: Annotated[Metres, "diagonal of the box around all bodies"]
+    center: Annotated[Position, "middle of that box in the base's frame"]
+    ground: Annotated[Metres, "height of the ground in the base's frame"]
+    unit: Annotated[Metres, "radius to draw bodies with; marks are made for a radius of 1"]
+    density: Annotated[Density, "of most of its links"]
     path: str = f"{ROOT}/model"
 
 
 @dataclass(frozen=True, slots=True)
 class LinkMessage:
-    """A link's numbers, the base's among them.
-
-    Attributes:
-        path: Of the link in its tree.
-        name: In the document.
-        index: 0 for the base; parents come before their children.
-        joint: Name of the supporting joint, empty for the base.
-        mass: Kilograms.
-        com: Centre of mass in the link's frame, metres.
-        inertia: Tensor about the centre of mass in the link's axes, row by row, kg m^2.
-        is_consistent: Whether a rigid body with such an inertia exists.
-        lacks: Why mass, centre of mass or moments are not known; empty where they are.
-        anchor: Where its name stands in its frame, metres.
-        ends: Where it reaches to in its frame, metres.
-    """
+    """A link's numbers, the base's among them; points are in its frame."""
 
     type: ClassVar[Literal["link"]] = "link"
     path: str
     name: str
-    index: int
-    joint: str
-    mass: float
-    com: Vector3
-    inertia: tuple[float, ...]
-    is_consistent: bool
-    lacks: str
-    anchor: Vector3
-    ends: tuple[Vector3, ...]
+    index: Annotated[int, "0 for the base; parents come before their children"]
+    joint: Annotated[str, "the supporting joint, empty for the base"]
+    mass: Kilograms
+    com: Annotated[Position, "centre of mass"]
+    inertia: Annotated[tuple[float, ...], "about the CoM in the link's axes, row by row, kg m^2"]
+    is_consistent: Annotated[bool, "whether a rigid body with such an inertia exists"]
+    lacks: Annotated[str, "why mass, CoM or moments are not known; empty where they are"]
+    anchor: Annotated[Position, "where its name stands"]
+    ends: Annotated[tuple[Vector3, ...], "where it reaches to, metres"]
 
 
-@dataclass(frozen=True, slots=True)
-class Core:
-    """A superquadric of uniform density.
+class Core(NamedTuple):
+    """A superquadric of uniform density."""
 
-    Attributes:
-        center: In the link's frame, metres.
-        axes: Three right-handed unit vectors in the link's axes, one after another; the last is
-            the pole.
-        semi_axes: Along these, metres.
-        gyration: Radii of gyration along these, metres; what is drawn has them exactly.
-        exponents: Along meridians and along parallels: 1 is round, near 0 is square.
-        density: kg/m^3.
-        shell: How much smaller a shell of the robot's usual density is that has the same mass and
-            inertia, as a factor; 1 where the solid is as dense.
-    """
-
-    center: Vector3
-    axes: tuple[float, ...]
-    semi_axes: Vector3
-    gyration: Vector3
-    exponents: tuple[float, float]
-    density: float
-    shell: float
-
-
-@dataclass(frozen=True, slots=True)
-class DoubtRow:
-    """A defect of a body, or a possible one.
-
-    Attributes:
-        word: A short name of it.
-        code: The rule that reports it.
-        sentence: For people.
-    """
-
-    word: str
-    code: str
-    sentence: str
-
-
-@dataclass(frozen=True, slots=True)
-class Bone:
-    """A strut from a link's origin.
-
-    Attributes:
-        name: Of the joint or frame that it goes to.
-        end: In the link's frame, metres.
-    """
-
-    name: str
-    end: Vector3
+    center: Annotated[Position, "in the link's frame"]
+    axes: Annotated[tuple[float, ...], "three right-handed unit vectors; the last is the pole"]
+    semi_axes: Annotated[Position, "along the axes"]
+    gyration: Annotated[Position, "radii of gyration along the axes, as drawn exactly"]
+    exponents: Annotated[
+        tuple[float, float], "along meridians and parallels: 1 is round, near 0 is square"
+    ]
+    density: Density
+    shell: Annotated[
+        float,
+        "scale of a shell of the robot's usual density that has the same mass and inertia; 1 where "
+        "the solid is as dense",
+    ]
 
 
 @dataclass(frozen=True, slots=True)
 class SolidMessage:
-    """A link as a body: the uniform solid with its inertia, and bones to its joints.
-
-    Attributes:
-        path: Of the body in its tree.
-        name: The link's.
-        core: The solid; None where there is none to be drawn.
-        look: `glass` would hide the robot, `doubtful` and `impossible` are judged.
-        doubts: Defects, proved or possible, the gravest first.
-        is_oversized: Whether it is too large to be drawn unless asked for.
-        bones: To its joints.
-        radius: Of the bones, metres.
-        strut: From a bone to the centre of mass, two points in the link's frame; else empty.
-        drum: Radius of the supporting joint's drum, metres.
-        is_shaded: Whether a shade tells it from its parent.
-    """
+    """A link as a body: the uniform solid with its inertia, and bones to its joints."""
 
     type: ClassVar[Literal["solid"]] = "solid"
     path: str
-    name: str
-    core: Core | None
-    look: Look
-    doubts: tuple[DoubtRow, ...]
-    is_oversized: bool
-    bones: tuple[Bone, ...]
-    radius: float
-    strut: tuple[Vector3, ...]
-    drum: float
-    is_shaded: bool
+    name: Annotated[str, "the link's"]
+    core: Annotated[Core | None, "null where there is no solid to draw"]
+    look: Annotated[Look, "`glass` would hide the robot, `doubtful` and `impossible` are judged"]
+    doubts: Annotated[tuple[Doubt, ...], "defects, proved or possible, the gravest first"]
+    is_oversized: Annotated[bool, "whether it is too large to be drawn unless asked for"]
+    bones: Annotated[tuple[Segment, ...], "to its joints and frames"]
+    radius: Annotated[Metres, "of the bones"]
+    strut: Annotated[tuple[Vector3, ...], "from a bone to the CoM, two points; else empty"]
+    drum: Annotated[Metres, "radius of the supporting joint's drum"]
+    is_shaded: Annotated[bool, "whether a shade tells it from its parent"]
 
 
 @dataclass(frozen=True, slots=True)
 class JointMessage:
-    """A joint and its place.
-
-    Attributes:
-        path: Of the joint in its tree.
-        name: In the document.
-        index: That of the link that it supports.
-        kind: It turns about its z, or slides along it.
-        predecessor: Name of the parent link.
-        successor: Name of the child link.
-        placement: Its frame in the parent link's frame.
-        is_guess: Whether its place is in part a guess.
-    """
+    """A joint and its place; it turns about its z axis or slides along it."""
 
     type: ClassVar[Literal["joint"]] = "joint"
     path: str
     name: str
-    index: int
+    index: Annotated[int, "of the link that it supports"]
     kind: JointKind
-    predecessor: str
-    successor: str
-    placement: tuple[float, ...]
-    is_guess: bool
+    predecessor: Annotated[str, "the parent link"]
+    successor: Annotated[str, "the child link"]
+    placement: Annotated[Matrix, "its frame in the parent link's frame"]
+    is_guess: Annotated[bool, "whether its place is in part a guess"]
 
 
 @dataclass(frozen=True, slots=True)
 class FrameMessage:
-    """An optional frame and its place.
-
-    Attributes:
-        path: Of the frame in its tree.
-        name: In the document, after the link's name and a dot where the name is taken.
-        link: Name of the link that it is attached to.
-        placement: Its place in the link's frame.
-        is_guess: Whether its place is in part a guess.
-    """
+    """An optional frame and its place."""
 
     type: ClassVar[Literal["frame"]] = "frame"
     path: str
-    name: str
-    link: str
-    placement: tuple[float, ...]
-    is_guess: bool
+    name: Annotated[str, "after the link's name and a dot where the name is taken"]
+    link: Annotated[str, "the link that it is attached to"]
+    placement: Annotated[Matrix, "its place in the link's frame"]
+    is_guess: Annotated[bool, "whether its place is in part a guess"]
 
 
 @dataclass(frozen=True, slots=True)
 class LimitsMessage:
-    """The limits of a joint.
-
-    Attributes:
-        path: Of these limits.
-        name: The joint's.
-        minimum: Radians or metres; None where there is none.
-        maximum: Radians or metres; None where there is none.
-    """
+    """The limits of a joint; null where there is none."""
 
     type: ClassVar[Literal["limits"]] = "limits"
     path: str
     name: str
-    minimum: float | None
-    maximum: float | None
+    minimum: Travel | None
+    maximum: Travel | None
 
 
 @dataclass(frozen=True, slots=True)
 class ValueMessage:
-    """The position of a joint.
-
-    Attributes:
-        path: Of this value.
-        name: The joint's.
-        value: Radians or metres.
-    """
+    """The position of a joint."""
 
     type: ClassVar[Literal["value"]] = "value"
     path: str
     name: str
-    value: float
+    value: Travel
 
 
 @dataclass(frozen=True, slots=True)
 class PoseMessage:
-    """A pose that the configuration names.
-
-    Attributes:
-        path: Of this pose.
-        name: In the configuration.
-        joints: Positions by the names of joints, radians or metres; the others are zero.
-    """
+    """A pose that the configuration names."""
 
     type: ClassVar[Literal["pose"]] = "pose"
     path: str
     name: str
-    joints: Mapping[str, float]
+    joints: Annotated[Mapping[str, Travel], "positions by joint; the other joints are at zero"]
 
 
 @dataclass(frozen=True, slots=True)
 class TrajectoryMessage:
-    """A motion to be played.
-
-    Attributes:
-        name: Of its file.
-        text: The file's, CSV or JSON.
-        path: Constant.
-    """
+    """A motion to be played."""
 
     type: ClassVar[Literal["trajectory"]] = "trajectory"
-    name: str
-    text: str
+    name: Annotated[str, "of its file"]
+    text: Annotated[str, "of its file, CSV or JSON"]
     path: str = f"{ROOT}/trajectory"
 
 
 @dataclass(frozen=True, slots=True)
 class ParameterMessage:
-    """A parameter's row in the panel; its numbers are in metres, radians or kg, kg m, kg m^2.
-
-    Attributes:
-        path: Of this row.
-        index: Its place among the document's parameters.
-        name: In the document.
-        kind: The quantity that it measures.
-        value: That is drawn.
-        is_guess: Whether that value is one because there is none.
-        is_bound: Whether a configuration gives it its value.
-        minimum: Of its slider.
-        maximum: Of its slider.
-        has_range: Whether a configuration gives both of these.
-        is_overridden: Whether the value was set in the page.
-    """
+    """A parameter's row in the panel."""
 
     type: ClassVar[Literal["parameter"]] = "parameter"
     path: str
-    index: int
+    index: Annotated[int, "its place among the document's parameters"]
     name: str
     kind: ValueKind
-    value: float
-    is_guess: bool
-    is_bound: bool
-    minimum: float
-    maximum: float
-    has_range: bool
-    is_overridden: bool
+    value: Annotated[Quantity, "as drawn"]
+    is_guess: Annotated[bool, "whether the value is a guess because there is none"]
+    is_bound: Annotated[bool, "whether a configuration gives it its value"]
+    minimum: Annotated[Quantity, "of its slider"]
+    maximum: Annotated[Quantity, "of its slider"]
+    has_range: Annotated[bool, "whether a configuration gives minimum and maximum"]
+    is_overridden: Annotated[bool, "whether the value was set in the page"]
 
 
 @dataclass(frozen=True, slots=True)
 class FormulaMessage:
-    """A place as a formula of parameters, for pages without a server.
-
-    Attributes:
-        path: Of this formula.
-        group: Name of the group that is placed.
-        name: Of the joint or frame.
-        link: Name of the link that it is attached to.
-        translation: In the link's frame, a formula for each of x, y, z, metres.
-        rotation: Intrinsic angles about x, y, z, a formula for each, radians.
-        rod: Path of the link's mark that reaches there.
-        end: Path of the mark at that rod's end.
-    """
+    """A place as a formula of parameters, for pages without a server."""
 
     type: ClassVar[Literal["formula"]] = "formula"
     path: str
     group: Literal["joints", "frames"]
     name: str
-    link: str
-    translation: tuple[Affine, ...]
-    rotation: tuple[Affine, ...]
-    rod: str
-    end: str
+    link: Annotated[str, "the link that it is attached to"]
+    translation: Annotated[tuple[Affine, ...], "x, y, z in the link's frame, metres"]
+    rotation: Annotated[tuple[Affine, ...], "intrinsic angles about x, y, z, radians"]
+    rod: Annotated[str, "path of the link's mark that reaches there"]
+    end: Annotated[str, "path of the mark at that rod's end"]
 
 
 @dataclass(frozen=True, slots=True)
 class FindingMessage:
-    """A finding of the linter, in the list over the picture.
-
-    Attributes:
-        path: Of this finding.
-        index: Its place in the list, the worst first.
-        code: Of the rule: `KD301`.
-        severity: `error`, `warning`, `info` or `hint`.
-        message: For people.
-        line: Counts from 1.
-        column: Counts from 1, in code points.
-    """
+    """A finding of the linter, in the list over the picture."""
 
     type: ClassVar[Literal["finding"]] = "finding"
     path: str
-    index: int
-    code: str
-    severity: str
-    message: str
-    line: int
-    column: int
+    index: Annotated[int, "its place in the list, the worst first"]
+    code: Annotated[str, "of the rule: `KD301`"]
+    severity: Annotated[str, "`error`, `warning`, `info` or `hint`"]
+    message: Sentence
+    line: Annotated[int, "counts from 1"]
+    column: Annotated[int, "counts from 1, in code points"]
 
 
 @dataclass(frozen=True, slots=True)
 class StatusMessage:
-    """The picture's relation to the document.
-
-    Attributes:
-        state: See there; `gone` if the document cannot be read.
-        message: A sentence on the state, for people; empty if all is well.
-        total: How many findings there are, listed or not.
-        counts: How many there are of each severity that occurs.
-        label: Name of the document.
-        mass: Of all bodies that count, as far as known, kilograms.
-        lacks: Why that is not all; empty where it is.
-        is_former: Whether an earlier version is drawn.
-        path: Constant.
-    """
+    """The picture's relation to the document."""
 
     type: ClassVar[Literal["status"]] = "status"
-    state: PictureState | Literal["gone"]
-    message: str
-    total: int
-    counts: Mapping[str, int]
-    label: str
-    mass: float
-    lacks: str
-    is_former: bool
+    state: Annotated[PictureState | Literal["gone"], "`gone` if the document cannot be read"]
+    message: Annotated[Sentence, "on the state; empty if all is well"]
+    total: Annotated[int, "number of findings, listed or not"]
+    counts: Annotated[Mapping[str, int], "number of findings by severity"]
+    label: Annotated[str, "name of the document"]
+    mass: Annotated[Kilograms, "of all bodies that count, as far as known"]
+    lacks: Annotated[str, "why that is not all; empty where it is"]
+    is_former: Annotated[bool, "whether an earlier version is drawn"]
     path: str = f"{ROOT}/status"
 
 
 @dataclass(frozen=True, slots=True)
 class HighlightMessage:
-    """The thing at the editor's cursor.
-
-    Attributes:
-        kind: `link`, `joint` or `frame`; empty for nothing.
-        name: In the document; empty for nothing.
-        path: Constant.
-    """
+    """The thing at the editor's cursor; empty for nothing."""
 
     type: ClassVar[Literal["highlight"]] = "highlight"
-    kind: str
+    kind: Annotated[str, "`link`, `joint` or `frame`"]
     name: str
     path: str = f"{ROOT}/highlight"
 
 
 @dataclass(frozen=True, slots=True)
 class GhostMessage:
-    """The robot that stands behind the document's.
-
-    Attributes:
-        kind: The version that was last saved, another robot that is compared, or what an edit that
-            is planned would make.
-        name: Of its file; empty if it has none.
-        path: Constant.
-    """
+    """The robot that stands behind the document's: as last saved, another, or as planned."""
 
     type: ClassVar[Literal["ghost"]] = "ghost"
     kind: Literal["saved", "other", "planned"]
-    name: str = ""
+    name: Annotated[str, "of its file; empty if it has none"] = ""
     path: str = f"{ROOT}/ghost"
 
 
 @dataclass(frozen=True, slots=True)
 class OtherMessage:
-    """Another description of the robot that can be compared.
-
-    Attributes:
-        path: Of this one.
-        index: Its place in the list.
-        name: Of its file.
-        is_chosen: Whether it is compared now.
-    """
+    """Another description of the robot that can be compared."""
 
     type: ClassVar[Literal["other"]] = "other"
     path: str
-    index: int
-    name: str
-    is_chosen: bool
+    index: Annotated[int, "its place in the list"]
+    name: Annotated[str, "of its file"]
+    is_chosen: Annotated[bool, "whether it is compared now"]
 
 
-@dataclass(frozen=True, slots=True)
-class DifferenceRow:
-    """A number that is another in the other file.
+class DifferenceRow(NamedTuple):
+    """A number that differs in the other file."""
 
-    Attributes:
-        kind: `link`, `joint` or `frame`.
-        name: In the document, or of the link that it belongs to.
-        owner: Whose number it is, as its file calls it.
-        quantity: `mass`, `CoM x`, `Ixx`, `x`, `rx`, ...
-        unit: Of both values.
-        here: In the document.
-        there: In the other file.
-        message: For people, with the lines.
-        line: In the document, counts from 1; 0 where it does not stand there.
-    """
-
-    kind: str
-    name: str
-    owner: str
-    quantity: str
-    unit: str
-    here: float
-    there: float
-    message: str
-    line: int
+    kind: Annotated[str, "`link`, `joint` or `frame`"]
+    name: Annotated[str, "in the document, or of the link that it belongs to"]
+    owner: Annotated[str, "whose number it is, as its file calls it"]
+    quantity: Annotated[str, "`mass`, `CoM x`, `Ixx`, `x`, `rx`, ..."]
+    unit: Annotated[str, "of both values"]
+    here: Annotated[float, "in the document"]
+    there: Annotated[float, "in the other file"]
+    message: Annotated[Sentence, "with the lines"]
+    line: Annotated[int, "in the document, counts from 1; 0 where it does not stand there"]
 
 
 @dataclass(frozen=True, slots=True)
 class ComparisonMessage:
-    """The result of comparing the document with another file.
-
-    Attributes:
-        own: What to call the document.
-        other: What to call the other file.
-        verdict: In words; why it cannot be compared where it cannot.
-        is_equal: Whether the mechanics are equal.
-        rows: The numbers that differ.
-        structure: What else differs, one sentence each.
-        conventions: What differs without any meaning for the mechanics, one sentence each.
-        path: Constant.
-    """
+    """The result of comparing the document with another file."""
 
     type: ClassVar[Literal["comparison"]] = "comparison"
-    own: str
-    other: str
-    verdict: str
-    is_equal: bool
-    rows: tuple[DifferenceRow, ...]
-    structure: tuple[str, ...]
-    conventions: tuple[str, ...]
+    own: Annotated[str, "name of the document"]
+    other: Annotated[str, "name of the other file"]
+    verdict: Annotated[str, "in words; why it cannot be compared where it cannot"]
+    is_equal: Annotated[bool, "whether the mechanics are equal"]
+    rows: Annotated[tuple[DifferenceRow, ...], "the numbers that differ"]
+    structure: Annotated[tuple[str, ...], "other differences, one sentence each"]
+    conventions: Annotated[
+        tuple[str, ...], "differences without any meaning for the mechanics, one sentence each"
+    ]
     path: str = f"{ROOT}/comparison"
 
 
 @dataclass(frozen=True, slots=True)
 class VisualMessage:
-    """A shape that another description gives a link for drawing.
-
-    Attributes:
-        path: Of this shape.
-        link: Name of the link.
-        form: What it is.
-        size: Factors of a mesh along its axes; sides of a box, radius and length of a cylinder
-            along z, radius of a sphere, metres.
-        matrix: Its frame in the link's.
-        file: The name of a mesh's file at the server, which tells its format; else empty.
-    """
+    """A shape that another description gives a link for drawing."""
 
     type: ClassVar[Literal["visual"]] = "visual"
     path: str
     link: str
     form: Literal["mesh", "box", "cylinder", "sphere"]
-    size: tuple[float, ...]
-    matrix: tuple[float, ...]
-    file: str
+    size: Annotated[
+        tuple[float, ...],
+        "factors of a mesh along its axes; sides of a box, radius and length of a cylinder along "
+        "z, radius of a sphere, metres",
+    ]
+    matrix: Annotated[Matrix, "its frame in the link's"]
+    file: Annotated[str, "name of a mesh's file at the server, with its suffix; else empty"]
 
 
 @dataclass(frozen=True, slots=True)
 class MeshDataMessage:
-    """The content of a mesh's file, for pages without a server.
-
-    Attributes:
-        path: Of this file.
-        file: Its name in `visual` messages.
-        data: Its bytes in base 64.
-    """
+    """The content of a mesh's file, for pages without a server."""
 
     type: ClassVar[Literal["mesh_data"]] = "mesh_data"
     path: str
-    file: str
-    data: str
+    file: Annotated[str, "its name in `visual` messages"]
+    data: Annotated[str, "its bytes in base 64"]
 
 
 @dataclass(frozen=True, slots=True)
 class MeshesMessage:
-    """The description whose meshes can be drawn.
-
-    Attributes:
-        name: Of its file.
-        is_loaded: Whether they have been asked for, so that `visual` messages are there.
-        problems: What is left out and why, one sentence each.
-        path: Constant.
-    """
+    """The description whose meshes can be drawn."""
 
     type: ClassVar[Literal["meshes"]] = "meshes"
-    name: str
-    is_loaded: bool
-    problems: tuple[str, ...]
+    name: Annotated[str, "of its file"]
+    is_loaded: Annotated[bool, "whether they have been asked for, so that there are `visual`s"]
+    problems: Annotated[tuple[str, ...], "what is left out and why, one sentence each"]
     path: str = f"{ROOT}/meshes"
 
 
 @dataclass(frozen=True, slots=True)
 class EditingMessage:
-    """The permission to edit the document from the page.
-
-    Attributes:
-        revision: Of the text that is shown; to be sent back with what is dragged.
-        path: Constant.
-    """
+    """The permission to edit the document from the page."""
 
     type: ClassVar[Literal["editing"]] = "editing"
-    revision: int
+    revision: Annotated[int, "of the text that is shown; sent back with each drag"]
     path: str = f"{ROOT}/editing"
 
 
-@dataclass(frozen=True, slots=True)
-class HandleRow:
-    """One number of a thing.
+class Handle(NamedTuple):
+    """One number of a thing."""
 
-    Attributes:
-        component: `x y z rx ry rz`.
-        value: Metres or radians, None where it has none.
-        text: As written in the document.
-        symbol: The parameter or constant that carries it, empty where it is a plain number.
-        moves_along: Other places that the symbol moves: `joint 'knee' x`.
-        locked: Why it cannot be changed, empty where it can.
-    """
-
-    component: str
-    value: float | None
-    text: str
-    symbol: str
-    moves_along: tuple[str, ...]
-    locked: str
+    component: Annotated[str, "`x y z rx ry rz`"]
+    value: Annotated[Travel | None, "null where it has none"]
+    text: Annotated[str, "as written in the document"]
+    symbol: Annotated[str, "parameter or constant that carries it, empty for a plain number"] = ""
+    moves_along: Annotated[tuple[str, ...], "other places that the symbol moves"] = ()
+    locked: Annotated[str, "why it cannot be changed, empty where it can"] = ""
 
 
 @dataclass(frozen=True, slots=True)
 class HandlesMessage:
-    """The numbers of what is grasped.
-
-    Attributes:
-        kind: `joint`, `frame` or `com`.
-        name: In the document; of a centre of mass the link's.
-        revision: Of the text that they are of.
-        frame: Optional frame along whose axes a centre of mass is written, empty for its link's.
-        components: Three of a centre of mass, else six.
-        can_mirror: Whether its link has a mirror image that the document lacks.
-        path: Constant.
-    """
+    """The numbers of the thing that is grasped."""
 
     type: ClassVar[Literal["handles"]] = "handles"
-    kind: str
-    name: str
-    revision: int
-    frame: str
-    components: tuple[HandleRow, ...]
-    can_mirror: bool = False
+    kind: Annotated[str, "`joint`, `frame` or `com`"]
+    name: Annotated[str, "of a centre of mass the link's"]
+    revision: Annotated[int, "of the text that they are of"]
+    frame: Annotated[str, "optional frame along whose axes a CoM is written, empty for its link's"]
+    components: Annotated[tuple[Handle, ...], "three of a centre of mass, else six"]
+    can_mirror: Annotated[bool, "whether its link has a counterpart that the document lacks"] = (
+        False
+    )
     path: str = f"{ROOT}/handles"
 
 
 @dataclass(frozen=True, slots=True)
 class DraggedMessage:
-    """The result of a handle's move.
-
-    Attributes:
-        phase: That the page asked for: `move`, `drop` or `cancel`.
-        component: `x y z rx ry rz`.
-        text: The number as it is or would be written.
-        value: That number, metres or radians.
-        reason: Why not; empty if nothing was in the way.
-        written: Whether the document was changed.
-        warning: Which body it makes impossible; empty for none.
-        path: Constant.
-    """
+    """The result of a handle's move."""
 
     type: ClassVar[Literal["dragged"]] = "dragged"
-    phase: str
-    component: str
-    text: str
-    value: float
-    reason: str
-    written: bool
-    warning: str = ""
+    phase: Annotated[str, "as requested: `move`, `drop` or `cancel`"]
+    component: Annotated[str, "`x y z rx ry rz`"]
+    text: Annotated[str, "the number as it is or would be written"]
+    value: Annotated[Travel, "of that number"]
+    reason: Annotated[str, "why not; empty if nothing was in the way"]
+    written: Annotated[bool, "whether the document was changed"]
+    warning: Annotated[str, "which body becomes impossible; empty for none"] = ""
     path: str = f"{ROOT}/dragged"
 
 
 @dataclass(frozen=True, slots=True)
 class PlanMessage:
-    """The preview of a gesture.
-
-    Attributes:
-        gesture: That the page asked for.
-        title: Its title, in the imperative; empty if it cannot be.
-        reason: Why not; empty if nothing is in the way.
-        path: Constant.
-    """
+    """The preview of a gesture."""
 
     type: ClassVar[Literal["plan"]] = "plan"
-    gesture: str
-    title: str
-    reason: str
+    gesture: Annotated[str, "as requested"]
+    title: Annotated[str, "in the imperative; empty if it cannot be done"]
+    reason: Annotated[str, "why not; empty if nothing is in the way"]
     path: str = f"{ROOT}/plan"
 
 
 @dataclass(frozen=True, slots=True)
 class WrittenMessage:
-    """The result of an accepted gesture.
-
-    Attributes:
-        gesture: That the page asked for.
-        title: Its title, in the imperative.
-        reason: Why nothing was written; empty if it was.
-        path: Constant.
-    """
+    """The result of an accepted gesture."""
 
     type: ClassVar[Literal["written"]] = "written"
-    gesture: str
-    title: str
-    reason: str
+    gesture: Annotated[str, "as requested"]
+    title: Annotated[str, "in the imperative"]
+    reason: Annotated[str, "why nothing was written; empty if it was"]
     path: str = f"{ROOT}/written"
 
 
 @dataclass(frozen=True, slots=True)
 class LinesMessage:
-    """Lines that the user may add to a file.
-
-    Attributes:
-        text: The lines.
-        path: Constant.
-    """
+    """Lines that the user may add to a file."""
 
     type: ClassVar[Literal["lines"]] = "lines"
     text: str
     path: str = f"{ROOT}/lines"
+
+
+@dataclass(frozen=True, slots=True)
+class RefusedMessage:
+    """The answer to a message that is no request."""
+
+    type: ClassVar[Literal["refused"]] = "refused"
+    reason: Sentence
+    path: str = f"{ROOT}/refused"
 
 
 Part: TypeAlias = (
@@ -733,19 +458,14 @@ Part: TypeAlias = (
     | TrajectoryMessage | FormulaMessage | GhostMessage | OtherMessage | ComparisonMessage
     | VisualMessage | MeshDataMessage | MeshesMessage
     | FindingMessage | StatusMessage | HighlightMessage | EditingMessage | HandlesMessage
-    | DraggedMessage | PlanMessage | WrittenMessage | LinesMessage
+    | DraggedMessage | PlanMessage | WrittenMessage | LinesMessage | RefusedMessage
 )  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """All that a page is told at once; it shows nothing of it before it has taken all of it.
-
-    Attributes:
-        is_whole: Whether this is the whole state: what it does not mention is gone.
-        parts: In the order in which they are to be taken.
-    """
+    """One atomic update of the page."""
 
     type: ClassVar[Literal["change"]] = "change"
-    is_whole: bool
-    parts: tuple[Part, ...]
+    is_whole: Annotated[bool, "whether this is the whole state, and all else is gone"]
+    parts: Annotated[tuple[Part, ...], "in the order in which they are to be taken"]

@@ -24,9 +24,7 @@ from kindsl.robots.scene.marks import (
     robot_com_mark,
 )
 from kindsl.robots.scene.messages import (
-    Bone,
     Core,
-    DoubtRow,
     FrameMessage,
     JointMessage,
     LimitsMessage,
@@ -169,9 +167,9 @@ def _solid(path: str, name: str, own: LinkSolid, segments: tuple[Segment, ...]) 
             shell=own.shell,
         ),
         look=own.look,
-        doubts=tuple(DoubtRow(*doubt) for doubt in own.doubts),
+        doubts=own.doubts,
         is_oversized=own.is_oversized,
-        bones=tuple(Bone(segment.name, segment.end) for segment in segments),
+        bones=segments,
         radius=own.bone,
         strut=own.strut,
         drum=own.drum,

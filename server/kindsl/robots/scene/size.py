@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 from statistics import median
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 from kindsl.mechanics.rigid.pose import Vector3
 from kindsl.robots.mechanism.skeleton import Skeleton
@@ -18,10 +18,10 @@ NEGLIGIBLE = 1e-9
 
 
 class Segment(NamedTuple):
-    """A straight piece of a body, from its frame's origin to `end` in its frame, metres."""
+    """A straight piece of a body, from its frame's origin."""
 
-    name: str
-    end: Vector3
+    name: Annotated[str, "the joint or frame that it goes to, else `com`"]
+    end: Annotated[Vector3, "in the body's frame, metres"]
 
     @property
     def length(self) -> float:

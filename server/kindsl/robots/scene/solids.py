@@ -4,7 +4,7 @@ import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import lru_cache
 from statistics import median
-from typing import Literal, NamedTuple, TypeAlias
+from typing import Annotated, Literal, NamedTuple, TypeAlias
 
 from kindsl.mechanics.rigid.body import NO_BODY, MassDistribution, principal_moments_about_com
 from kindsl.mechanics.rigid.pose import RigidPose, Vector3, dot, minus
@@ -36,17 +36,11 @@ _MOST_KNOWN = 1 << 12
 
 
 class Doubt(NamedTuple):
-    """A defect of a body, or a possible one.
+    """A defect of a body, or a possible one."""
 
-    Attributes:
-        word: A short name of it.
-        code: The rule that reports it.
-        sentence: For people.
-    """
-
-    word: str
-    code: str
-    sentence: str
+    word: Annotated[str, "a short name of it"]
+    code: Annotated[str, "of the rule that reports it"]
+    sentence: Annotated[str, "for people"]
 
 
 class LinkSolid(NamedTuple):

@@ -1,35 +1,15 @@
 """The numbers of a thing as its card and its handles in the picture show them."""
 
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
 
 from kindsl.frontends.features.manipulation.carrier import Carrier, carrier_of
 from kindsl.frontends.features.manipulation.places import places_moved_by
 from kindsl.frontends.features.manipulation.things import ANGLES, LENGTHS, Missing, Thing, component
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.expressions import Expression
+from kindsl.robots.scene.messages import Handle
 
 _NO_VALUES: Mapping[str, float] = {}
-
-
-class Handle(NamedTuple):
-    """One number of a thing, as a card shows it.
-
-    Attributes:
-        component: `x y z rx ry rz`.
-        value: Metres or radians, None where it has none.
-        text: As written.
-        symbol: The parameter or constant that carries it, empty where it is a plain number.
-        moves_along: Other places that the symbol moves: `joint 'knee' x`.
-        locked: Why it cannot be changed, empty where it can.
-    """
-
-    component: str
-    value: float | None
-    text: str
-    symbol: str = ""
-    moves_along: tuple[str, ...] = ()
-    locked: str = ""
 
 
 def handles(

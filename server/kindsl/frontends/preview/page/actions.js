@@ -24,7 +24,7 @@ export function makeActions(page) {
     setJoint(name, value) {
       scene.q.set(name, value);
       scene.changed("value");
-      page.send({ type: "set-joint", name, value });
+      page.send({ type: "set-joints", values: { [name]: value } });
       note();
     },
     // Several joints at once, by name.
@@ -44,7 +44,7 @@ export function makeActions(page) {
     zero: () => page.joints.zero(),
     setParameter(name, value) {
       if (page.isStatic) page.inbox.setParameter(name, value);
-      else page.send({ type: "set-parameter", name, value });
+      else page.send({ type: "set-parameters", values: { [name]: value } });
     },
     setParameters(parameters) {
       if (page.isStatic) for (const { name, value } of parameters) page.inbox.setParameter(name, value);

@@ -125,6 +125,7 @@ export class Inbox {
     } else if (message.type === "highlight") this.onCursor(message.name ? message : null);
     else if (message.type === "trajectory") this.motion = message;
     else if (message.type === "lines") this.onLines(message.text);
+    else if (message.type === "refused") console.warn(message.reason);
     else if (isOfEditing(message)) this.onEditing(message);
     this.scene.apply(message);
   }

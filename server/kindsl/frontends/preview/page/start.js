@@ -81,7 +81,7 @@ page.poses = new Poses(scene, page.actions, (name, joints) => {
 page.tree = new Tree(scene, page.selection, page.actions);
 page.findings = new Findings(pane, page.inbox, page.actions);
 page.compare = new Compare({ ...page, choose: (name) => page.send({ type: "compare", name }), note: () => page.actions.note() });
-page.meshes = new MeshButton(scene.meshes, () => page.send({ type: "meshes" }), () => page.actions.note());
+page.meshes = new MeshButton(scene.meshes, () => page.send({ type: "show-meshes" }), () => page.actions.note());
 page.legend = new Legend(scene, page.presets, page.actions);
 page.bars = panelBars(() => page.address.note());
 page.address = new Address(page);

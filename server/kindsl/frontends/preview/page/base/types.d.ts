@@ -98,11 +98,7 @@ export interface Actions {
   foldPanel(isFolded?: boolean): void;
 }
 
-/** What the page asks of the server. */
-export interface Request {
-  readonly type: string;
-  readonly [name: string]: unknown;
-}
+export type { Request } from "../messages.js";
 
 /** meshcat's viewer, as far as we use it. */
 export interface Viewer {
