@@ -144,6 +144,12 @@ def fixed_axis_angles(rotation: Rotation) -> Vector3:
     return 0.0 - x, 0.0 - y, 0.0 - z
 
 
+def angle_between(one: RigidPose, other: RigidPose) -> float:
+    """Return the angle of the rotation between two poses, exact near zero too; radians."""
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = product(transposed(one.rotation), other.rotation)
+    return atan2(hypot(zy - yz, xz - zx, yx - xy), xx + yy + zz - 1.0)
+
+
 def round_angle(value: float) -> float:
     """Return the nearest whole fraction of a turn, a multiple of 15 degrees; radians."""
     return round(value / _ROUND) * _ROUND + 0.0

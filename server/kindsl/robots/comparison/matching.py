@@ -63,6 +63,30 @@ def matching_frames(
             yield frame, other
 
 
+def bodies_by_name(ours: Skeleton, theirs: Skeleton) -> dict[int, int]:
+    """Return the bodies that are one, by ours: of one name, else on one joint, else of one mass."""
+    names = {name: its for its, name in enumerate(theirs.link_names, 1)}
+    named = ((body, names.pop(name, 0)) for body, name in enumerate(ours.link_names, 1))
+    found = {0: 0} | {body: its for body, its in named if its}
+    for is_one in (_are_on_one_joint, _are_one_body):
+        for body in range(1, len(ours.body_names)):
+            free = () if body in found else sorted(names.values())
+            its = next((its for its in free if is_one(ours, body, theirs, its)), 0)
+            if its:
+                found[body] = names.pop(theirs.body_names[its])
+    return dict(sorted(found.items()))
+
+
+def _are_on_one_joint(ours: Skeleton, body: int, theirs: Skeleton, its: int) -> bool:
+    return ours.joint_names[body - 1] == theirs.joint_names[its - 1]
+
+
+def _are_one_body(ours: Skeleton, body: int, theirs: Skeleton, its: int) -> bool:
+    is_same_place = ours.placements[body - 1] == theirs.placements[its - 1]
+    mass = ours.masses[body]
+    return is_same_place and mass == theirs.masses[its] and mass.mass != 0.0
+
+
 def writable(name: str) -> str:
     """Return a name as a document can write it: `tip.0` becomes `tip_0`."""
     return re.sub(r"\W", "_", name)

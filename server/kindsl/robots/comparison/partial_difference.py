@@ -4,19 +4,19 @@ A parameter without a value gets the same stand-in on both sides, and then anoth
 that the second changes depends on it, and is left out.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from kindsl.language.semantics.declarations import Frame, Joint, Link
 from kindsl.language.semantics.model import Model
 from kindsl.language.text.phrases import listed
-from kindsl.robots.comparison.difference import Difference, difference
+from kindsl.robots.comparison.difference import Difference, MassChange, Moved, difference
 from kindsl.robots.mechanism.fragments import skeleton_as_far_as_known
 from kindsl.robots.mechanism.skeleton import Skeleton
 from kindsl.robots.mechanism.total_mass import total_mass, unknown_bodies
 
 _STAND_INS = (0.7315, 0.4127)
+_NOTHING = 0.0, 0.0
 
 Document = tuple[Model, Mapping[str, float]]
 
@@ -33,106 +33,81 @@ class PartialDifference(NamedTuple):
     notes: tuple[str, ...]
 
 
-def partial_difference(old: Document, new: Document) -> PartialDifference | int:
-    """Return what changed, or the number of the document, 0 or 1, that has no tree at all."""
-    unbound = _unbound(old) | _unbound(new)
-    versions: list[tuple[Skeleton, Skeleton]] = []
-    for stand_in in _STAND_INS:
-        sides = [_skeleton(document, dict.fromkeys(unbound, stand_in)) for document in (old, new)]
-        if sides[0] is None or sides[1] is None:
-            return 0 if sides[0] is None else 1
-        versions.append((sides[0], sides[1]))
-    bound = [(model, {**values, **_stand_ins(unbound, values)}) for model, values in (old, new)]
-    if not unbound:
-        return _without_unknown(difference(*versions[0]), bound)
-    first, second = versions
-    depends = [difference(a, b) for a, b in zip(first, second, strict=True)]
-    found = _without(difference(*first), depends)
-    names = listed(f"'{name}'" for name in sorted(unbound))
-    what = "parameter" if len(unbound) == 1 else "parameters"
-    verb = "has" if len(unbound) == 1 else "have"
-    note = f"{what} {names} {verb} no value: what depends on it is left out"
-    known = _without_unknown(found, bound)
-    return known._replace(notes=(note, *known.notes))
+def partial_difference(old: Document | None, new: Document | None) -> PartialDifference | int:
+    """Return what changed, or the number of the document, 0 or 1, that has no tree at all.
+
+    Args:
+        old: Model and values of parameters, None if there was no document.
+        new: The same, None if the document is gone.
+    """
+    sides = [side for side in (old or new, new or old) if side is not None]
+    pairs = [(p.name, values) for model, values in sides for p in model.parameters]
+    unbound = sorted({str(name) for name, values in pairs if name not in values})
+    bound = [
+        [(model, {**dict.fromkeys(unbound, stand_in), **values}) for model, values in sides]
+        for stand_in in _STAND_INS
+    ]
+    versions: list[list[Skeleton]] = []
+    for documents in bound:
+        skeletons = [skeleton_as_far_as_known(*document) for document in documents]
+        if None in skeletons:
+            return 1 if old is None else skeletons.index(None)
+        versions.append([skeleton for skeleton in skeletons if skeleton is not None])
+    found, notes = difference(*versions[0]), list[str]()
+    if unbound:
+        depends = [difference(*side) for side in zip(*versions, strict=True)]
+        found = _independent(found, depends)
+        names = listed(f"'{name}'" for name in unbound)
+        parameters = "parameters" if unbound[1:] else "parameter"
+        verb = "have" if unbound[1:] else "has"
+        notes.append(f"{parameters} {names} {verb} no value: what depends on it is left out")
+    found, unknown = _known(found, bound[0])
+    if old is None or new is None:
+        found = _of_one(found, versions[0][0], "added" if old is None else "removed")
+    return PartialDifference(found, (*notes, *unknown))
 
 
-def added(same: Difference, model: Model) -> Difference:
-    """Return the difference of nothing to a model, from that of the model to itself."""
-    return replace(
-        same,
-        added_links=_names(model.links),
-        added_joints=_names(model.joints),
-        added_frames=_names(model.frames),
-        total_mass=(0.0, same.total_mass[1]),
-        reach=(0.0, same.reach[1]),
-    )
+def _independent(found: Difference, depends: Sequence[Difference]) -> Difference:
+    """Return the changes that no stand-in changes on either side."""
+    kept: dict[str, Any] = {}
+    for field in ("joint_frames", "frames", "zero_poses", "masses"):
+        names = {_name(change) for each in depends for change in getattr(each, field)}
+        kept[field] = tuple(c for c in getattr(found, field) if _name(c) not in names)
+    for field in ("total_mass", "reach"):
+        pairs = (getattr(each, field) for each in depends)
+        kept[field] = _NOTHING if any(a != b for a, b in pairs) else getattr(found, field)
+    return replace(found, **kept)
 
 
-def removed(same: Difference, model: Model) -> Difference:
-    """Return the difference of a model to nothing, from that of the model to itself."""
-    return replace(
-        same,
-        removed_links=_names(model.links),
-        removed_joints=_names(model.joints),
-        removed_frames=_names(model.frames),
-        total_mass=(same.total_mass[0], 0.0),
-        reach=(same.reach[0], 0.0),
-    )
+def _name(change: Moved | MassChange) -> str:
+    return change.link if isinstance(change, MassChange) else change.name
 
 
-def _stand_ins(unbound: Iterable[str], values: Mapping[str, float]) -> dict[str, float]:
-    return {name: _STAND_INS[0] for name in unbound if name not in values}
-
-
-def _without_unknown(found: Difference, documents: Sequence[Document]) -> PartialDifference:
-    """Leave out the inertia and totals that cannot be read on either side, and say so."""
+def _known(found: Difference, sides: Sequence[Document]) -> tuple[Difference, list[str]]:
+    """Return the changes without inertia and totals that cannot be read, and a note on these."""
     old_name = {pair.new: pair.old for pair in found.renamed_links}
-    before, after = (unknown_bodies(*document) for document in documents)
+    before, after = (unknown_bodies(*side) for side in sides)
     links = [change.link for change in found.masses]
     unknown = {n for n in links if n in after or old_name.get(n, n) in before}
-    weights = [total_mass(*document) for document in documents]
     left_out = [f"the inertia of '{name}'" for name in sorted(unknown)]
     reasons = [reason.plain for reason in (*before.values(), *after.values())]
+    weights = [total_mass(*side) for side in sides]
     if not all(weight.is_whole for weight in weights):
         left_out = ["the total mass", *left_out]
         reasons = [weight.plain_reason for weight in weights if not weight.is_whole]
-        found = replace(found, total_mass=(0.0, 0.0))
+        found = replace(found, total_mass=_NOTHING)
     found = replace(found, masses=tuple(m for m in found.masses if m.link not in unknown))
-    notes = (f"{listed(left_out)} left out: {reasons[0]}",) if left_out else ()
-    return PartialDifference(found, notes)
+    return found, [f"{listed(left_out)} left out: {reasons[0]}"] if left_out else []
 
 
-def _names(things: Iterable[Link | Joint | Frame]) -> tuple[str, ...]:
-    return tuple(str(thing.name) for thing in things)
-
-
-def _unbound(document: Document) -> set[str]:
-    model, values = document
-    return {str(p.name) for p in model.parameters} - set(values)
-
-
-def _skeleton(document: Document, stand_ins: Mapping[str, float]) -> Skeleton | None:
-    model, values = document
-    return skeleton_as_far_as_known(model, {**stand_ins, **values})
-
-
-def _without(found: Difference, depends: list[Difference]) -> Difference:
-    """Return a difference without what depends on a stand-in on either side."""
-
-    def names(*fields: str) -> set[str]:
-        moved = (change for d in depends for field in fields for change in getattr(d, field))
-        return {getattr(change, "name", None) or change.link for change in moved}
-
-    joints, frames, poses = names("joint_frames"), names("frames"), names("zero_poses")
-    masses = names("masses")
-    total = any(d.total_mass[0] != d.total_mass[1] for d in depends)
-    reach = any(d.reach[0] != d.reach[1] for d in depends)
-    return replace(
-        found,
-        joint_frames=tuple(m for m in found.joint_frames if m.name not in joints),
-        frames=tuple(m for m in found.frames if m.name not in frames),
-        zero_poses=tuple(m for m in found.zero_poses if m.name not in poses),
-        masses=tuple(m for m in found.masses if m.link not in masses),
-        total_mass=(0.0, 0.0) if total else found.total_mass,
-        reach=(0.0, 0.0) if reach else found.reach,
-    )
+def _of_one(same: Difference, skeleton: Skeleton, change: str) -> Difference:
+    """Return the difference of nothing to a robot, or the reverse, from that of it to itself."""
+    weight, reach = same.total_mass[0], same.reach[0]
+    names: dict[str, Any] = {
+        f"{change}_links": skeleton.link_names,
+        f"{change}_joints": skeleton.joint_names,
+        f"{change}_frames": tuple(frame.name for frame in skeleton.frames),
+        "total_mass": (0.0, weight) if change == "added" else (weight, 0.0),
+        "reach": (0.0, reach) if change == "added" else (reach, 0.0),
+    }
+    return replace(same, **names)
