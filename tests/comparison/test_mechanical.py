@@ -9,10 +9,9 @@ from tests.comparison.trials import ARM, described_text, equal_trial, off_trial,
 from tests.support.amount import usually
 
 from kindsl.robots.comparison.mechanical import compared_mechanics
-from kindsl.robots.comparison.null_space import n_base_parameters
 from kindsl.robots.comparison.quantities import INERTIA
 from kindsl.robots.comparison.sentences import told
-from kindsl.robots.comparison.torques import torques
+from kindsl.robots.comparison.torques import n_base_parameters, torques
 from kindsl.robots.mechanism.bodies import bodies_of
 
 N_TRIALS = usually(25, 500)

@@ -59,8 +59,7 @@ def report_of(
 
 
 def _torques(old: ComparedRobot, new: ComparedRobot, found: MechanicalComparison) -> TorqueFacts:
-    from kindsl.robots.comparison.null_space import n_base_parameters
-    from kindsl.robots.comparison.torques import torques
+    from kindsl.robots.comparison.torques import n_base_parameters, torques
     from kindsl.robots.mechanism.bodies import bodies_of
 
     of_torques = torques(old.robot, new.robot, found)

@@ -90,7 +90,7 @@ def likely_base_frames(
     ours: Skeleton, theirs: Skeleton, matching: MatchedJoints
 ) -> Iterator[RigidPose]:
     """Yield where the other's base may be in ours, the best first; our own is one of them."""
-    root = _root_pair(ours, theirs, matching, _size(ours))
+    root = _root_pair(ours, theirs, matching, size_of(ours))
     is_likely = _agreement(root, IDENTITY) >= _LIKELY * _agreement(root, IDENTITY, root.ours)
     if is_likely:
         yield IDENTITY
@@ -113,7 +113,7 @@ def aligned(
         root: The other's base frame in ours.
         cost: Returns in how many numbers a body and its joint differ.
     """
-    size = _size(ours)
+    size = size_of(ours)
     frames, joints = {0: root}, dict[int, AlignedJoint]()
     for body in sorted(matching.theirs)[1:]:
         other, parent = matching.theirs[body], frames[ours.parents[body - 1]]
@@ -130,7 +130,8 @@ def aligned(
     return Alignment(frames, joints)
 
 
-def _size(skeleton: Skeleton) -> float:
+def size_of(skeleton: Skeleton) -> float:
+    """Return the greatest distance of a joint from the base's origin at zero, metres."""
     return max(dist(pose.translation, _ORIGIN) for pose in skeleton.zero_poses()) or 1.0
 
 
@@ -146,8 +147,16 @@ def _unlike_each_other(
     return kept
 
 
+def around(ours: Skeleton, alignment: Alignment, body: int) -> tuple[RigidPose, RigidPose]:
+    """Return the poses before and after the other's joint frame that make it ours."""
+    joint, slides = alignment.joints[body], ours.joint_kinds[body - 1] == "prismatic"
+    at_zero = moved_by(-joint.sign * joint.offset, slides)
+    before = alignment.frames[ours.parents[body - 1]]
+    return before, at_zero.then(alignment.frames[body].inverse())
+
+
 def moved_by(value: float, slides: bool) -> RigidPose:
-    """Return what a joint's value does: a turn about z, or a way along it."""
+    """Return the motion by a joint's value: a turn about z, or a shift along it."""
     if slides:
         return RigidPose(IDENTITY.rotation, (0.0, 0.0, value))
     return pose_from(_ORIGIN, (0.0, 0.0, value))

@@ -3,25 +3,28 @@
 from collections.abc import Iterator
 from math import degrees, hypot
 
+from kindsl.language.semantics.parameters import UNTOLD, JointProperties
 from kindsl.language.text.phrases import counted, listed
 from kindsl.mechanics.rigid.pose import RigidPose
-from kindsl.robots.comparison.alignment import Alignment
-from kindsl.robots.comparison.limits import other_limits
-from kindsl.robots.comparison.matching import MatchedJoints, writable
+from kindsl.robots.comparison.alignment import AlignedJoint
+from kindsl.robots.comparison.matching import writable
+from kindsl.robots.comparison.pair import Pair
 from kindsl.robots.comparison.written import Described
 
+# Of a frame that is written with few digits, metres and radians.
 _NOTHING = 3e-4
+# Relative: few digits are written of a limit.
+_SAME_LIMIT = 1e-4
 _SHOWN = 5
 
 
-def conventions(
-    ours: Described, theirs: Described, matching: MatchedJoints, alignment: Alignment
-) -> Iterator[str]:
+def conventions(pair: Pair) -> Iterator[str]:
     """Yield names, order, zeros, directions and limits of joints, link frames, other frames."""
-    yield from _names(ours, theirs, matching)
-    yield from _joints(ours, theirs, alignment)
-    yield from _frames(ours, theirs, alignment)
-    yield from other_limits(ours, theirs, matching, alignment)
+    ours, theirs = pair.ours, pair.theirs
+    yield from _names(pair)
+    yield from _joints(pair)
+    yield from _link_frames(pair)
+    yield from _limits(pair)
     frames = ours.skeleton.frames, theirs.skeleton.frames
     one, other = ({writable(frame.name) for frame in each} for each in frames)
     for side, known, where in ((ours, other, "here"), (theirs, one, f"in {theirs.label}")):
@@ -35,43 +38,77 @@ def _own_frames(side: Described) -> set[str]:
     return {frame.name for frame in side.skeleton.frames if _is_elsewhere(frame.pose)}
 
 
-def _names(ours: Described, theirs: Described, matching: MatchedJoints) -> Iterator[str]:
-    one, other = ours.skeleton, theirs.skeleton
-    pairs = [(body, its) for body, its in sorted(matching.theirs.items()) if body]
+def _names(pair: Pair) -> Iterator[str]:
+    one, other, label = pair.ours.skeleton, pair.theirs.skeleton, pair.theirs.label
     for what, mine, its_names in (
         ("joint", one.joint_names, other.joint_names),
         ("link", one.link_names, other.link_names),
     ):
-        named = [(mine[a - 1], its_names[b - 1]) for a, b in pairs]
+        named = [(mine[a - 1], its_names[b - 1]) for a, b in pair.joints]
         renamed = [f"'{a}' is '{b}'" for a, b in named if writable(a) != writable(b)]
         if renamed:
             number = counted(len(renamed), what)
             some = ", ".join(renamed[:_SHOWN]) + (", ..." if renamed[_SHOWN:] else "")
-            yield f"{number} of another name in {theirs.label}: {some}"
-    order = [its for _, its in pairs]
+            yield f"{number} of another name in {label}: {some}"
+    order = [its for _, its in pair.joints]
     if order != sorted(order):
-        yield f"the joints of {theirs.label} are in another order"
+        yield f"the joints of {label} are in another order"
 
 
-def _joints(ours: Described, theirs: Described, alignment: Alignment) -> Iterator[str]:
-    names, kinds = ours.skeleton.joint_names, ours.skeleton.joint_kinds
-    flipped = [names[body - 1] for body, joint in alignment.joints.items() if joint.sign < 0.0]
+def _joints(pair: Pair) -> Iterator[str]:
+    names, kinds = pair.ours.skeleton.joint_names, pair.ours.skeleton.joint_kinds
+    label, joints = pair.theirs.label, pair.alignment.joints
+    flipped = [names[body - 1] for body, joint in joints.items() if joint.sign < 0.0]
     if flipped:
         number = counted(len(flipped), "joint")
-        yield f"{number} of the other sign in {theirs.label}: {_some(flipped)}"
-    for body, joint in alignment.joints.items():
+        yield f"{number} of the other sign in {label}: {_some(flipped)}"
+    for body, joint in joints.items():
         if joint.offset:
             slides = kinds[body - 1] == "prismatic"
             value = f"{joint.offset:.6g} m" if slides else f"{degrees(joint.offset):.6g}°"
-            yield f"joint '{names[body - 1]}' is at {value} where it is zero in {theirs.label}"
+            yield f"joint '{names[body - 1]}' is at {value} where it is zero in {label}"
 
 
-def _frames(ours: Described, theirs: Described, alignment: Alignment) -> Iterator[str]:
-    names = ours.skeleton.body_names
-    moved = [names[body] for body, pose in alignment.frames.items() if _is_elsewhere(pose)]
+def _link_frames(pair: Pair) -> Iterator[str]:
+    names, frames = pair.ours.skeleton.body_names, pair.alignment.frames
+    moved = [names[body] for body, pose in frames.items() if _is_elsewhere(pose)]
     if moved:
         number = counted(len(moved), "link frame")
-        yield f"{number} elsewhere in {theirs.label}: {_some(moved)}"
+        yield f"{number} elsewhere in {pair.theirs.label}: {_some(moved)}"
+
+
+def _limits(pair: Pair) -> Iterator[str]:
+    """Yield the limits that both have and that differ; the first few."""
+    found = list(_different_limits(pair))
+    yield from found[:_SHOWN]
+    if found[_SHOWN:]:
+        yield f"{len(found) - _SHOWN} more limits differ in {pair.theirs.label}"
+
+
+def _different_limits(pair: Pair) -> Iterator[str]:
+    one, other = pair.ours.skeleton, pair.theirs.skeleton
+    for body, joint in pair.alignment.joints.items():
+        name = one.joint_names[body - 1]
+        its_name = other.joint_names[pair.matching.theirs[body] - 1]
+        own = pair.ours.properties.get(name, UNTOLD)
+        its = _counted_as_ours(pair.theirs.properties.get(its_name, UNTOLD), joint)
+        unit, force = ("m", "N") if one.joint_kinds[body - 1] == "prismatic" else ("rad", "N m")
+        units = unit, unit, force, f"{unit}/s"
+        kinds = "minimum", "maximum", "greatest effort", "greatest velocity"
+        for kind, here, there, its_unit in zip(kinds, own[:4], its[:4], units, strict=True):
+            if here is not None and there is not None and not _is_same_limit(here, there):
+                values = f"{here:.6g} {its_unit} here and {there:.6g} {its_unit}"
+                yield f"{kind} of joint '{name}' is {values} in {pair.theirs.label}"
+
+
+def _counted_as_ours(limits: JointProperties, joint: AlignedJoint) -> JointProperties:
+    ends = [None if end is None else joint.offset + joint.sign * end for end in limits.limits]
+    lower, upper = ends if joint.sign > 0.0 else reversed(ends)
+    return limits._replace(minimum=lower, maximum=upper)
+
+
+def _is_same_limit(one: float, other: float) -> bool:
+    return abs(one - other) <= _SAME_LIMIT * max(abs(one), abs(other))
 
 
 def _is_elsewhere(pose: RigidPose) -> bool:

@@ -2,13 +2,19 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from math import acos, hypot
+from math import acos
 from typing import NamedTuple
 
 from kindsl.language.text.nearest import hint, nearest_name
 from kindsl.language.text.phrases import counted
 from kindsl.mechanics.rigid.pose import RigidPose
-from kindsl.robots.comparison.alignment import Alignment, aligned, base_frames, likely_base_frames
+from kindsl.robots.comparison.alignment import (
+    Alignment,
+    aligned,
+    base_frames,
+    likely_base_frames,
+    size_of,
+)
 from kindsl.robots.comparison.conventions import conventions
 from kindsl.robots.comparison.matching import MatchedJoints, matched, matching_frames
 from kindsl.robots.comparison.number_differences import (
@@ -18,10 +24,10 @@ from kindsl.robots.comparison.number_differences import (
     inertia_differences,
     joint_differences,
 )
+from kindsl.robots.comparison.pair import Pair
 from kindsl.robots.comparison.turned_axes import axis_differences, described_with_axis
 from kindsl.robots.comparison.twins import TwinFile
 from kindsl.robots.comparison.written import Described, written_frame
-from kindsl.robots.mechanism.skeleton import Skeleton
 
 # Of gravity beside ours, radians: as much as the digits of an angle allow.
 _TILT = 3e-4
@@ -42,7 +48,7 @@ class MechanicalComparison:
         alignment: The conventions of the other beside ours.
         numbers: The numbers that differ.
         structure: Other differences, one sentence each: joints without a match, other kinds.
-        conventions: Differences without any meaning for the mechanics, one sentence each.
+        conventions: Differences that do not affect the mechanics, one sentence each.
     """
 
     matching: MatchedJoints
@@ -58,7 +64,7 @@ class MechanicalComparison:
 
 
 class ComparedTwin(NamedTuple):
-    """A twin, and what it says otherwise.
+    """A twin and its differences.
 
     Attributes:
         twin: The file.
@@ -82,32 +88,33 @@ def compared_mechanics(
     Args:
         ours: A robot.
         theirs: Another, or the same in another file.
-        joints: Names of the other's joints by ours, where they do not tell.
+        joints: Names of the other's joints by ours, where neither names nor axes show them.
         tolerance: Relative, of what counts as equal besides what the digits leave open.
     """
     one, other = ours.skeleton, theirs.skeleton
     given = joints or {}
-    wrong = tuple(unknown_joints(ours, theirs, given))
     named = {a: b for a, b in given.items() if a in one.joint_names and b in other.joint_names}
     matching = matched(one, other, named, lambda: base_frames(one, other))
-    bounds = Tolerances(_size(one), tolerance)
+    bounds = Tolerances(size_of(one), tolerance)
+    rough = bounds._replace(is_rough=True)
     tried: list[MechanicalComparison] = []
     for root in likely_base_frames(one, other, matching):
-        tried.append(_under(ours, theirs, matching, bounds, root))
+        tried.append(_under(_aligned(ours, theirs, matching, root, rough), bounds))
         if _n_differences(tried[-1]) <= _FEW:
             break
     found = min(tried, key=_n_differences)
     if found.numbers:
         # The choice between frames may have been led astray by digits, which cost time to heed.
         root = found.alignment.frames[0]
-        again = _under(ours, theirs, matching, bounds, root, is_rough=False)
+        again = _under(_aligned(ours, theirs, matching, root, bounds), bounds)
         found = min(found, again, key=_n_differences)
-    found = _with_axes_told(ours, theirs, bounds, found)
+    found = _with_turned_axes(ours, theirs, bounds, found)
+    wrong = unknown_joints(ours, theirs, given)
     return replace(found, structure=(*wrong, *found.structure))
 
 
 def unknown_joints(ours: Described, theirs: Described, joints: Mapping[str, str]) -> Iterator[str]:
-    """Yield which names of a map of joints no joint has, one sentence each."""
+    """Yield the names in a map of joints that no joint has, one sentence each."""
     sides = (ours, joints, "here"), (theirs, joints.values(), f"in {theirs.label}")
     for side, names, where in sides:
         known = side.skeleton.joint_names
@@ -116,72 +123,72 @@ def unknown_joints(ours: Described, theirs: Described, joints: Mapping[str, str]
                 yield f"there is no joint '{name}' {where}{hint(nearest_name(name, known), ',')}"
 
 
-def _with_axes_told(
+def _with_turned_axes(
     ours: Described, theirs: Described, bounds: Tolerances, found: MechanicalComparison
 ) -> MechanicalComparison:
-    """Tell axes that are turned as such, where that says what many numbers say."""
-    told: list[NumberDifference] = []
+    """Replace many numbers by one axis where turning it explains them."""
+    axes: list[NumberDifference] = []
+    rough = bounds._replace(is_rough=True)
     bodies = sorted({each.body for each in found.numbers if each.body})[:_MOST_AXES]
     for body in bodies:
         if _n_differences(found) <= _FEW:
             break
-        matching, its = found.matching, found.matching.theirs[body]
-        for axis, turn in axis_differences(ours, theirs, matching, found.alignment, body):
-            other = described_with_axis(theirs, its, turn)
-            again = _under(ours, other, matching, bounds, found.alignment.frames[0])
+        matching, root = found.matching, found.alignment.frames[0]
+        for axis, turn in axis_differences(Pair(ours, theirs, matching, found.alignment), body):
+            other = described_with_axis(theirs, matching.theirs[body], turn)
+            again = _under(_aligned(ours, other, matching, root, rough), bounds)
             if _n_differences(again) + 1 < _n_differences(found):
                 frames = again.alignment.frames
                 frames[body] = frames[body].then(turn.inverse())
                 theirs, found = other, again
-                told.append(axis)
+                axes.append(axis)
                 break
-    return replace(found, numbers=(*told, *found.numbers))
+    return replace(found, numbers=(*axes, *found.numbers))
 
 
-def _under(
+def _aligned(
     ours: Described,
     theirs: Described,
     matching: MatchedJoints,
-    bounds: Tolerances,
     root: RigidPose,
-    is_rough: bool = True,
-) -> MechanicalComparison:
-    """Compare with the other's base at a pose in ours, frames chosen roughly or by all digits."""
-    of_choice = bounds._replace(is_rough=is_rough)
+    bounds: Tolerances,
+) -> Pair:
+    """Return both robots with the other's base at a pose in ours, frames chosen within bounds."""
 
     def cost(body: int, tried: Alignment) -> int:
-        return len(list(_body_numbers(ours, theirs, matching, tried, of_choice, body)))
+        return len(list(_body_numbers(Pair(ours, theirs, matching, tried), bounds, body)))
 
     alignment = aligned(ours.skeleton, theirs.skeleton, matching, root, cost)
-    structure = tuple(_structure(ours, theirs, matching, alignment))
-    if not _is_one_robot(ours.skeleton, theirs.skeleton, matching):
+    return Pair(ours, theirs, matching, alignment)
+
+
+def _under(pair: Pair, bounds: Tolerances) -> MechanicalComparison:
+    """Compare under an alignment."""
+    matching, alignment = pair.matching, pair.alignment
+    structure = tuple(_structure(pair))
+    if not _is_one_robot(pair):
         return MechanicalComparison(matching, alignment, (), structure[:1], ())
-    numbers = tuple(_numbers(ours, theirs, matching, alignment, bounds))
-    told = tuple(conventions(ours, theirs, matching, alignment))
-    return MechanicalComparison(matching, alignment, numbers, structure, told)
+    numbers = tuple(_numbers(pair, bounds))
+    return MechanicalComparison(matching, alignment, numbers, structure, tuple(conventions(pair)))
 
 
 def _n_differences(found: MechanicalComparison) -> int:
     return len(found.numbers) + _OF_STRUCTURE * len(found.structure)
 
 
-def _is_one_robot(ours: Skeleton, theirs: Skeleton, matching: MatchedJoints) -> bool:
-    return _FAR * matching.n_joints > max(ours.n_links, theirs.n_links)
+def _is_one_robot(pair: Pair) -> bool:
+    most = max(pair.ours.skeleton.n_links, pair.theirs.skeleton.n_links)
+    return _FAR * pair.matching.n_joints > most
 
 
-def _size(skeleton: Skeleton) -> float:
-    return max(hypot(*pose.translation) for pose in skeleton.zero_poses()) or 1.0
-
-
-def _structure(
-    ours: Described, theirs: Described, matching: MatchedJoints, alignment: Alignment
-) -> Iterator[str]:
+def _structure(pair: Pair) -> Iterator[str]:
+    ours, theirs, matching, alignment = pair
     one, other = ours.skeleton, theirs.skeleton
     if matching.only_ours or matching.only_theirs:
-        yield _unmatched(ours, theirs, matching)
-    for body, its in matching.theirs.items():
-        if body and one.joint_kinds[body - 1] != other.joint_kinds[its - 1]:
-            kinds = one.joint_kinds[body - 1], other.joint_kinds[its - 1]
+        yield _unmatched(pair)
+    for body, its in pair.joints:
+        kinds = one.joint_kinds[body - 1], other.joint_kinds[its - 1]
+        if kinds[0] != kinds[1]:
             name = one.joint_names[body - 1]
             yield f"joint '{name}' is {kinds[0]} here and {kinds[1]} in {theirs.label}"
     for frame, same in matching_frames(one, other):
@@ -200,63 +207,45 @@ def _structure(
             yield f"gravity acts {tilt:.4g} rad apart: the fixed base of {theirs.label} is tilted"
 
 
-def _unmatched(ours: Described, theirs: Described, matching: MatchedJoints) -> str:
-    numbers = (counted(each.skeleton.n_links, "joint") for each in (ours, theirs))
-    here, there = numbers
+def _unmatched(pair: Pair) -> str:
+    matching, label = pair.matching, pair.theirs.label
+    here, there = (counted(each.skeleton.n_links, "joint") for each in (pair.ours, pair.theirs))
     match = "1 joint matches" if matching.n_joints == 1 else f"{matching.n_joints} joints match"
-    told = f"{match}: {here} here, {there} in {theirs.label}"
     rest = [f"'{name}' only here" for name in matching.only_ours[:3]]
     rest += [f"'{name}' only there" for name in matching.only_theirs[:3]]
-    return f"{told}; {', '.join(rest)}"
+    return f"{match}: {here} here, {there} in {label}; {', '.join(rest)}"
 
 
-def _numbers(
-    ours: Described,
-    theirs: Described,
-    matching: MatchedJoints,
-    alignment: Alignment,
-    bounds: Tolerances,
-) -> Iterator[NumberDifference]:
-    for body in sorted(matching.theirs):
-        yield from _body_numbers(ours, theirs, matching, alignment, bounds, body)
-    yield from _frames(ours, theirs, matching, alignment, bounds)
+def _numbers(pair: Pair, bounds: Tolerances) -> Iterator[NumberDifference]:
+    for body in sorted(pair.matching.theirs):
+        yield from _body_numbers(pair, bounds, body)
+    yield from _frames(pair, bounds)
 
 
-def _body_numbers(
-    ours: Described,
-    theirs: Described,
-    matching: MatchedJoints,
-    alignment: Alignment,
-    bounds: Tolerances,
-    body: int,
-) -> Iterator[NumberDifference]:
+def _body_numbers(pair: Pair, bounds: Tolerances, body: int) -> Iterator[NumberDifference]:
     """Yield the differences of a body's mass, and of the joint that carries it."""
-    one, other, its = ours.skeleton, theirs.skeleton, matching.theirs[body]
+    ours, theirs = pair.ours, pair.theirs
+    one, other, its = ours.skeleton, theirs.skeleton, pair.matching.theirs[body]
     joint = one.joint_names[body - 1] if body else ""
     if {one.body_names[body], joint} & (ours.unknown | theirs.unknown):
         return
     if body and one.joint_kinds[body - 1] == other.joint_kinds[its - 1]:
-        yield from joint_differences(ours, theirs, body, its, alignment, bounds)
+        yield from joint_differences(pair, body, bounds)
     is_heavy = any(ours.inertias) and any(theirs.inertias)
     if is_heavy and (body or (one.is_floating and other.is_floating)):
-        yield from inertia_differences(ours, theirs, body, its, alignment, bounds)
+        yield from inertia_differences(pair, body, bounds)
 
 
-def _frames(
-    ours: Described,
-    theirs: Described,
-    matching: MatchedJoints,
-    alignment: Alignment,
-    bounds: Tolerances,
-) -> Iterator[NumberDifference]:
+def _frames(pair: Pair, bounds: Tolerances) -> Iterator[NumberDifference]:
     """Yield the differences of frames that both have; where links with a mass are is a convention.
 
     It is none where one side has the frame of that name alone, whose place it means.
     """
+    ours, theirs = pair.ours, pair.theirs
     for frame, other in matching_frames(ours.skeleton, theirs.skeleton):
         is_heavy = frame.name in ours.heavy_frames and other.name in theirs.heavy_frames
-        if is_heavy or matching.theirs.get(frame.body) != other.body:
+        if is_heavy or pair.matching.theirs.get(frame.body) != other.body:
             continue
         written = ours.frames.get(frame.name) or written_frame(frame.name, frame.pose)
-        pose = alignment.frames[frame.body].then(other.pose)
+        pose = pair.alignment.frames[frame.body].then(other.pose)
         yield from frame_differences(written, theirs.frames.get(other.name), pose, bounds)

@@ -1,16 +1,14 @@
 """The numbers in which two robots differ: the fewest of either file that make the difference."""
 
 from collections.abc import Callable, Sequence
-from math import atan2, hypot
+from math import hypot
 from typing import NamedTuple
 
 from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from
-from kindsl.mechanics.rigid.pose import RigidPose
-from kindsl.robots.comparison.alignment import Alignment, moved_by
+from kindsl.mechanics.rigid.pose import RigidPose, angle_between
+from kindsl.robots.comparison.pair import Pair
 from kindsl.robots.comparison.quantities import INERTIA, POSE, TURNS
 from kindsl.robots.comparison.written import (
-    Described,
-    Numbers,
     WrittenInertia,
     WrittenNumber,
     WrittenPose,
@@ -30,6 +28,8 @@ _NO_REACH = 1e-3
 _UNITS = dict(zip(INERTIA, ("kg", *("m",) * 3, *("kg m²",) * 6), strict=True)) | dict(
     zip(POSE, (*("m",) * 3, *("rad",) * 3), strict=True)
 )
+
+_Form = WrittenInertia | WrittenPose
 
 
 class NumberChange(NamedTuple):
@@ -84,7 +84,7 @@ class NumberDifference(NamedTuple):
 class _WantedNumbers(NamedTuple):
     """The numbers of one part of a file that would agree with the other file."""
 
-    form: WrittenInertia | WrittenPose
+    form: _Form
     values: tuple[float, ...]
     unlike: tuple[int, ...]
 
@@ -103,33 +103,18 @@ class Tolerances(NamedTuple):
     is_rough: bool = False
 
 
-def joint_differences(
-    ours: Described,
-    theirs: Described,
-    body: int,
-    other: int,
-    alignment: Alignment,
-    bounds: Tolerances,
-) -> list[NumberDifference]:
-    """Return the numbers of a joint's pose that differ; `body` and `other` are what it carries."""
-    mine, its = ours.joints[body - 1], theirs.joints[other - 1]
-    parent = alignment.frames[ours.skeleton.parents[body - 1]]
-    slides = ours.skeleton.joint_kinds[body - 1] == "prismatic"
-    sign, offset = alignment.joints[body]
-    after = moved_by(-sign * offset, slides).then(alignment.frames[body].inverse())
-
-    def here(pose: RigidPose) -> RigidPose:
-        return parent.then(pose).then(after)
-
-    def there(pose: RigidPose) -> RigidPose:
-        return parent.inverse().then(pose).then(after.inverse())
-
-    carriers = (ours, ours.skeleton.parents[body - 1]), (theirs, theirs.skeleton.parents[other - 1])
+def joint_differences(pair: Pair, body: int, bounds: Tolerances) -> list[NumberDifference]:
+    """Return the numbers that differ in the pose of the joint that carries our body."""
+    other, parents = pair.matching.theirs[body], pair.parents
+    mine, its = pair.ours.joints[body - 1], pair.theirs.joints[other - 1]
+    before, after = pair.around(body)
+    back = before.inverse(), after.inverse()
+    carriers = (pair.ours, parents[0][body - 1]), (pair.theirs, parents[1][other - 1])
     tilt = sum(_turn_slack(robot.joints[carrier - 1]) for robot, carrier in carriers if carrier)
-    wanted = _wanted_pose(mine, its, here, bounds, tilt)
+    wanted = _wanted_pose(mine, its, (before, after), bounds, tilt)
     if not wanted.unlike:
         return []
-    found = _shorter("joint", wanted, _wanted_pose(its, mine, there, bounds, tilt))
+    found = _shorter("joint", wanted, _wanted_pose(its, mine, back, bounds, tilt))
     return [each._replace(body=body) for each in found]
 
 
@@ -139,7 +124,7 @@ def frame_differences(
     """Return the numbers of a frame that differ from another's pose in the same body."""
     values = frame.values_of(pose)
     scales, slack = _scales_of_pose(bounds), (_FRAME * bounds.size,) * 3 + (_FRAME,) * 3
-    unlike = _unlike(frame.values, frame.numbers, values, scales, bounds, slack)
+    unlike = _unlike(frame, values, scales, bounds, slack)
     wanted = _WantedNumbers(frame, values, unlike)
     near = (None,) * len(POSE) if other is None else other.numbers
     return [
@@ -147,18 +132,12 @@ def frame_differences(
     ]
 
 
-def inertia_differences(
-    ours: Described,
-    theirs: Described,
-    body: int,
-    other: int,
-    alignment: Alignment,
-    bounds: Tolerances,
-) -> list[NumberDifference]:
+def inertia_differences(pair: Pair, body: int, bounds: Tolerances) -> list[NumberDifference]:
     """Return the numbers of a body's mass that differ; a body may consist of several links."""
+    ours, theirs, other = pair.ours, pair.theirs, pair.matching.theirs[body]
     if not (ours.inertias[body] or theirs.inertias[other]):
         return []
-    frame = alignment.frames[body]
+    frame = pair.alignment.frames[body]
     mine = ours.inertias[body] or (no_inertia(ours.skeleton.body_names[body]),)
     its = theirs.inertias[other] or (no_inertia(theirs.skeleton.body_names[other]),)
     wanted = _wanted_inertia(mine, its, frame, bounds)
@@ -176,43 +155,40 @@ def inertia_differences(
 def _wanted_pose(
     form: WrittenPose,
     other: WrittenPose,
-    carried: Callable[[RigidPose], RigidPose],
+    around: tuple[RigidPose, RigidPose],
     bounds: Tolerances,
     tilt: float,
 ) -> _WantedNumbers:
-    """Return the numbers that agree, `tilt` being how far what it hangs on may be turned, rad."""
+    """Return the numbers that agree, `tilt` being how far the carrying body may be turned, rad."""
+    before, after = around
 
     def values(written: Sequence[float]) -> tuple[float, ...]:
-        return form.values_of(carried(other.pose(written)))
+        return form.values_of(before.then(other.pose(written)).then(after))
 
     wanted = values(other.values)
     scales = _scales_of_pose(bounds)
-    unlike = _unlike(form.values, form.numbers, wanted, scales, bounds)
+    unlike = _unlike(form, wanted, scales, bounds)
     if unlike and not bounds.is_rough:
         # Angles may be ill-defined, a turn is not.
         turn = _turn_slack(other)
-        moved = _slack(values, wanted, other.values, other.numbers)
+        moved = _slack(values, wanted, other)
         lever = tilt * hypot(*form.values[:3])
         slack = (*(each + lever for each in moved[:3]), *(min(each, turn) for each in moved[3:]))
-        unlike = _unlike(form.values, form.numbers, wanted, scales, bounds, slack)
-        apart = _angle_between(form.pose(), form.pose(wanted))
+        unlike = _unlike(form, wanted, scales, bounds, slack)
+        apart = angle_between(form.pose(), form.pose(wanted))
         if apart <= turn + _turn_slack(form) + _ROUNDING:
             unlike = tuple(k for k in unlike if k < 3)
     return _WantedNumbers(form, wanted, unlike)
 
 
-def _angle_between(one: RigidPose, other: RigidPose) -> float:
-    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = one.inverse().then(other).rotation
-    return atan2(hypot(zy - yz, xz - zx, yx - xy), xx + yy + zz - 1.0)
-
-
 def _turn_slack(form: WrittenPose) -> float:
     """Return how far a joint may be turned since its angles are rounded, rad."""
-    return sum(map(_own_slack, form.values[3:], form.numbers[3:]))
+    return sum(_own_slacks(form)[3:])
 
 
-def _own_slack(value: float, number: WrittenNumber | None) -> float:
-    return number.slack if number is not None else _FLOAT * abs(value)
+def _own_slacks(form: _Form) -> list[float]:
+    pairs = zip(form.values, form.numbers, strict=True)
+    return [_FLOAT * abs(value) if number is None else number.slack for value, number in pairs]
 
 
 def _wanted_inertia(
@@ -242,7 +218,7 @@ def _wanted_part(
 
     wanted = values(bodies)
     scales = _scales_of_inertia((*rest, *bodies, part.body()), part, bounds.size)
-    unlike = _unlike(part.values, part.numbers, wanted, scales, bounds)
+    unlike = _unlike(part, wanted, scales, bounds)
     if not unlike or bounds.is_rough:
         return _WantedNumbers(part, wanted, unlike)
     slack = [0.0] * len(INERTIA)
@@ -253,44 +229,40 @@ def _wanted_part(
         ) -> tuple[float, ...]:
             return values([*bodies[:i], each.body(written), *bodies[i + 1 :]])
 
-        more = _slack(of_part, wanted, each.values, each.numbers)
+        more = _slack(of_part, wanted, each)
         slack = [a + b for a, b in zip(slack, more, strict=True)]
-    unlike = _unlike(part.values, part.numbers, wanted, scales, bounds, slack)
+    unlike = _unlike(part, wanted, scales, bounds, slack)
     return _WantedNumbers(part, wanted, unlike)
 
 
 def _slack(
     values: Callable[[Sequence[float]], tuple[float, ...]],
     wanted: Sequence[float],
-    written: Sequence[float],
-    numbers: Numbers,
+    form: _Form,
 ) -> list[float]:
-    """Return how far the values may be off since numbers are rounded, to first order."""
+    """Return how far the values may be off by the rounding of another form, to first order."""
     slack = [0.0] * len(wanted)
-    for k, value in enumerate(written):
-        step = _own_slack(value, numbers[k])
+    for k, (value, step) in enumerate(zip(form.values, _own_slacks(form), strict=True)):
         if step:
-            moved = values([*written[:k], value + step, *written[k + 1 :]])
+            moved = values([*form.values[:k], value + step, *form.values[k + 1 :]])
             slack = [s + abs(m - w) for s, m, w in zip(slack, moved, wanted, strict=True)]
     return slack
 
 
 def _unlike(
-    written: Sequence[float],
-    numbers: Numbers,
+    form: _Form,
     wanted: Sequence[float],
     scales: Sequence[float],
     bounds: Tolerances,
-    slack: Sequence[float] = (),
+    slack: Sequence[float] = (0.0,) * 10,
 ) -> tuple[int, ...]:
-    found = []
-    for k, (value, number, want) in enumerate(zip(written, numbers, wanted, strict=True)):
-        least = max(
-            _own_slack(value, number), slack[k] if slack else 0.0, bounds.tolerance * abs(value)
-        )
-        if abs(value - want) > least + _ROUNDING * scales[k]:
-            found.append(k)
-    return tuple(found)
+    """Return the indices of the numbers that differ from wanted ones by more than is open."""
+    columns = zip(form.values, wanted, scales, slack, _own_slacks(form), strict=False)
+    return tuple(
+        k
+        for k, (value, want, scale, others, own) in enumerate(columns)
+        if abs(value - want) > max(own, others, bounds.tolerance * abs(value)) + _ROUNDING * scale
+    )
 
 
 def _scales_of_pose(bounds: Tolerances) -> tuple[float, ...]:
@@ -327,7 +299,7 @@ def _n_round(wanted: _WantedNumbers, others: _WantedNumbers) -> int:
 def _difference(
     kind: str,
     wanted: _WantedNumbers,
-    other: WrittenInertia | WrittenPose,
+    other: _Form,
     k: int,
     others: _WantedNumbers | None,
 ) -> NumberDifference:

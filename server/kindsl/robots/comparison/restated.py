@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from kindsl.mechanics.rigid.body import seen_from
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
-from kindsl.robots.comparison.alignment import moved_by
+from kindsl.robots.comparison.alignment import around
 from kindsl.robots.comparison.mechanical import MechanicalComparison
 from kindsl.robots.mechanism.skeleton import AttachedFrame, Skeleton
 
@@ -21,13 +21,16 @@ def restated(ours: Skeleton, theirs: Skeleton, found: MechanicalComparison) -> S
     our_body = {its: body for body, its in found.matching.theirs.items()}
     taken = {*ours.body_names, *ours.joint_names}
     frames = [body_frame(found, our_body.get(its)) for its in range(len(theirs.body_names))]
-    joints = range(1, len(theirs.body_names))
+    joints = enumerate(zip(theirs.parents, theirs.placements, strict=True), 1)
     return replace(
         theirs,
         base_name=ours.base_name,
         link_names=tuple(_names(theirs.link_names, ours.link_names, our_body, taken)),
         joint_names=tuple(_names(theirs.joint_names, ours.joint_names, our_body, taken)),
-        placements=tuple(_placement(ours, theirs, found, our_body, frames, i) for i in joints),
+        placements=tuple(
+            _at_our_zero(ours, found, our_body.get(its), frames[parent].then(placement))
+            for its, (parent, placement) in joints
+        ),
         masses=tuple(seen_from(m, f) for m, f in zip(theirs.masses, frames, strict=True)),
         frames=tuple(_frames(theirs, frames, taken)),
     )
@@ -38,22 +41,11 @@ def body_frame(found: MechanicalComparison, body: int | None) -> RigidPose:
     return IDENTITY if body is None else found.alignment.frames.get(body, IDENTITY)
 
 
-def _placement(
-    ours: Skeleton,
-    theirs: Skeleton,
-    found: MechanicalComparison,
-    our_body: dict[int, int],
-    frames: list[RigidPose],
-    its: int,
+def _at_our_zero(
+    ours: Skeleton, found: MechanicalComparison, body: int | None, pose: RigidPose
 ) -> RigidPose:
-    """Return where a joint is in its predecessor, at our zero."""
-    pose = frames[theirs.parents[its - 1]].then(theirs.placements[its - 1])
-    body = our_body.get(its)
-    if body is None:
-        return pose
-    joint, slides = found.alignment.joints[body], ours.joint_kinds[body - 1] == "prismatic"
-    at_zero = moved_by(-joint.sign * joint.offset, slides)
-    return pose.then(at_zero).then(frames[its].inverse())
+    """Return a joint frame in its predecessor at our zero, of one at the other's."""
+    return pose if body is None else pose.then(around(ours, found.alignment, body)[1])
 
 
 def _names(

@@ -1,4 +1,4 @@
-"""Torques of two robots, and the number that tells them apart most. Needs NumPy."""
+"""Torques of two robots, the effect of each differing number, base parameters. Needs NumPy."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -6,12 +6,15 @@ from typing import NamedTuple, TypeVar
 
 import numpy as np
 
+from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.evaluation.mechanics import GRAVITY, Mechanics
+from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY
+from kindsl.mechanics.dynamics.regressor import PARAMETERS_PER_BODY, regressor
 from kindsl.mechanics.rigid.body import lumped, seen_from
 from kindsl.mechanics.rigid.pose import RigidPose
 from kindsl.mechanics.spatial.arrays import Array
 from kindsl.mechanics.spatial.transforms import plucker
-from kindsl.robots.comparison.alignment import moved_by
+from kindsl.robots.comparison.alignment import around
 from kindsl.robots.comparison.mechanical import MechanicalComparison
 from kindsl.robots.comparison.number_differences import NumberDifference
 from kindsl.robots.comparison.quantities import INERTIA, POSE
@@ -23,10 +26,14 @@ from kindsl.robots.mechanism.skeleton import Skeleton
 _T = TypeVar("_T")
 _STATES = 20
 _SEED = 26
-# What the digits of equal numbers may make of a torque, beside the greatest one.
+# Greatest effect of the digits of equal numbers on a torque, beside the greatest torque.
 _DIGITS = 1e-3
 _NOTHING = 1e-10
 _TINY = 1e-300
+# Of random motions to the columns of a regressor.
+_ROWS_PER_PARAMETER = 3
+# Of a singular value beside the greatest: rounding.
+_SMALLEST = 1e-9
 
 
 class Torques(NamedTuple):
@@ -53,7 +60,7 @@ class _States(NamedTuple):
 
 
 def torques(ours: Described, theirs: Described, found: MechanicalComparison) -> Torques:
-    """Return what torques say of two robots whose joints all match."""
+    """Compare the torques of two robots whose joints all match."""
     states = _states(ours.skeleton)
     own = _forces(ours.skeleton, states)
     if found.is_equal:
@@ -79,7 +86,7 @@ def _forces(skeleton: Skeleton, states: _States) -> tuple[Array, Array]:
 def _counted_as_ours(
     ours: Skeleton, theirs: Skeleton, found: MechanicalComparison, states: _States
 ) -> tuple[Array, Array]:
-    """Return the other's own matrices and forces, for our joints and our base's frame."""
+    """Return the other's own matrices and forces, in our joints and our base's frame."""
     T, offsets = _velocities(ours, theirs, found)
     first = 6 if theirs.is_floating else 0
     joints = T[first:, first:]
@@ -96,7 +103,7 @@ def _counted_as_ours(
 def _velocities(
     ours: Skeleton, theirs: Skeleton, found: MechanicalComparison
 ) -> tuple[Array, Array]:
-    """Return what makes velocities of ours to the other's, and our values at the other's zero."""
+    """Return the map of our velocities to the other's, and our values at the other's zero."""
     n = ours.n_links
     joints, offsets = np.zeros((n, n)), np.zeros(n)
     for body, joint in found.alignment.joints.items():
@@ -104,10 +111,9 @@ def _velocities(
         offsets[body - 1] = joint.offset
     if not theirs.is_floating:
         return joints, offsets
-    back = found.alignment.frames[0].inverse()
     T = np.zeros((6 + n, 6 + n))
     base = found.alignment.frames[0]
-    T[:6, :6] = plucker(np.array(back.rotation), np.array(base.translation))
+    T[:6, :6] = plucker(np.array(base.rotation).T, np.array(base.translation))
     T[6:, 6:] = joints
     return T, offsets
 
@@ -126,11 +132,8 @@ def _carried(ours: Described, theirs: Described, found: MechanicalComparison) ->
             parts = [part.body() for part in theirs.inertias[its]]
             masses[body] = seen_from(lumped(parts), frames[body])
         elif number.kind == "joint":
-            joint, slides = found.alignment.joints[body], one.joint_kinds[body - 1] == "prismatic"
-            at_zero = moved_by(-joint.sign * joint.offset, slides)
-            parent = frames[one.parents[body - 1]]
-            pose = parent.then(other.placements[its - 1]).then(at_zero)
-            placements[body - 1] = pose.then(frames[body].inverse())
+            before, after = around(one, found.alignment, body)
+            placements[body - 1] = before.then(other.placements[its - 1]).then(after)
     carried = replace(one, masses=tuple(masses), placements=tuple(placements))
     for body, turn in turns:
         carried = with_axis(carried, body, turn)
@@ -187,3 +190,28 @@ def _changed(side: Described, found: MechanicalComparison, number: NumberDiffere
 
 def _with(values: Sequence[_T], index: int, value: _T) -> tuple[_T, ...]:
     return (*values[:index], value, *values[index + 1 :])
+
+
+def n_base_parameters(bodies: Bodies) -> tuple[int, int]:
+    """Return the number of base parameters, which motions can identify, and of all parameters.
+
+    The rest is the null space: changes of masses, centres of mass and moments that leave every
+    joint torque, and the wrench on a floating base, as it is.
+
+    Source: Wensing, Niemeyer, Slotine 2017, Observability in inertial parameter identification;
+    the rank is that of random motions.
+    """
+    random = np.random.default_rng(_SEED)
+    n = bodies.n_links
+    n_velocities = n + (6 if bodies.is_floating else 0)
+    states = 1 + _ROWS_PER_PARAMETER * PARAMETERS_PER_BODY * (n + 1) // n_velocities
+    q, qd, qdd = random.uniform(-1.0, 1.0, (3, states, n))
+    v = random.uniform(-1.0, 1.0, (states, 6)) if bodies.is_floating else np.zeros((states, 6))
+    a = random.uniform(-1.0, 1.0, (states, 6)) if bodies.is_floating else np.zeros((states, 6))
+    a[:, 3:] -= np.array(STANDARD_GRAVITY)
+    Y = regressor(bodies, q, qd, qdd, v, a)
+    columns = Y.reshape(-1, Y.shape[-1])
+    moving = n + (1 if bodies.is_floating else 0)
+    values = np.linalg.svd(columns, compute_uv=False)
+    rank = int(np.count_nonzero(values > _SMALLEST * values[0]))
+    return rank, PARAMETERS_PER_BODY * moving

@@ -10,9 +10,8 @@ from math import atan2, hypot
 
 from kindsl.mechanics.rigid.body import seen_from
 from kindsl.mechanics.rigid.pose import RigidPose, Vector3, rotation_from_z
-from kindsl.robots.comparison.alignment import Alignment
-from kindsl.robots.comparison.matching import MatchedJoints
 from kindsl.robots.comparison.number_differences import NumberDifference
+from kindsl.robots.comparison.pair import Pair
 from kindsl.robots.comparison.quantities import AXIS
 from kindsl.robots.comparison.written import Described, WrittenInertia, WrittenPose
 from kindsl.robots.mechanism.skeleton import Skeleton
@@ -22,25 +21,25 @@ _ORIGIN = (0.0, 0.0, 0.0)
 _Z = (0.0, 0.0, 1.0)
 
 
-def axis_differences(
-    ours: Described, theirs: Described, matching: MatchedJoints, alignment: Alignment, body: int
-) -> Iterator[tuple[NumberDifference, RigidPose]]:
-    """Yield that a joint's axis is another, and what turns the other's joint frame to ours.
+def axis_differences(pair: Pair, body: int) -> Iterator[tuple[NumberDifference, RigidPose]]:
+    """Yield a joint's other axis, and the turn from the other's joint frame to ours.
 
     The bodies are taken where they are aligned, then where they are if zeros are the same, too.
     """
-    its, carrier = matching.theirs[body], ours.skeleton.parents[body - 1]
-    placed = theirs.skeleton.zero_poses()[theirs.skeleton.parents[its - 1]]
-    at_zero = ours.skeleton.zero_poses()[carrier].inverse().then(alignment.frames[0]).then(placed)
-    for parent in (alignment.frames[carrier], at_zero):
-        found = _axis_difference(ours, theirs, body, its, parent)
+    ours, theirs, frames = pair.ours.skeleton, pair.theirs.skeleton, pair.alignment.frames
+    carrier = ours.parents[body - 1]
+    placed = theirs.zero_poses()[theirs.parents[pair.matching.theirs[body] - 1]]
+    at_zero = ours.zero_poses()[carrier].inverse().then(frames[0]).then(placed)
+    for parent in (frames[carrier], at_zero):
+        found = _axis_difference(pair, body, parent)
         if found is not None:
             yield found
 
 
 def _axis_difference(
-    ours: Described, theirs: Described, body: int, its: int, parent: RigidPose
+    pair: Pair, body: int, parent: RigidPose
 ) -> tuple[NumberDifference, RigidPose] | None:
+    ours, theirs, its = pair.ours, pair.theirs, pair.matching.theirs[body]
     mine = ours.skeleton.placements[body - 1]
     other = parent.then(theirs.skeleton.placements[its - 1])
     its_axis = mine.inverse().turn(other.turn(_Z))
