@@ -1,5 +1,6 @@
 """RobCoGen's classes from the command line, and the transforms document made for them."""
 
+import sys
 from pathlib import Path
 
 import pytest
@@ -7,6 +8,7 @@ from tests.cli.conftest import Runner
 from tests.support.robots import LIFT
 
 from kindsl.language.syntax.transforms_text import read_transforms
+from kindsl.products.codegen.robcogen import rendering
 from kindsl.products.codegen.robcogen.files import RUNTIME
 
 
@@ -121,3 +123,14 @@ def test_cmake_carries_the_robots_version(language: str, kindsl: Runner, documen
     told = kindsl(*generate)
     assert told.status == 2
     assert "version 'v2' is not up to four numbers with dots, as '1.2.0'" in told.err
+
+
+def test_a_missing_template_engine_is_told_with_what_installs_it(
+    kindsl: Runner, document: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rendering.environment.cache_clear()
+    monkeypatch.setitem(sys.modules, "jinja2", None)
+    done = kindsl(*GENERATE)
+    assert done.status == 2
+    assert "jinja2 is not installed: pip install 'kindsl[robcogen]'" in done.err
+    assert kindsl("generate", "arm.kindsl", "--language", "cpp", "-o", "cpp").status == 0

@@ -46,6 +46,9 @@ if TYPE_CHECKING:
 
 SUMMARY = "write code for kinematics and dynamics"
 
+# What installs a library that is missing.
+_EXTRAS = {"numpy": "numpy", "jinja2": "robcogen"}
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
@@ -104,9 +107,10 @@ def run(args: argparse.Namespace) -> int:
     try:
         return _run(args)
     except ModuleNotFoundError as error:
-        if error.name != "numpy":
+        extra = _EXTRAS.get(str(error.name))
+        if extra is None:
             raise
-        return missing_module(args.file, error, "numpy").tell()
+        return missing_module(args.file, error, extra).tell()
 
 
 def _run(args: argparse.Namespace) -> int:

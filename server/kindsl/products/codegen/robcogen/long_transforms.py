@@ -13,23 +13,12 @@ from kindsl.mechanics.dynamics.generation.vectors import (
     transform,
     transpose,
 )
-from kindsl.products.codegen.filling import template
 from kindsl.products.codegen.robcogen.robot import GeneratedRobot
 from kindsl.products.codegen.robcogen.wanted_names import NamedPair
 
 # One function of all joints is faster up to here, but its text is long: large robots have many.
 MOST_JOINTS = 7
 MOST_JOINTS_OF_LARGE = 2
-
-# T has the columns of rotation and position; X those of a 6x6 transform.
-HELPERS = template("robcogen/transform_helpers.h")
-_PRODUCT = template("robcogen/transform_product.h")
-_SHARING = template("robcogen/transform_of_product.h")
-_STEP = """\
-    h_@NAME@_constants<TRAIT>(B);
-    h_@NAME@<TRAIT>(@P@q, B);
-    append(X, B);
-"""
 
 
 def is_long(robot: GeneratedRobot, pair: NamedPair) -> bool:
@@ -46,9 +35,7 @@ def long_kernels(robot: GeneratedRobot, pair: NamedPair) -> list[str]:
             name = f"{pair.name}_{end}"
             functions += robot.matrix_kernels(f"h_{name}", _columns(R, r))
             steps = [name, *steps] if end == "base" else [*steps, name]
-    calls = "".join(robot.filled(_STEP, NAME=name) for name in steps)
-    functions.append(robot.filled(_PRODUCT, NAME=pair.name, STEPS=calls))
-    return functions + [robot.filled(_SHARING, NAME=pair.name, LETTER=x) for x in "mf"]
+    return [*functions, robot.rendered("transform_product.h", pair=pair, steps=steps)]
 
 
 def _across(robot: GeneratedRobot, pair: NamedPair) -> Iterator[str]:

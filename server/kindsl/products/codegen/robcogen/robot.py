@@ -5,7 +5,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
+from typing import NamedTuple
 
+from kindsl.language.semantics.declarations import ValueKind
 from kindsl.language.text.distinct import distinct
 from kindsl.mechanics.dynamics.generation.emitters.cpp_templates import (
     Template,
@@ -17,9 +19,9 @@ from kindsl.mechanics.dynamics.generation.robot import PlacedFrame
 from kindsl.mechanics.dynamics.generation.terms import Scalar, needed
 from kindsl.mechanics.dynamics.generation.tree import Tree
 from kindsl.mechanics.dynamics.generation.vectors import Matrix, Vector
-from kindsl.products.codegen.filling import fill
 from kindsl.products.codegen.library import Library
 from kindsl.products.codegen.names_in_code import identifiers, prefix_of, whole_name
+from kindsl.products.codegen.robcogen.rendering import rendered
 
 MOST_JOINTS_OF_SMALL = 20
 
@@ -27,6 +29,40 @@ MOST_JOINTS_OF_SMALL = 20
 _TYPES_IN_CLASSES = ("TRAIT", "SCALAR")
 
 DIALECT = TemplateDialect("class TRAIT", "TRAIT::Scalar", "TRAIT", "TRAIT::{}({})")
+
+
+class Parameter(NamedTuple):
+    """A run-time parameter.
+
+    Attributes:
+        place: In the list of all parameters.
+        name: In code.
+        value: That it had when the code was generated, None where it had none.
+    """
+
+    place: int
+    name: str
+    value: float | None
+
+    @property
+    def default(self) -> str:
+        """Its value in C++."""
+        missing = "std::numeric_limits<double>::quiet_NaN()"
+        return missing if self.value is None else repr(self.value)
+
+
+class MatrixMember(NamedTuple):
+    """A transform or Jacobian as a member of a class.
+
+    Attributes:
+        name: The member's name.
+        columns: How many columns a Jacobian has.
+        has_parameters: Whether it depends on parameters.
+    """
+
+    name: str
+    columns: int
+    has_parameters: bool
 
 
 @dataclass(frozen=True)
@@ -166,49 +202,76 @@ class GeneratedRobot:
     def matrix_kernels(self, name: str, columns: Sequence[Sequence[Scalar]]) -> list[str]:
         """Return two functions: of a matrix's constants other than zero, and of what varies."""
         entries = [x for column in columns for x in column]
-        fixed = [
-            f"    X[{place}] = S({entry!r});\n"
-            for place, entry in enumerate(entries)
-            if isinstance(entry, float) and entry
-        ]
-        alias = "    typedef typename TRAIT::Scalar S;\n"
-        body = "".join([alias, *fixed]) if fixed else "    (void)X;\n"
-        constants = (
-            f"template <class TRAIT>\ninline void {name}_constants(typename TRAIT::Scalar* X)\n"
-            f"{{\n{body}}}\n"
-        )
-        return [constants, self.kernel(name, {"q": self.library.inputs.q}, {"X": entries}, True)]
+        constants = {k: repr(x) for k, x in enumerate(entries) if isinstance(x, float) and x}
+        fixed = self.rendered("matrix_constants.h", name=name, constants=constants)
+        return [fixed, self.kernel(name, {"q": self.library.inputs.q}, {"X": entries}, True)]
 
-    def header(self, file: str, includes: Sequence[str], body: str) -> str:
-        """Return a header: its guard, where it is from, its includes, its content."""
+    @cached_property
+    def parameters(self) -> list[Parameter]:
+        """All parameters."""
+        library = self.library
+        both = zip(library.parameter_names.values(), library.defaults.values(), strict=True)
+        return [Parameter(place, name, value) for place, (name, value) in enumerate(both)]
+
+    def _parameters_of(self, kind: ValueKind) -> list[Parameter]:
+        kinds = self.library.parameter_kinds
+        both = zip(self.library.parameter_names, self.parameters, strict=True)
+        return [parameter for name, parameter in both if kind in kinds[name]]
+
+    @property
+    def inertial(self) -> list[Parameter]:
+        """The parameters of links' inertia."""
+        return self._parameters_of(ValueKind.DYNAMICS)
+
+    @cached_property
+    def kinematic(self) -> dict[str, list[Parameter]]:
+        """The parameters of frames, by their class."""
+        kinds = {"lengths": ValueKind.LENGTH, "angles": ValueKind.ANGLE}
+        return {group: self._parameters_of(kind) for group, kind in kinds.items()}
+
+    @property
+    def kinematic_groups(self) -> dict[str, list[Parameter]]:
+        """The classes of them that the robot has."""
+        return {group: found for group, found in self.kinematic.items() if found}
+
+    @property
+    def kinematic_parameters(self) -> list[str]:
+        """All parameters as a transform lists them, which reads kinematic ones only."""
+        texts = ["Scalar(0)"] * len(self.parameters)
+        for group, found in self.kinematic.items():
+            for parameter in found:
+                texts[parameter.place] = f"Scalar({group}_values.{parameter.name})"
+        return texts
+
+    @property
+    def inertial_names(self) -> list[str]:
+        """The names of the bodies whose inertia matters."""
+        return [self.bodies[i] for i in self.inertial_bodies]
+
+    def header(self, file: str, template: str = "", /, **values: object) -> str:
+        """Return a header: its guard, where it is from, a template's text."""
         guard = f"IIT_ROBOT_{self.space.upper()}_{re.sub(r'[^A-Z]', '_', file.upper())}_"
-        listed = "".join(f"#include {name}\n" for name in includes)
+        body = self.rendered(template or file, file=file.removesuffix(".h"), **values)
         stamp = self.library.stamp
         return (
             f"#ifndef {guard}\n#define {guard}\n"
             f"// Generated by {stamp.generator} from {stamp.document}; do not edit.\n\n"
-            f"{listed}\n{body.strip()}\n\n#endif\n"
+            f"{body.rstrip()}\n\n#endif\n"
         )
 
-    def headers(
-        self, file: str, includes: Sequence[str], body: str, functions: Iterable[str]
-    ) -> dict[str, str]:
-        """Return a header, and that of the functions that it calls, by their names."""
-        own, impl = f"{file}.h", f"{file}.impl.h"
-        text = "\n".join(functions)
-        head = f"namespace iit {{\nnamespace {self.space} {{\nnamespace kernels {{\n"
-        kernels = f"{head}\n{text}\n}}\n}}\n}}"
-        return {
-            own: self.header(own, [*includes, f'"{impl}"'], body),
-            impl: self.header(impl, ['"declarations.h"'], kernels),
-        }
-
-    def filled(self, text: str, **values: object) -> str:
-        """Return a text in which `@NAME@` stands for a value: a given one, or one of the robot."""
+    def rendered(self, template: str, /, **values: object) -> str:
+        """Return the text of a template, which sees the robot, what it often reads, and values."""
         has_p = self.has_parameters
-        known: dict[str, object] = {
-            "NS": self.space, "NJ": self.n_joints, "NV": self.n_velocities, "NB": len(self.bodies),
-            "BASE": self.bodies[0], "P": "p, " if has_p else "",
-            "TAKES": "const typename TRAIT::Scalar* p, " if has_p else "", **values,
-        }  # fmt: skip
-        return fill(text, **known)
+        return rendered(
+            template,
+            robot=self,
+            stamp=self.library.stamp,
+            links=self.tree.links(),
+            base=self.bodies[0],
+            space=f"iit::{self.space}",
+            opening=f"namespace iit {{\nnamespace {self.space} {{",
+            closing="}\n}",
+            p="p, " if has_p else "",
+            takes_p="const typename TRAIT::Scalar* p, " if has_p else "",
+            **values,
+        )

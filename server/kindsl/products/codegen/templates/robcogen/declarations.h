@@ -1,36 +1,44 @@
+#include <Eigen/Dense>
+#include <iit/rbd/rbd.h>
+{% if has_rcg_names %}
+#include "rbd_types.h"
+{% endif %}
 
-namespace iit {
-namespace @NS@ {
+@opening@
 
-static const int JointSpaceDimension = @NJ@;
-static const int jointsCount = @NJ@;
+static const int JointSpaceDimension = @robot.n_joints@;
+static const int jointsCount = @robot.n_joints@;
 /** How many bodies there are, with the base. */
-static const int linksCount = @NB@;
+static const int linksCount = @robot.bodies|length@;
 
 namespace tpl {
 
 template <typename SCALAR>
-using Column@NJ@d = Eigen::Matrix<SCALAR, @NJ@, 1>;
+using Column@robot.n_joints@d = Eigen::Matrix<SCALAR, @robot.n_joints@, 1>;
 
 template <typename SCALAR>
-using JointState = Column@NJ@d<SCALAR>;
+using JointState = Column@robot.n_joints@d<SCALAR>;
 
 }
 
-using Column@NJ@d = tpl::Column@NJ@d<double>;
-typedef Column@NJ@d JointState;
+using Column@robot.n_joints@d = tpl::Column@robot.n_joints@d<double>;
+typedef Column@robot.n_joints@d JointState;
 
 enum JointIdentifiers {
-    @JOINTS@
+{% for id in robot.joint_ids %}
+    @id@ = @loop.index0@@'' if loop.last else ','@
+{% endfor %}
 };
 
 enum LinkIdentifiers {
-    @LINKS@
+{% for id in robot.body_ids %}
+    @id@ = @loop.index0@@'' if loop.last else ','@
+{% endfor %}
 };
 
-static const JointIdentifiers orderedJointIDs[jointsCount] = {@JOINTS1@};
+static const JointIdentifiers orderedJointIDs[jointsCount] = {@robot.joint_ids|join(', ')@};
 
-static const LinkIdentifiers orderedLinkIDs[linksCount] = {@LINKS1@};
+static const LinkIdentifiers orderedLinkIDs[linksCount] = {@robot.body_ids|join(', ')@};
 
 /** A vector's numbers, which need not stand where Eigen wants them, as in a plain std::vector. */
 template <typename V>
@@ -53,5 +61,4 @@ struct Never {
 
 }
 
-}
-}
+@closing@

@@ -1,6 +1,8 @@
+{% import "parameters.h" as parameters %}
+#include <Eigen/Core>
+#include "dynamics_parameters.h"
 
-namespace iit {
-namespace @NS@ {
+@opening@
 namespace dyn {
 
 /** Tells the values that parameters had when this was generated; NaN where they had none. */
@@ -10,11 +12,10 @@ public:
     DefaultParamsGetter() { resetDefaults(); }
     ~DefaultParamsGetter() {}
     void resetDefaults() { values.defaults(); }
-@METHODS@
+@parameters.methods(robot.inertial, "values")@
 private:
     RuntimeInertiaParams values;
 };
 
 }
-}
-}
+@closing@

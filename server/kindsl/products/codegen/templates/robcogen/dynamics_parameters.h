@@ -1,12 +1,12 @@
+{% import "parameters.h" as parameters %}
+#include <limits>
 
-namespace iit {
-namespace @NS@ {
+@opening@
 namespace dyn {
 
 /** The parameters of links' inertia. */
-@STRUCT@
+@parameters.struct("RuntimeInertiaParams", robot.inertial)@
 /** What tells their values. */
-@GETTER@
+@parameters.getter("RuntimeParamsGetter", robot.inertial)@
 }
-}
-}
+@closing@

@@ -1,17 +1,27 @@
+#include <Eigen/Dense>
+#include <iit/rbd/rbd.h>
+#include <iit/rbd/InertiaMatrix.h>
+#include <iit/rbd/utils.h>
+#include <iit/rbd/robcogen_commons.h>
+#include <iit/rbd/traits/DoubleTrait.h>
+#include "declarations.h"
+#include "inertia_properties.h"
+#include "transforms.h"
+#include "link_data_map.h"
+#include "@file@.impl.h"
 
-namespace iit {
-namespace @NS@ {
+@opening@
 namespace dyn {
 namespace tpl {
 
 /**
- * @ABOUT@
+ * @about@
  *
  * Overloads without q take the joint positions that the transforms have. Forces on links are in the
  * links' coordinates.
  */
 template <typename TRAIT>
-class @CLASS@ {
+class @name_of_class@ {
 public:
     EIGEN_MAKE_ALIGNED_OPERATOR_NEW
     typedef typename TRAIT::Scalar Scalar;
@@ -25,19 +35,24 @@ public:
     typedef typename CoreS::Matrix66 Matrix66s;
     typedef typename CoreS::Matrix66 Matrix66S;
     typedef iit::rbd::tpl::InertiaMatrixDense<Scalar> InertiaMatrix;
-    typedef iit::@NS@::tpl::JointState<Scalar> JointState;
-    typedef iit::@NS@::tpl::MotionTransforms<TRAIT> MTransforms;
+    typedef @space@::tpl::JointState<Scalar> JointState;
+    typedef @space@::tpl::MotionTransforms<TRAIT> MTransforms;
     typedef InertiaProperties<TRAIT> IProperties;
     static_assert(sizeof(ExtForces) == sizeof(Scalar) * 6 * linksCount,
         "the forces on all links must lie one after the other in memory");
 
-@CALLS@
+{% block calls %}{% endblock %}
+
     /** Updates the transforms across joints. */
     void setJointStatus(const JointState& q) const
     {
-@UPDATES@    }
+{% for i in links %}
+        xm->@robot.across(i)@(q);
+{% endfor %}
+    }
 
-@REST@
+{% block rest %}{% endblock %}
+
     static const Scalar* first(const ExtForces& fext)
     {
         return fext[orderedLinkIDs[0]].data();
@@ -57,13 +72,12 @@ public:
 };
 
 template <typename TRAIT>
-const typename @CLASS@<TRAIT>::ExtForces
-    @CLASS@<TRAIT>::zeroExtForces(@CLASS@<TRAIT>::Force::Zero());
+const typename @name_of_class@<TRAIT>::ExtForces
+    @name_of_class@<TRAIT>::zeroExtForces(@name_of_class@<TRAIT>::Force::Zero());
 
 }
 
-typedef tpl::@CLASS@<rbd::DoubleTrait> @CLASS@;
+typedef tpl::@name_of_class@<rbd::DoubleTrait> @name_of_class@;
 
 }
-}
-}
+@closing@

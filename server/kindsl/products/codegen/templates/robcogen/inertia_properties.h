@@ -1,6 +1,13 @@
+{% set names = robot.inertial_names %}
+#include <iit/rbd/rbd.h>
+#include <iit/rbd/InertiaMatrix.h>
+#include <iit/rbd/utils.h>
+#include <iit/rbd/traits/DoubleTrait.h>
+#include "declarations.h"
+#include "dynamics_parameters.h"
+#include "inertia_properties.impl.h"
 
-namespace iit {
-namespace @NS@ {
+@opening@
 namespace dyn {
 
 using InertiaMatrix = iit::rbd::InertiaMatrixDense;
@@ -18,18 +25,65 @@ public:
     typedef iit::rbd::tpl::InertiaMatrixDense<Scalar> IMatrix;
     typedef Eigen::Matrix<Scalar, 3, 1> Vec3d;
 
-@CONSTRUCTION@
+{% if robot.has_parameters %}
+    /** With the values that parameters had when this was generated; NaN where they had none. */
+    InertiaProperties() : getter(nullptr) { compute(); }
+    explicit InertiaProperties(const RuntimeParamsGetter& values) : getter(&values)
+    {
+        updateParameters();
+    }
+    /** Asks for the values again. */
+    void updateParameters()
+    {
+        if (getter != nullptr) {
+{% for x in robot.inertial %}
+            values.@x.name@ = getter->getValue_@x.name@();
+{% endfor %}
+        }
+        compute();
+    }
+    void updateParameters(const RuntimeInertiaParams& fresh)
+    {
+        values = fresh;
+        compute();
+    }
+    /** Fills in those of all parameters that inertia depends on. */
+    void parameters(Scalar* p) const
+    {
+{% for x in robot.inertial %}
+        p[@x.place@] = Scalar(values.@x.name@);
+{% else %}
+        (void)p;
+{% endfor %}
+    }
+{% else %}
+    InertiaProperties() { compute(); }
+    void updateParameters(const RuntimeInertiaParams&) {}
+{% endif %}
+
     ~InertiaProperties() {}
 
-@GETTERS@
-    Scalar getTotalMass() const { return @TOTAL@; }
+{% for n in names %}
+    const IMatrix& getTensor_@n@() const { return tensor_@n@; }
+    Scalar getMass_@n@() const { return tensor_@n@.getMass(); }
+    const Vec3d& getCOM_@n@() const { return com_@n@; }
+{% endfor %}
+
+    Scalar getTotalMass() const { return getMass_@names|join('() + getMass_')@(); }
 
 private:
     void compute()
     {
-        Scalar m[@SIZE@];
-@PARAMETERS@        kernels::inertia_properties<TRAIT>(@P@m);
-@CALLS@    }
+        Scalar m[@10 * names|length@];
+{% if robot.has_parameters %}
+        Scalar p[@robot.library.robot.parameters|length@] = {};
+        parameters(p);
+{% endif %}
+        kernels::inertia_properties<TRAIT>(@p@m);
+{% for n in names %}
+        set(m + @10 * loop.index0@, com_@n@, tensor_@n@);
+{% endfor %}
+    }
 
     static void set(const Scalar* m, Vec3d& com, IMatrix& tensor)
     {
@@ -39,12 +93,19 @@ private:
         tensor.fill(m[0], com, moments);
     }
 
-@MEMBERS@@VALUES@};
+{% for n in names %}
+    IMatrix tensor_@n@;
+    Vec3d com_@n@;
+{% endfor %}
+{% if robot.has_parameters %}
+    RuntimeInertiaParams values;
+    const RuntimeParamsGetter* getter;
+{% endif %}
+};
 
 }
 
 using InertiaProperties = tpl::InertiaProperties<rbd::DoubleTrait>;
 
 }
-}
-}
+@closing@

@@ -1,6 +1,12 @@
+{% import "parameters.h" as parameters %}
+#include <iit/rbd/rbd.h>
+#include <iit/rbd/TransformsBase.h>
+#include <iit/rbd/traits/DoubleTrait.h>
+#include "declarations.h"
+#include "kinematics_parameters.h"
+#include "jacobians.impl.h"
 
-namespace iit {
-namespace @NS@ {
+@opening@
 
 template <typename SCALAR, int COLS, class M>
 class JacobianT : public iit::rbd::JacobianBase<tpl::JointState<SCALAR>, COLS, M> {};
@@ -17,13 +23,35 @@ public:
     typedef iit::rbd::Core<Scalar> CoreS;
     typedef JointState<Scalar> JState;
 
-@TYPES@
-@CONSTRUCTION@
-@MEMBERS@@VALUES@};
+{% for matrix in matrices %}
+{% set name = matrix.name %}
+    class Type_@name@ : public JacobianT<Scalar, @matrix.columns@, Type_@name@> {
+    public:
+        EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+        Type_@name@()
+        {
+            this->setZero();
+            kernels::@name@_constants<TRAIT>(this->data());
+            update(JState::Zero());
+        }
+        const Type_@name@& update(const JState& q)
+        {
+@parameters.array(matrix, robot)@            kernels::@name@<TRAIT>(@parameters.first(matrix, robot)@raw(q), this->data());
+            return *this;
+        }
+@parameters.kept(matrix, robot)@    };
+
+{% else %}
+
+{% endfor %}
+@parameters.construction("Jacobians", robot)@
+{% for matrix in matrices %}
+    Type_@matrix.name@ @matrix.name@;
+{% endfor %}
+@parameters.values(matrices, robot)@};
 
 }
 
 using Jacobians = tpl::Jacobians<rbd::DoubleTrait>;
 
-}
-}
+@closing@

@@ -1,30 +1,42 @@
+#include <cmath>
+#include <iit/rbd/rbd.h>
+#include <iit/rbd/StateDependentMatrix.h>
+#include <iit/rbd/robcogen_commons.h>
+#include <iit/rbd/traits/DoubleTrait.h>
+#include "declarations.h"
+#include "transforms.h"
+#include "inertia_properties.h"
+#include "jsim.impl.h"
 
-namespace iit {
-namespace @NS@ {
+@opening@
 namespace dyn {
 namespace tpl {
 
 /** The joint-space inertia matrix; a floating base's six rows and columns come first. */
 template <typename TRAIT>
 class JSIM : public iit::rbd::StateDependentMatrix<
-                 iit::@NS@::tpl::JointState<typename TRAIT::Scalar>, @NV@, @NV@, JSIM<TRAIT>> {
+                 @space@::tpl::JointState<typename TRAIT::Scalar>, @robot.n_velocities@, @robot.n_velocities@, JSIM<TRAIT>> {
 public:
     EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 
 private:
     typedef iit::rbd::StateDependentMatrix<
-        iit::@NS@::tpl::JointState<typename TRAIT::Scalar>, @NV@, @NV@, JSIM<TRAIT>>
+        @space@::tpl::JointState<typename TRAIT::Scalar>, @robot.n_velocities@, @robot.n_velocities@, JSIM<TRAIT>>
         Base;
 
 public:
     typedef typename TRAIT::Scalar Scalar;
     typedef Scalar SCALAR;
-    typedef iit::@NS@::tpl::JointState<Scalar> JointState;
+    typedef @space@::tpl::JointState<Scalar> JointState;
     typedef iit::rbd::Core<Scalar> CoreS;
     typedef typename Base::Index Index;
-    typedef iit::rbd::PlainMatrix<Scalar, @NV@, @NV@> MatrixType;
-@BLOCK_TYPES@    typedef InertiaProperties<TRAIT> IProperties;
-    typedef iit::@NS@::tpl::ForceTransforms<TRAIT> FTransforms;
+    typedef iit::rbd::PlainMatrix<Scalar, @robot.n_velocities@, @robot.n_velocities@> MatrixType;
+{% if robot.is_floating %}
+    typedef const Eigen::Block<const MatrixType, 6, @robot.n_joints@> BlockF_t;
+    typedef const Eigen::Block<const MatrixType, @robot.n_joints@, @robot.n_joints@> BlockFixedBase_t;
+{% endif %}
+    typedef InertiaProperties<TRAIT> IProperties;
+    typedef @space@::tpl::ForceTransforms<TRAIT> FTransforms;
     typedef iit::rbd::tpl::InertiaMatrixDense<Scalar> InertiaMatrix;
 
     JSIM(IProperties& in, FTransforms& tr) : inertiaProps(&in), frcTransf(&tr)
@@ -39,7 +51,10 @@ public:
 
     const JSIM& update(const JointState& q)
     {
-@PARAMETERS@        kernels::joint_space_inertia<TRAIT>(@P@raw(q), this->data());
+{% with transforms = "frcTransf" %}
+{% include "list_parameters.h" %}
+{% endwith %}
+        kernels::joint_space_inertia<TRAIT>(@p@raw(q), this->data());
         return *this;
     }
 
@@ -48,7 +63,7 @@ public:
     {
         using std::sqrt;
         L = this->template triangularView<Eigen::Lower>();
-        for (int k = @NV@ - 1; k >= 0; k--) {
+        for (int k = @robot.n_velocities@ - 1; k >= 0; k--) {
             L(k, k) = sqrt(L(k, k));
             for (int i = before(k); i >= 0; i = before(i)) {
                 L(k, i) /= L(k, k);
@@ -66,7 +81,7 @@ public:
     {
         computeLInverse();
         inverse.setZero();
-        for (int i = 0; i < @NV@; i++) {
+        for (int i = 0; i < @robot.n_velocities@; i++) {
             for (int j = 0; j <= i; j++) {
                 for (int k = j; k >= 0; k = before(k)) {
                     inverse(i, j) += Linv(i, k) * Linv(j, k);
@@ -78,12 +93,31 @@ public:
 
     const MatrixType& getL() const { return L; }
     const MatrixType& getInverse() const { return inverse; }
-@BLOCKS@
+{% if robot.is_floating %}
+
+    /** The inertia of all bodies together. */
+    const InertiaMatrix& getWholeBodyInertia() const
+    {
+        whole = this->template topLeftCorner<6, 6>();
+        return whole;
+    }
+    /** What joint accelerations take of the base's wrench. */
+    const BlockF_t getF() const
+    {
+        return static_cast<const MatrixType&>(*this).template block<6, @robot.n_joints@>(0, 6);
+    }
+    /** The joints' part, as if the base were fixed. */
+    const BlockFixedBase_t getFixedBaseBlock() const
+    {
+        return static_cast<const MatrixType&>(*this).template block<@robot.n_joints@, @robot.n_joints@>(6, 6);
+    }
+{% endif %}
+
 protected:
     /** Computes the inverse of L, which has the same zeros. */
     void computeLInverse()
     {
-        for (int i = 0; i < @NV@; i++) {
+        for (int i = 0; i < @robot.n_velocities@; i++) {
             Linv(i, i) = Scalar(1) / L(i, i);
             for (int j = before(i); j >= 0; j = before(j)) {
                 Scalar sum(0);
@@ -99,7 +133,7 @@ private:
     /** The velocity variable before another on the way to the base, -1 before the first. */
     static int before(int variable)
     {
-        static const int found[@NV@] = {@BEFORE@};
+        static const int found[@robot.n_velocities@] = {@before|join(', ')@};
         return found[variable];
     }
 
@@ -108,12 +142,14 @@ private:
     MatrixType L;
     MatrixType Linv;
     MatrixType inverse;
-@WHOLE@};
+{% if robot.is_floating %}
+    mutable InertiaMatrix whole;
+{% endif %}
+};
 
 }
 
 typedef tpl::JSIM<rbd::DoubleTrait> JSIM;
 
 }
-}
-}
+@closing@

@@ -1,6 +1,7 @@
+#include "inertia_properties.h"
+#include "transforms.h"
 
-namespace iit {
-namespace @NS@ {
+@opening@
 
 /** The centre of mass of all links in base coordinates, by transforms as they are. */
 iit::rbd::Vector3d getWholeBodyCOM(
@@ -10,5 +11,4 @@ iit::rbd::Vector3d getWholeBodyCOM(
 iit::rbd::Vector3d getWholeBodyCOM(
     const dyn::InertiaProperties& inertia, const JointState& q, HomogeneousTransforms& transforms);
 
-}
-}
+@closing@

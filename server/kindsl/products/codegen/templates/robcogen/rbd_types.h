@@ -1,16 +1,17 @@
+#include <iit/rbd/scalar_traits.h>
+#include <iit/rbd/types.h>
 
-namespace iit {
-namespace @NS@ {
+@opening@
 namespace dyn {
 }
 }
 }
 
-namespace @NS@ {
+namespace @robot.space@ {
 namespace rcg {
 
-using namespace iit::@NS@;
-using namespace iit::@NS@::dyn;
+using namespace @space@;
+using namespace @space@::dyn;
 using iit::rbd::g;
 
 typedef iit::rbd::DoubleTraits ScalarTraits;

@@ -1,6 +1,13 @@
+#include "declarations.h"
+#include "transforms.h"
+#include "inverse_dynamics.h"
+#include "forward_dynamics.h"
+#include "jsim.h"
+#include "inertia_properties.h"
+#include "jacobians.h"
+#include <iit/rbd/traits/TraitSelector.h>
 
-namespace iit {
-namespace @NS@ {
+@opening@
 namespace tpl {
 
 /** All types of this robot. */
@@ -11,27 +18,27 @@ struct Traits {
     typedef SCALAR S;
     typedef typename iit::rbd::tpl::TraitSelector<SCALAR>::Trait Trait;
     typedef Trait ScalarTraits;
-    typedef typename iit::@NS@::tpl::JointState<SCALAR> JointState;
+    typedef typename @space@::tpl::JointState<SCALAR> JointState;
 
-    typedef iit::@NS@::JointIdentifiers JointID;
-    typedef iit::@NS@::LinkIdentifiers LinkID;
+    typedef @space@::JointIdentifiers JointID;
+    typedef @space@::LinkIdentifiers LinkID;
 
-    typedef iit::@NS@::tpl::HomogeneousTransforms<Trait> HomogeneousTransforms;
-    typedef iit::@NS@::tpl::MotionTransforms<Trait> MotionTransforms;
-    typedef iit::@NS@::tpl::ForceTransforms<Trait> ForceTransforms;
-    typedef iit::@NS@::tpl::Jacobians<Trait> Jacobians;
+    typedef @space@::tpl::HomogeneousTransforms<Trait> HomogeneousTransforms;
+    typedef @space@::tpl::MotionTransforms<Trait> MotionTransforms;
+    typedef @space@::tpl::ForceTransforms<Trait> ForceTransforms;
+    typedef @space@::tpl::Jacobians<Trait> Jacobians;
 
-    typedef iit::@NS@::dyn::tpl::InertiaProperties<Trait> InertiaProperties;
-    typedef iit::@NS@::dyn::tpl::ForwardDynamics<Trait> FwdDynEngine;
-    typedef iit::@NS@::dyn::tpl::InverseDynamics<Trait> InvDynEngine;
-    typedef iit::@NS@::dyn::tpl::JSIM<Trait> JSIM;
+    typedef @space@::dyn::tpl::InertiaProperties<Trait> InertiaProperties;
+    typedef @space@::dyn::tpl::ForwardDynamics<Trait> FwdDynEngine;
+    typedef @space@::dyn::tpl::InverseDynamics<Trait> InvDynEngine;
+    typedef @space@::dyn::tpl::JSIM<Trait> JSIM;
 
-    static const int joints_count = iit::@NS@::jointsCount;
-    static const int links_count = iit::@NS@::linksCount;
-    static const bool floating_base = @FLOATING@;
+    static const int joints_count = @space@::jointsCount;
+    static const int links_count = @space@::linksCount;
+    static const bool floating_base = @'true' if robot.is_floating else 'false'@;
 
-    static inline const JointID* orderedJointIDs() { return iit::@NS@::orderedJointIDs; }
-    static inline const LinkID* orderedLinkIDs() { return iit::@NS@::orderedLinkIDs; }
+    static inline const JointID* orderedJointIDs() { return @space@::orderedJointIDs; }
+    static inline const LinkID* orderedLinkIDs() { return @space@::orderedLinkIDs; }
 };
 
 template <typename SCALAR>
@@ -45,5 +52,4 @@ const bool Traits<SCALAR>::floating_base;
 
 typedef tpl::Traits<double> Traits;
 
-}
-}
+@closing@

@@ -1,32 +1,91 @@
+{% import "parameters.h" as parameters %}
+#include <Eigen/Dense>
+#include <iit/rbd/rbd.h>
+#include <iit/rbd/TransformsBase.h>
+#include <iit/rbd/traits/DoubleTrait.h>
+#include "declarations.h"
+#include "kinematics_parameters.h"
+#include "transforms.impl.h"
 
-namespace iit {
-namespace @NS@ {
+@opening@
 
+{% for kind in kinds %}
 template <typename SCALAR, class M>
-class TransformMotion : public iit::rbd::SpatialTransformBase<tpl::JointState<SCALAR>, M> {
+class Transform@kind.name@ : public iit::rbd::@"Homogeneous" if kind.letter == "h" else "Spatial"@TransformBase<tpl::JointState<SCALAR>, M> {
 public:
     EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
-template <typename SCALAR, class M>
-class TransformForce : public iit::rbd::SpatialTransformBase<tpl::JointState<SCALAR>, M> {
-public:
-    EIGEN_MAKE_ALIGNED_OPERATOR_NEW
-};
-
-template <typename SCALAR, class M>
-class TransformHomogeneous : public iit::rbd::HomogeneousTransformBase<tpl::JointState<SCALAR>, M> {
-public:
-    EIGEN_MAKE_ALIGNED_OPERATOR_NEW
-};
-
+{% endfor %}
 namespace tpl {
-@CLASSES@
+{% for kind in kinds %}
+
+/** @kind.what@ */
+template <typename TRAIT>
+class @kind.name@Transforms {
+public:
+    EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+    typedef typename TRAIT::Scalar Scalar;
+    typedef Scalar SCALAR;
+    typedef iit::rbd::Core<Scalar> CoreS;
+    typedef JointState<Scalar> JState;
+    class Dummy {};
+    typedef typename Transform@kind.name@<Scalar, Dummy>::MatrixType MatrixType;
+    static_assert(!MatrixType::IsRowMajor,
+        "these transforms are stored by columns; do not define EIGEN_DEFAULT_TO_ROW_MAJOR");
+
+{% for matrix in matrices %}
+{% set name = matrix.name %}
+{% set joint = across[name] if kind.letter == "m" and name in across else none %}
+    class Type_@name@ : public Transform@kind.name@<Scalar, Type_@name@> {
+    public:
+        EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+        Type_@name@()@" : position(0)" if joint else ""@
+        {
+            this->setZero();
+            kernels::@kind.letter@_@name@_constants<TRAIT>(this->data());
+            update(JState::Zero());
+        }
+        const Type_@name@& update(const JState& q)
+        {
+@parameters.array(matrix, robot)@            kernels::@kind.letter@_@name@<TRAIT>(@parameters.first(matrix, robot)@raw(q), this->data());
+{% if joint %}
+            position = q(@joint - 1@);
+{% endif %}
+            return *this;
+        }
+@parameters.kept(matrix, robot)@@"        Scalar position; // of the joint, when this was updated last\n" if joint else ""@    };
+
+{% endfor %}
+@parameters.construction(kind.name ~ "Transforms", robot)@
+{% if kind.letter == "m" and across %}
+    /** Keeps joint positions for what is computed without any; no matrix changes. */
+    void storeJointStatus(const JState& q)
+    {
+{% for name, joint in across.items() %}
+        @name@.position = q(@joint - 1@);
+{% endfor %}
+    }
+    /** Returns the joint positions that each transform was updated with last. */
+    void loadJointStatus(JState& q) const
+    {
+{% for name, joint in across.items() %}
+        q(@joint - 1@) = @name@.position;
+{% endfor %}
+    }
+{% endif %}
+
+{% for matrix in matrices %}
+    Type_@matrix.name@ @matrix.name@;
+{% endfor %}
+
+@parameters.values(matrices, robot)@};
+{% endfor %}
+
 }
 
-using MotionTransforms = tpl::MotionTransforms<rbd::DoubleTrait>;
-using ForceTransforms = tpl::ForceTransforms<rbd::DoubleTrait>;
-using HomogeneousTransforms = tpl::HomogeneousTransforms<rbd::DoubleTrait>;
+{% for kind in kinds %}
+using @kind.name@Transforms = tpl::@kind.name@Transforms<rbd::DoubleTrait>;
+{% endfor %}
 
-}
-}
+@closing@

@@ -1,0 +1,12 @@
+template <class TRAIT>
+inline void across(int link, @takes_p@const typename TRAIT::Scalar* q, typename TRAIT::Scalar* X)
+{
+    switch (link) {
+{% for i in links %}
+    case @i@:
+        m_@robot.across(i)@_constants<TRAIT>(X);
+        m_@robot.across(i)@<TRAIT>(@p@q, X);
+        break;
+{% endfor %}
+    }
+}

@@ -1,0 +1,8 @@
+#include "declarations.h"
+
+@opening@
+namespace kernels {
+
+@functions|join("\n")@
+}
+@closing@
