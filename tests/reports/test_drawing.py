@@ -34,7 +34,6 @@ from kindsl.products.reports.drawing.robot import (
 )
 from kindsl.products.reports.drawing.shapes import Disc, Drawing, Label, Line, Polygon, Spot
 from kindsl.products.reports.drawing.svg import svg_text
-from kindsl.products.reports.drawing.tikz import tikz_text
 from kindsl.robots.scene.size import extent
 from kindsl.robots.scene.solids import link_solids
 
@@ -420,22 +419,4 @@ def test_svg_says_each_shape() -> None:
 def test_what_is_full_says_no_opacity() -> None:
     full = Polygon(((1.0, 2.0), (30.0, 2.0), (30.0, 40.0)), "93a6bc", "2b3540", 1.0)
     drawing = DRAWING._replace(shapes=(full,))
-    assert "opacity" not in svg_text(drawing) + tikz_text(drawing)
-
-
-def test_tikz_says_each_shape_in_centimetres_and_up() -> None:
-    assert tikz_text(DRAWING).splitlines() == [
-        r"\begin{tikzpicture}[line cap=round]",
-        r"\definecolor{k2b3540}{HTML}{2B3540}",
-        r"\definecolor{k2b4562}{HTML}{2B4562}",
-        r"\definecolor{k33404d}{HTML}{33404D}",
-        r"\definecolor{k7d93ab}{HTML}{7D93AB}",
-        r"\definecolor{k93a6bc}{HTML}{93A6BC}",
-        r"\draw[k7d93ab, line width=0.140cm] (2.000,-1.000) -- (4.000,-3.000);",
-        r"\fill[k2b4562] (6.000,-1.200) circle (0.100);",
-        r"\filldraw[fill=k93a6bc, draw=k2b3540, line width=0.020cm, line join=round,"
-        r" fill opacity=0.4] (0.020,-0.040) -- (0.600,-0.040) -- (0.600,-0.800) -- cycle;",
-        r"\node[k33404d, anchor=base west, inner sep=0, font=\scriptsize] at (0.200,-0.400)"
-        r" {a\_<b>};",
-        r"\end{tikzpicture}",
-    ]
+    assert "opacity" not in svg_text(drawing)

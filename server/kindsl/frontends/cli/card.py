@@ -2,11 +2,12 @@
 
 It has a picture, the tree, joints, masses, frames, parameters, each joint's transform in closed
 form, and the document's health. Broken documents are shown as far as they go. Markdown that is
-written to a file has its picture in a file beside it.
+written to a file has its picture in a file beside it. Pandoc makes LaTeX and PDF of it.
 
 examples:
   kindsl card arm.kindsl -o arm.md
-  kindsl card arm.kindsl --output-format latex --param payload=0.5 -o arm.tex
+  kindsl card arm.kindsl --param payload=0.5 -o arm.md
+  pandoc arm.md --from gfm --standalone --output arm.tex
 """
 
 import argparse
@@ -25,13 +26,14 @@ from kindsl.frontends.cli.options import add_parameter_arguments
 from kindsl.frontends.cli.outcome import Failure
 
 SUMMARY = "write a page about a document: picture, tables, transforms"
-FORMATS = ("markdown", "html", "latex")
+FORMATS = ("markdown", "html")
+_PANDOC = "pandoc card.md --from gfm --standalone --output card.tex"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     parser.add_argument("file", metavar="FILE", help="the document, or '-' for stdin")
-    parser.add_argument("--output-format", choices=FORMATS, default="markdown")
+    parser.add_argument("--output-format", type=_output_format, choices=FORMATS, default="markdown")
     parser.add_argument(
         "-o", "--output", metavar="OUT", help="write to this file instead of stdout"
     )
@@ -39,6 +41,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--pose", metavar="NAME", help="picture a pose of kindsl.toml: [poses.NAME]"
     )
     add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
+
+
+def _output_format(text: str) -> str:
+    if text == "latex":
+        message = f"LaTeX is written by pandoc: kindsl card FILE -o card.md && {_PANDOC}"
+        raise argparse.ArgumentTypeError(message)
+    return text
 
 
 def run(args: argparse.Namespace) -> int:

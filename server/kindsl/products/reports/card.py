@@ -192,9 +192,7 @@ def _transforms(analysis: Analysis) -> Iterator[Block]:
         if rows is not None:
             ends = f"{edge.predecessor.name} to {edge.child.link}"
             label = f"{edge.joint.name}, from {ends}:"
-            plain = tuple(tuple(entry.plain for entry in row) for row in rows)
-            latex = tuple(tuple(entry.latex for entry in row) for row in rows)
-            matrices.append(Matrix(label, plain, latex))
+            matrices.append(Matrix(label, rows))
     if matrices:
         yield Heading("Transforms")
         yield Paragraph(

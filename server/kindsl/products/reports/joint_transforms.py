@@ -12,18 +12,11 @@ _EXACT = 1e-9  # radians from a quarter turn that count as one, as written with 
 VARIABLE = "q"
 
 
-class Formula(NamedTuple):
-    """A formula as a program and as LaTeX write it."""
-
-    plain: str
-    latex: str
-
-
 class _Factor(NamedTuple):
     """A sign, 0 for nothing at all, and functions that are multiplied."""
 
     sign: int
-    parts: tuple[Formula, ...] = ()
+    parts: tuple[str, ...] = ()
 
     def times(self, other: "_Factor") -> "_Factor":
         return _Factor(self.sign * other.sign, (*self.parts, *other.parts))
@@ -37,7 +30,7 @@ class _Linear(NamedTuple):
 
 
 _ONE, _MINUS = _Factor(1), _Factor(-1)
-Rows = tuple[tuple[Formula, ...], ...]
+Rows = tuple[tuple[str, ...], ...]
 
 
 def joint_transform(joint: Joint, values: Mapping[str, float]) -> Rows | None:
@@ -56,15 +49,14 @@ def joint_transform(joint: Joint, values: Mapping[str, float]) -> Rows | None:
     rotation = _rotation(a, b, c)
     position = [_sum([_linear(x)]) for x in at]
     if joint.kind == "prismatic":
-        q = _Factor(1, (Formula(VARIABLE, VARIABLE),))
+        q = _Factor(1, (VARIABLE,))
         columns = [[term.times(q) for term in row[2]] for row in rotation]
         position = [_sum([_linear(x)], slide) for x, slide in zip(at, columns, strict=True)]
     rows = [
         (*(_sum([], entry) for entry in row), place)
         for row, place in zip(rotation, position, strict=True)
     ]
-    zero, one = Formula("0", "0"), Formula("1", "1")
-    return (*rows, (zero, zero, zero, one))
+    return (*rows, ("0", "0", "0", "1"))
 
 
 def _components(
@@ -120,37 +112,27 @@ def _cosine_and_sine(angle: _Linear) -> tuple[_Factor, _Factor]:
     return turns[quarters % 4] if is_exact else (c, s)
 
 
-def _called(name: str, angle: _Linear) -> Formula:
-    argument = _linear(angle)
-    is_single = not angle.constant and len(angle.terms) == 1
-    latex = f" {argument.latex}" if is_single else f"\\left({argument.latex}\\right)"
-    return Formula(f"{name}({argument.plain})", f"\\{name}{latex}")
+def _called(name: str, angle: _Linear) -> str:
+    return f"{name}({_linear(angle)})"
 
 
-def _linear(value: _Linear) -> Formula:
-    plain = [_scaled(factor, name, "*") for name, factor in value.terms if factor]
-    latex = [_scaled(factor, latex_name(name), r"\,") for name, factor in value.terms if factor]
-    constant = [_number(value.constant)] if value.constant else []
-    return Formula(_joined([*plain, *constant]), _joined([*latex, *constant]))
+def _linear(value: _Linear) -> str:
+    terms = [_scaled(factor, name) for name, factor in value.terms if factor]
+    return _joined([*terms, *([_number(value.constant)] if value.constant else [])])
 
 
-def _scaled(factor: float, name: str, times: str) -> str:
-    signed = {1.0: name, -1.0: f"-{name}"}
-    return signed.get(factor, f"{_number(factor)}{times}{name}")
+def _scaled(factor: float, name: str) -> str:
+    return {1.0: name, -1.0: f"-{name}"}.get(factor, f"{_number(factor)}*{name}")
 
 
-def _sum(first: Sequence[Formula], products: Sequence[_Factor] = ()) -> Formula:
-    """Return formulas and products, those that are nothing left out."""
-    terms = [formula for formula in first if formula.plain != "0"]
-    terms += [_product(factor) for factor in products if factor.sign]
-    return Formula(_joined([term.plain for term in terms]), _joined([term.latex for term in terms]))
+def _sum(first: Sequence[str], products: Sequence[_Factor] = ()) -> str:
+    """Return the sum of formulas and products; zeros are left out."""
+    terms = [formula for formula in first if formula != "0"]
+    return _joined([*terms, *(_product(factor) for factor in products if factor.sign)])
 
 
-def _product(factor: _Factor) -> Formula:
-    minus = {1: "", -1: "-"}[factor.sign]
-    plain = "*".join(part.plain for part in factor.parts) or "1"
-    latex = r"\,".join(part.latex for part in factor.parts) or "1"
-    return Formula(minus + plain, minus + latex)
+def _product(factor: _Factor) -> str:
+    return ("-" if factor.sign < 0 else "") + ("*".join(factor.parts) or "1")
 
 
 def _joined(terms: Sequence[str]) -> str:
@@ -160,11 +142,3 @@ def _joined(terms: Sequence[str]) -> str:
 
 def _number(value: float) -> str:
     return f"{value:.12g}"
-
-
-def latex_name(name: str) -> str:
-    """Return a name in LaTeX's mathematics: one letter as it is, words upright."""
-    if len(name) == 1:
-        return name
-    escaped = name.replace("_", r"\_")
-    return f"\\mathrm{{{escaped}}}"

@@ -1,4 +1,4 @@
-"""Knows a page as blocks, and how Markdown, HTML and LaTeX write them.
+"""Knows a page as blocks, and its Markdown and HTML.
 
 Must not know robots.
 """

@@ -51,13 +51,11 @@ class Matrix(NamedTuple):
 
     Attributes:
         label: Its label, plain text.
-        plain: Rows of entries that a program would understand: `sin(q)`.
-        latex: The same in LaTeX's mathematics.
+        rows: Entries as a program would write them: `2*sin(q)`.
     """
 
     label: str
-    plain: tuple[tuple[str, ...], ...]
-    latex: tuple[tuple[str, ...], ...]
+    rows: tuple[tuple[str, ...], ...]
 
 
 class SideBySide(NamedTuple):

@@ -58,7 +58,7 @@ def _block(block: Block) -> Iterator[str]:
         yield f'<div class="side">{"".join(map(_figure, block.pictures))}</div>'
     elif isinstance(block, Matrix):
         yield f"<p>{escape(block.label)}</p>"
-        rows = ("".join(f"<td>{escape(cell)}</td>" for cell in row) for row in block.plain)
+        rows = ("".join(f"<td>{escape(cell)}</td>" for cell in row) for row in block.rows)
         yield f'<table class="matrix">{"".join(f"<tr>{row}</tr>" for row in rows)}</table>'
     else:
         yield _table(block)

@@ -17,6 +17,8 @@ from kindsl.products.reports.page.blocks import (
 )
 
 _SPECIAL = re.compile(r"([\\`*_{}\[\]<#|~])")
+_NAME = re.compile(r"(?<![\w.])[A-Za-z]\w*")
+_FUNCTION = re.compile(r"\b(cos|sin)\(([^()]*)\)")
 Address = Callable[[Figure], str]
 
 
@@ -54,15 +56,31 @@ def _block(block: Block, address: Address) -> Iterator[str]:
         yield _row("---" for _ in titles)
         yield _row(f"![{escaped(p.caption)}]({address(p)})" for p in block.pictures) + "\n"
     elif isinstance(block, Matrix):
-        yield f"{escaped(block.label)}\n\n```math\n{bracketed(block)}\n```\n"
+        yield f"{escaped(block.label)}\n\n```math\n{_bracketed(block)}\n```\n"
     else:
         yield from _table(block)
 
 
-def bracketed(matrix: Matrix) -> str:
-    """Return a matrix in LaTeX's mathematics."""
-    rows = " \\\\\n".join(" & ".join(row) for row in matrix.latex)
+def _bracketed(matrix: Matrix) -> str:
+    rows = " \\\\\n".join(" & ".join(map(_formula, row)) for row in matrix.rows)
     return f"\\begin{{bmatrix}}\n{rows}\n\\end{{bmatrix}}"
+
+
+def _formula(plain: str) -> str:
+    """Return an entry of a matrix in TeX's mathematics, which GitHub and pandoc read."""
+    called = _FUNCTION.sub(_call, _NAME.sub(_name, plain))
+    return called.replace("*", r"\,")
+
+
+def _name(match: re.Match[str]) -> str:
+    name = match[0].replace("_", r"\_")
+    return name if len(name) == 1 or name in ("cos", "sin") else rf"\mathrm{{{name}}}"
+
+
+def _call(match: re.Match[str]) -> str:
+    function, argument = match.groups()
+    is_name = argument.isalpha() or argument.startswith("\\")
+    return rf"\{function} {argument}" if is_name else rf"\{function}\left({argument}\right)"
 
 
 def _table(table: Table) -> Iterator[str]:

@@ -7,13 +7,11 @@ from urllib.parse import quote
 from kindsl.products.reports.drawing.svg import svg_text
 from kindsl.products.reports.page.blocks import Figure, Page
 from kindsl.products.reports.page.html import html_text
-from kindsl.products.reports.page.latex import latex_text
 from kindsl.products.reports.page.markdown import markdown_text
 
 RENDERERS: Mapping[str, Callable[[Page], str]] = {
     "markdown": markdown_text,
     "html": html_text,
-    "latex": latex_text,
 }
 
 
