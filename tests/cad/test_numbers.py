@@ -6,7 +6,7 @@ from fractions import Fraction
 import pytest
 
 from kindsl.robots.cad.mesh import ShapeError, _check_closed
-from kindsl.robots.cad.number_style import NumberStyle, number_styles, with_joined_groups
+from kindsl.robots.cad.number_style import NumberStyle, number_styles, with_joined_numbers
 from kindsl.robots.cad.quantity import Quantity, Rounded, decimal_text
 from kindsl.robots.cad.unit import unit
 
@@ -55,7 +55,7 @@ def test_the_style_of_numbers_is_what_they_allow(line: str, styles: list[NumberS
     ],
 )
 def test_groups_are_joined_where_no_gap_can_be(line: str, joined: str) -> None:
-    assert with_joined_groups(line) == joined
+    assert with_joined_numbers(line) == joined
 
 
 @pytest.mark.parametrize(

@@ -52,6 +52,100 @@ def test_principal_axes_prove_the_sign(x: str, y: str, sign: int) -> None:
     assert (found.sign, found.moments[3]) == (sign, "0.0030" if sign > 0 else "-0.0030")
 
 
+ONSHAPE = """Mass properties of Part 1 (Onshape)
+Mass: 2.000 kg
+Center of mass:
+X: 0.000 m
+Y: 0.000 m
+Z: 0.100 m
+Moments of inertia: (kg m²)
+Lxx: 0.1000 Lxy: 0.0030 Lxz: 0.0000
+Lyx: 0.0030 Lyy: 0.1100 Lyz: 0.0000
+Lzx: 0.0000 Lzy: 0.0000 Lzz: 0.0200
+"""
+
+
+def test_a_sign_that_no_digit_proves_is_as_the_program_documents_it() -> None:
+    found = kindsl.mass_properties(ONSHAPE)
+    assert (found.sign, found.moments[3], found.other_moments) == (-1, "-0.0030", None)
+    assert "Onshape documents them as entries of the tensor" in notes(ONSHAPE)
+
+
+@pytest.mark.parametrize(("x", "y", "sign"), [("-0.267", "0.267", 1), ("0.267", "-0.267", -1)])
+def test_digits_win_over_what_a_program_documents(x: str, y: str, sign: int) -> None:
+    found = kindsl.mass_properties(ONSHAPE + PRINCIPAL.format(x=x, y=y))
+    assert found.sign == sign
+    assert "documents" not in "; ".join(found.notes)
+
+
+COARSE = """Mass = {mass} kilograms
+Center of mass: ( meters )
+X = 0.01
+Y = 0.00
+Z = 0.02
+Moments of inertia: ( kilograms * square meters )
+Taken at the output coordinate system.
+Ixx = {xx} Ixy = 0.00 Ixz = 0.00
+Iyx = 0.00 Iyy = {xx} Iyz = 0.00
+Izx = 0.00 Izy = 0.00 Izz = {xx}
+Principal axes of inertia: SolidWorks
+"""
+
+
+def test_moments_that_are_all_rounded_to_zero_are_refused() -> None:
+    said = refusal(COARSE.format(mass="0.05", xx="0.00"))
+    assert "all moments of inertia are rounded to zero" in said
+    assert "g·mm², or more decimals, in SolidWorks (Mass Properties > Options" in said
+
+
+@pytest.mark.parametrize(
+    ("mass", "moment", "digits"),
+    [("0.98", "0.01", "a moment of inertia has 1 significant digit:"),
+     ("0.98", "0.14", "a moment of inertia has 2 significant digits:"),
+     ("0.9", "0.142", "the mass has 1 significant digit:")],
+)  # fmt: skip
+def test_few_digits_are_noticed(mass: str, moment: str, digits: str) -> None:
+    assert digits in notes(COARSE.format(mass=mass, xx=moment))
+
+
+def test_three_digits_are_enough() -> None:
+    assert not notes(COARSE.format(mass="0.98", xx="0.142"))
+
+
+@pytest.mark.parametrize("old", ["Z = -85.22", "Ixz = -14129520.74"])
+def test_a_blank_behind_a_minus_does_not_lose_it(old: str) -> None:
+    one_tensor = ARM.replace("Ixx", "Ixx")
+    assert old in one_tensor
+    spaced = one_tensor.replace(old, old.replace("-", "- "))
+    assert kindsl.mass_properties(spaced) == kindsl.mass_properties(one_tensor)
+
+
+def test_a_blank_behind_a_minus_in_a_row_of_numbers() -> None:
+    report = REPORTS["FreeCAD_base"].partition("Matrix of inertia at the center")
+    report = report[0] + "Matrix of inertia at the origin" + report[2].partition("at the origin")[2]
+    spaced = report.replace(" -13801", " - 13801")
+    assert spaced != report
+    assert kindsl.mass_properties(spaced).moments == kindsl.mass_properties(report).moments
+
+
+SIGNATURE = """--
+Dr. X. Yu, Z. Zorn | Tel: +49 351 4633 100
+Fax 0351 / 46 33 - 101, D-01069 Dresden
+"""
+
+
+@pytest.mark.parametrize("name", REPORTS)
+def test_a_signature_behind_a_report_is_none_of_it(name: str) -> None:
+    found = kindsl.mass_properties(REPORTS[name])
+    assert kindsl.mass_properties(REPORTS[name] + SIGNATURE) == found
+    assert kindsl.mass_properties(REPORTS[name] + "+49 351 4633 100 20\n") == found
+
+
+def test_a_signature_behind_a_tensor_alone_is_none_of_it() -> None:
+    text = ON_AXIS.format(notation="")
+    assert kindsl.mass_properties(text + SIGNATURE) == kindsl.mass_properties(text)
+
+
 def test_products_of_zero_need_no_sign() -> None:
     assert not notes(ON_AXIS.format(notation="").replace("0.0030", "0.0000"))
 

@@ -14,6 +14,8 @@ _GROUPED_BY_BLANKS = re.compile(
     r"(?<=[=:])(?P<number>\s*[-+]?\d{1,3}(?: \d{3})+)(?=[.,]\d|\s*(?:[^\d\s.,+-]|$))"
 )
 _GROUPED_BEFORE_UNIT = re.compile(r"(?<![\d.,])\d{1,3}(?: \d{3})+(?:[.,]\d+)?(?= *[a-zA-Zµ])")
+# Behind a mark, a bracket, a number or nothing: behind a word it may be a dash.
+_SIGN_APART = re.compile(r"(^\s*|[^\w\s.)\]]\s*|[\d.]\s+)([-+])\s+(?=[.,]?\d)")
 _SINGLE = re.compile(r"\b(?:mass|[LIJP]\w{1,3}|[XYZ])\s*[=:]", re.IGNORECASE)
 _GROUPS = re.compile(r"[1-9]\d{0,2}(?:[.,]\d{3})+")
 
@@ -61,8 +63,9 @@ def number_styles(lines: list[str]) -> tuple[NumberStyle, ...]:
     return (NumberStyle(".", False, has_groups),) if "," not in doubtful else ()
 
 
-def with_joined_groups(line: str) -> str:
-    """Return a line in which blanks between groups of digits cannot be taken for gaps."""
+def with_joined_numbers(line: str) -> str:
+    """Return a line without blanks behind signs, and none that group digits taken for gaps."""
+    line = _SIGN_APART.sub(r"\1\2", line)
     line = _GROUPED_BEFORE_UNIT.sub(_joined, line)
     return line if _SINGLE.search(line) is None else _GROUPED_BY_BLANKS.sub(_joined, line)
 

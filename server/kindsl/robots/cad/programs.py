@@ -13,8 +13,23 @@ _PROGRAMS = (
     ("Fusion 360", r"fusion|at center of mass\s*[(\[]|at origin\b|world x, ?y, ?z"),
     ("SolidWorks", r"solidworks|output coordinate system|mass properties of|overridden"
                    r"|\bPx\s*=|principal axes of inertia"),
-    ("Onshape", r"\bL[xyz]{2}\b|mass properties"),
+    ("Onshape", r"\bL[xyz]{2}\b"),
 )  # fmt: skip
+
+# Both document products as entries of the tensor, less than zero where Σ m x y is greater: Onshape
+# in evaluate.fs of its standard library ("the 3D inertia tensor"), Creo at pfcMassProperty
+# ("trace(CoordSysInertia) * identity - CoordSysInertia"). The others document no sign.
+_DOCUMENTED_SIGNS = {"Onshape": -1, "Creo": -1}
+
+# Where a program keeps unit and number of decimals of its report.
+_UNIT_SETTINGS = {
+    "SolidWorks": "Mass Properties > Options > Use custom settings",
+    "Onshape": "Workspace units",
+    "Fusion 360": "Preferences > Unit and Value Display",
+    "Inventor": "Document Settings > Units",
+    "Creo": "Model Properties > Units",
+    "FreeCAD": "Preferences > General > Units",
+}
 
 
 def program_of(text: str) -> str:
@@ -23,3 +38,15 @@ def program_of(text: str) -> str:
         if re.search(pattern, text, re.IGNORECASE):
             return name
     return UNKNOWN
+
+
+def documented_sign(program: str) -> int | None:
+    """Return the sign of a program's products beside Σ m x y, None where it documents none."""
+    return _DOCUMENTED_SIGNS.get(program)
+
+
+def more_digits(program: str) -> str:
+    """Return how to have a program report more digits, in words."""
+    setting = _UNIT_SETTINGS.get(program)
+    where = f"in {program} ({setting})" if setting else "in the CAD program"
+    return f"set a smaller unit such as g·mm², or more decimals, {where}"

@@ -38,6 +38,11 @@ class Quantity(NamedTuple):
         """The value with its error."""
         return Rounded(self.value, self.error)
 
+    @property
+    def n_digits(self) -> int:
+        """The number of significant digits, none of zero."""
+        return len(self.printed.as_tuple().digits) if self.printed else 0
+
     def text(self, sign: int = 1) -> str:
         """Return the value as the document takes it, its digits kept, exactly if that is short."""
         power = _power_of_ten(self.factor)

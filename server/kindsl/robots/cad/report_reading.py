@@ -5,10 +5,10 @@ from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import partial
 
-from kindsl.robots.cad.number_style import NumberStyle, number_styles, with_joined_groups
+from kindsl.robots.cad.number_style import NumberStyle, number_styles, with_joined_numbers
 from kindsl.robots.cad.programs import program_of
 from kindsl.robots.cad.quantity import Quantity
-from kindsl.robots.cad.report import Entry, Report, ReportError
+from kindsl.robots.cad.report import PAIRS, Entry, Report, ReportError
 from kindsl.robots.cad.unit import DENSITY, INERTIA, LENGTH, MASS, VOLUME, Dimension, unit
 
 _MINUS = str.maketrans("−–‐‑\t", "---- ")
@@ -77,7 +77,7 @@ def readings(text: str) -> Iterator[Callable[[], Report]]:
     """
     text = _BLANK.sub(" ", text)
     lines = [_FRAME.sub("", line.translate(_MINUS), count=1) for line in text.splitlines()]
-    lines = [with_joined_groups(_REMARK.sub("", line).replace("|", "  ")) for line in lines]
+    lines = [with_joined_numbers(_REMARK.sub("", line).replace("|", "  ")) for line in lines]
     styles = number_styles([line for line in lines if not _NAME.match(line)])
     if not styles:
         reason = "the report has decimal points and decimal commas"
@@ -92,7 +92,7 @@ class _ReportReader:
     def __init__(self, program: str, style: NumberStyle) -> None:
         self.report = Report(program)
         self.style = style
-        self.section = self.about = self.unit_text = ""
+        self.section = self.about = self.unit_text = self.tensor = ""
         self.rows = 0
         if style.has_commas:
             self.report.notes.append("decimal commas are read as decimal points")
@@ -177,7 +177,7 @@ class _ReportReader:
             is_new = not re.fullmatch(r"\W*inertia (?:tensor|matrix)\W*", heading.strip(), re.I)
             if is_new:
                 self.section = "principal" if is_principal else "tensor"
-                self.about = ""
+                self.about = self.tensor = ""
                 self.unit_text = _last_unit(heading, INERTIA)
                 self._place(heading)
             self.rows = 0
@@ -210,8 +210,9 @@ class _ReportReader:
                 for index, number in enumerate(numbers):
                     name = "XYZ"[index]
                     self.report.center.setdefault(index, []).append(number._replace(name=name))
-        if len(self.report.center) == 3:
-            self.section = self.section if line.strip() else ""
+        counts = [len(numbers) for numbers in self.report.center.values()]
+        if len(counts) == 3 and min(counts) == max(counts):
+            self.section = ""
 
     def _entries(self, line: str, begin: int) -> None:
         labelled = list(self._labelled(line, begin, _ENTRY, INERTIA))
@@ -219,8 +220,16 @@ class _ReportReader:
             row = _INDEX[label[2].casefold()]
             column = _INDEX[(label[3] or label[2]).casefold()]
             self._add(label[1].upper(), (row, column), number._replace(name=label[0]))
-        if not labelled:
+        if not labelled and self._is_tensor_whole():
+            self.section = ""
+        elif not labelled:
             self._matrix_rows(list(self._bare(line, begin, INERTIA)))
+
+    def _is_tensor_whole(self) -> bool:
+        """Return whether a further row, as of a signature or page number, is none of the tensor."""
+        tensor = self.report.about_com if self.tensor == "com" else self.report.about_origin
+        is_whole = all(pair in tensor or pair[::-1] in tensor for pair in PAIRS)
+        return bool(self.tensor) and (self.rows >= 3 or (self.rows == 0 and is_whole))
 
     def _matrix_rows(self, numbers: list[Quantity]) -> None:
         """Take rows of three numbers, or of four whose last is of a matrix of poses."""
@@ -246,6 +255,7 @@ class _ReportReader:
         if not about:
             reason = "the report does not say whether moments are about the CoM or the origin"
             raise ReportError(self.report.program, reason)
+        self.tensor = about
         found = self.report.about_com if about == "com" else self.report.about_origin
         found.setdefault(entry, []).append(number)
 

@@ -1,14 +1,19 @@
 """The inertia of a report: mass, centre of mass and moments as the language has them."""
 
+from collections.abc import Iterator
 from fractions import Fraction
 
-from kindsl.language.text.phrases import alternatives, listed
+from kindsl.language.text.phrases import alternatives, counted, listed
 from kindsl.robots.cad.agreement import Numbers, disagreements, moved
+from kindsl.robots.cad.programs import documented_sign, more_digits
 from kindsl.robots.cad.properties import MassProperties
 from kindsl.robots.cad.quantity import Quantity, Rounded
 from kindsl.robots.cad.report import PAIRS, Entry, NoReportError, Report, ReportError
 from kindsl.robots.cad.report_reading import has_default_name, readings
 
+# Enough significant digits of the mass, which a kitchen scale gives, and of a moment: two leave it
+# open by up to 5 %, more than a part differs from its model.
+_ENOUGH_FOR_MASS, _ENOUGH = 2, 3
 _LABELS = {0: "x", 1: "y", 2: "z"}
 _SIGNS = {1: "as Σ m x y", -1: "as entries of the tensor"}
 
@@ -49,9 +54,10 @@ def _taken_over(report: Report) -> MassProperties:
     reasons = {sign: list(disagreements(numbers, sign)) for sign in (1, -1)}
     signs = [sign for sign in (1, -1) if not reasons[sign]]
     if not signs:
-        raise ReportError(report.program, *_told(reasons))
+        raise ReportError(report.program, *_reasons_of_both(reasons))
     has_products = any(numbers_of(numbers)[entry].printed for entry in PAIRS[3:])
-    sign = signs[0] if len(signs) == 1 or not has_products else None
+    is_proved = len(signs) == 1 or not has_products
+    sign = signs[0] if is_proved else documented_sign(report.program)
     first, second = (_moments(numbers, one) for one in (sign or 1, -1))
     return MassProperties(
         report.program,
@@ -61,7 +67,7 @@ def _taken_over(report: Report) -> MassProperties:
         sign,
         second if sign is None else None,
         next((name for name in report.systems if not has_default_name(name)), ""),
-        tuple(_notes(report, numbers, sign)),
+        (*_notes(report, numbers), *_on_signs(report, sign, is_proved)),
     )
 
 
@@ -108,6 +114,7 @@ def _numbers(report: Report) -> Numbers:
         {index: _evened(axis) for index, axis in report.axes.items()},
     )
     _check_units(report, numbers)
+    _check_digits(report, numbers)
     if numbers.mass.value <= 0:
         mass = numbers.mass.text()
         raise ReportError(report.program, f"the mass is {mass} kg, which is not positive")
@@ -172,7 +179,14 @@ def _check_units(report: Report, numbers: Numbers) -> None:
         raise ReportError(report.program, *dict.fromkeys(reasons))
 
 
-def _told(reasons: dict[int, list[str]]) -> list[str]:
+def _check_digits(report: Report, numbers: Numbers) -> None:
+    moments = [numbers_of(numbers)[entry] for entry in PAIRS[:3]]
+    if not any(moment.printed for moment in moments):
+        reason = f"all moments of inertia are rounded to zero: {more_digits(report.program)}"
+        raise ReportError(report.program, reason)
+
+
+def _reasons_of_both(reasons: dict[int, list[str]]) -> list[str]:
     """Return the reasons that hold for both signs, else those of the sign that has fewer."""
     both = [reason for reason in reasons[1] if reason in reasons[-1]]
     return both or min(reasons[1], reasons[-1], key=len)
@@ -200,7 +214,7 @@ def _moved(entry: Quantity, arm: Fraction, sign: int) -> str:
     return Rounded(sign * entry.value + arm, entry.error).text()
 
 
-def _notes(report: Report, numbers: Numbers, sign: int | None) -> list[str]:
+def _notes(report: Report, numbers: Numbers) -> list[str]:
     notes = list(report.notes)
     if report.is_overridden:
         notes.append("numbers of the report were overridden by hand")
@@ -211,18 +225,38 @@ def _notes(report: Report, numbers: Numbers, sign: int | None) -> list[str]:
             )
     if numbers.about_origin is None:
         notes.append("the moments are moved from the CoM to the origin of the coordinate system")
-    if sign is None:
-        notes.append(_unproved(report))
+    few = _few_digits(numbers)
+    if few:
+        notes.append(f"{listed(few)}: {more_digits(report.program)}")
     notes += _density(report, numbers)
     return notes
 
 
-def _unproved(report: Report) -> str:
-    said = f" (the report says '{report.notation}')" if report.notation else ""
-    return (
-        "the sign of the products is unproved: Ixy, Ixz and Iyz are written as reported, "
-        f"{alternatives(_SIGNS.values())} they fit the other numbers{said}"
+def _few_digits(numbers: Numbers) -> list[str]:
+    moments = min(numbers_of(numbers)[entry].n_digits for entry in PAIRS[:3])
+    carried = (
+        ("the mass", numbers.mass.n_digits, _ENOUGH_FOR_MASS),
+        ("a moment of inertia", moments, _ENOUGH),
     )
+    return [
+        f"{what} has {counted(digits, 'significant digit')}"
+        for what, digits, enough in carried
+        if digits < enough
+    ]
+
+
+def _on_signs(report: Report, sign: int | None, is_proved: bool) -> Iterator[str]:
+    notation = f" (the report says '{report.notation}')" if report.notation else ""
+    if sign is None:
+        yield (
+            "the sign of the products is unproved: Ixy, Ixz and Iyz are written as reported, "
+            f"{alternatives(_SIGNS.values())} they fit the other numbers{notation}"
+        )
+    elif not is_proved:
+        yield (
+            f"no number of the report proves the sign of the products: {report.program} documents "
+            f"them {_SIGNS[sign]}{notation}"
+        )
 
 
 def _density(report: Report, numbers: Numbers) -> list[str]:

@@ -27,8 +27,8 @@ link upper {
 ## Fix
 Writes the inertia of the link, in SI units, with all digits; the report must be given in the link
 frame. The sign of the products is proved by the tensor at the centre of mass or by the principal
-axes; where nothing proves it, one of two fixes is to be chosen. Unsafe: it replaces the inertia
-that the link has. For a shape, writes its inertia about its centre.
+axes, or as Onshape and Creo document it; elsewhere choose one of two fixes. Unsafe: it replaces the
+inertia that the link has. For a shape, writes its inertia about its centre.
 """
 
 from kindsl.judgement.rules.base import Example, Rule, Severity
