@@ -14,8 +14,7 @@ from tests.support.robots import LIFT
 
 from kindsl.frontends.features.actions.code_actions import refactorings
 from kindsl.frontends.features.completion.completion import completions, suggestions
-from kindsl.frontends.features.manipulation.add_child import add_child
-from kindsl.frontends.features.manipulation.add_frame import add_frame
+from kindsl.frontends.features.manipulation.additions import add_child, add_frame
 from kindsl.frontends.features.manipulation.handles import handles
 from kindsl.frontends.features.manipulation.mirror_leg import mirror_leg
 from kindsl.frontends.features.manipulation.pose_as_zero import pose_as_zero

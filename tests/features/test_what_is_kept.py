@@ -16,8 +16,7 @@ from tests.support.spoilt import spoilt_robot
 from tests.support.walkers import walker
 
 from kindsl.frontends.features.actions.code_actions import refactorings
-from kindsl.frontends.features.manipulation.add_child import add_child
-from kindsl.frontends.features.manipulation.add_frame import add_frame
+from kindsl.frontends.features.manipulation.additions import add_child, add_frame
 from kindsl.frontends.features.manipulation.gesture import Gesture
 from kindsl.frontends.features.manipulation.mirror_leg import mirror_leg
 from kindsl.frontends.features.manipulation.pose_as_zero import pose_as_zero

@@ -7,7 +7,7 @@ import pytest
 from kindsl.frontends.features.manipulation.gesture import Refusal
 from kindsl.frontends.features.manipulation.set_component import ComponentChange, set_component
 from kindsl.frontends.features.manipulation.things import Thing
-from kindsl.frontends.features.manipulation.written_value import fraction_of_pi, written_number
+from kindsl.frontends.features.manipulation.value_text import fraction_of_pi, number_text
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.language.semantics.parameters import Binding
@@ -79,7 +79,7 @@ def test_a_value_that_is_there_already_is_not_written(
     ],
 )
 def test_a_number_keeps_its_decimals(value: float, old: str, text: str) -> None:
-    assert written_number(value, old) == (text, float(text))
+    assert number_text(value, old) == (text, float(text))
 
 
 @pytest.mark.parametrize(
@@ -133,7 +133,9 @@ def test_a_bound_parameter_stays_in_its_bounds(
 ) -> None:
     change = set_component(bound("-2.0*x", minimum, maximum), J, "x", -2.0 * value)
     if is_taken:
-        assert change == ComponentChange(change.text, -2.0 * value, bindings=(("x", value),))
+        assert change == ComponentChange(
+            "Set x of joint 'j'", change.text, -2.0 * value, bindings=(("x", value),)
+        )
     else:
         assert change == Refusal(f"parameter 'x' would be out of bounds at {value}")
 
@@ -142,7 +144,7 @@ def test_a_typed_value_wins_over_a_binding_and_a_default() -> None:
     """What the preview's own field holds is changed there, and no file."""
     for analysis in (bound("2.0*x", 0.0, 1.0), robot("2.0*x[1.0]")):
         change = set_component(analysis, J, "x", 5.0, typed={"x": 1.0})
-        assert change == ComponentChange("2.5", 5.0, preview=(("x", 2.5),))
+        assert change == ComponentChange("Set x of joint 'j'", "2.5", 5.0, preview=(("x", 2.5),))
 
 
 def test_only_defaults_of_the_value_in_force_are_rewritten() -> None:
@@ -170,4 +172,4 @@ def test_what_cannot_be_solved_is_refused() -> None:
 def test_a_new_form_of_the_same_text_edits_nothing() -> None:
     """The value changes by less than is written."""
     change = set_component(robot("0.5"), J, "x", 0.5 + 2e-12)
-    assert change == ComponentChange("0.5", 0.5)
+    assert change == ComponentChange("Set x of joint 'j'", "0.5", 0.5)

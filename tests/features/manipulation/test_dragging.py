@@ -187,7 +187,7 @@ def test_a_bound_parameter_is_bound_anew():
     settings = Settings(bindings={"x": Binding(0.3, 0.2, 0.5, "kindsl.toml")})
     analysis = analyse(JOINT.format(x="-x/2.0", rx="0.0"), settings)
     change = set_component(analysis, Thing("joint", "j"), "x", -0.2, 0.01)
-    assert change == ComponentChange("0.4", -0.2, bindings=(("x", 0.4),))
+    assert change == ComponentChange("Set x of joint 'j'", "0.4", -0.2, bindings=(("x", 0.4),))
     refused = set_component(analysis, Thing("joint", "j"), "x", -0.3)
     assert refused == Refusal("parameter 'x' would be out of bounds at 0.6")
 
@@ -195,7 +195,7 @@ def test_a_bound_parameter_is_bound_anew():
 def test_an_unbound_parameter_moves_in_the_preview_only():
     analysis = analyse(JOINT.format(x="x", rx="0.0"))
     change = set_component(analysis, Thing("joint", "j"), "x", 0.25)
-    assert change == ComponentChange("0.25", 0.25, preview=(("x", 0.25),))
+    assert change == ComponentChange("Set x of joint 'j'", "0.25", 0.25, preview=(("x", 0.25),))
 
 
 def test_a_card_says_what_moves_along():
@@ -211,7 +211,7 @@ def test_a_card_says_what_moves_along():
         (Thing("joint", "k"), "x", 0.1, "there is no joint 'k'"),
         (Thing("joint", "j"), "q", 0.1, "joint 'j' has no component 'q'"),
         (Thing("com", "a"), "x", 0.1, "link 'a' has no inertia section"),
-        (Thing("com", "base"), "rx", 0.1, "link 'base' has no inertia section"),
+        (Thing("com", "base"), "x", 0.1, "link 'base' has no inertia section"),
         (Thing("joint", "j"), "x", float("nan"), "a component takes a finite number"),
         (Thing("wheel", "j"), "x", 0.1, "there is no wheel 'j'"),
     ],

@@ -9,8 +9,7 @@ from hypothesis import strategies as st
 from tests.support.mechanisms import matrix
 from tests.support.models import Style, random_model
 
-from kindsl.frontends.features.manipulation.add_child import add_child
-from kindsl.frontends.features.manipulation.add_frame import add_frame
+from kindsl.frontends.features.manipulation.additions import add_child, add_frame
 from kindsl.frontends.features.manipulation.gesture import Gesture, Refusal
 from kindsl.frontends.features.manipulation.mirror_leg import mirror_leg
 from kindsl.frontends.features.manipulation.pose_as_zero import pose_as_zero

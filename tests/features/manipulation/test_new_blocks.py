@@ -3,8 +3,7 @@
 import pytest
 from tests.features.manipulation.made import changed
 
-from kindsl.frontends.features.manipulation.add_child import add_child
-from kindsl.frontends.features.manipulation.add_frame import add_frame
+from kindsl.frontends.features.manipulation.additions import add_child, add_frame
 from kindsl.frontends.features.manipulation.gesture import Refusal
 from kindsl.judgement.analysis.analysis import analyse
 

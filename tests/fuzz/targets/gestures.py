@@ -9,7 +9,7 @@ from tests.support import robots
 
 from kindsl.frontends.features.manipulation.gesture import Refusal
 from kindsl.frontends.features.manipulation.set_component import set_component
-from kindsl.frontends.features.manipulation.things import Missing, Thing, component
+from kindsl.frontends.features.manipulation.things import Thing, component
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 
 _ARM = analyse(robots.LIFT)
@@ -36,9 +36,9 @@ def _dragged(analysis: Analysis, thing: Thing, name: str, value: str, step: str)
         return analysis
     assert len(change.edits) <= 1 and change.bindings == change.preview == ()
     after = analysis.edited(change.edits)
-    expression = component(after, thing, name)
-    assert not isinstance(expression, Missing)
-    found = expression.value(after.context.values)
+    written = component(after.model, thing, name)
+    assert not isinstance(written, Refusal)
+    found = written.expression.value(after.context.values)
     assert found is not None and math.isclose(found, change.value, rel_tol=1e-9, abs_tol=1e-9)
     assert [f.code for f in after.syntax.problems] == []
     return after

@@ -3,9 +3,8 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from kindsl.frontends.features.manipulation.add_child import add_child
-from kindsl.frontends.features.manipulation.add_frame import add_frame
-from kindsl.frontends.features.manipulation.carried_moments import carried_moments
+from kindsl.frontends.features.manipulation.additions import add_child, add_frame
+from kindsl.frontends.features.manipulation.carried_moments import with_moments
 from kindsl.frontends.features.manipulation.gesture import Gesture, Refusal
 from kindsl.frontends.features.manipulation.mirror_leg import mirror_leg
 from kindsl.frontends.features.manipulation.pose_as_zero import pose_as_zero
@@ -70,14 +69,12 @@ def drag_outcome(
     change = set_component(analysis, thing, request.component, request.value, request.step, typed)
     if isinstance(change, Refusal):
         return change
-    edits, label = change.edits, f"Set {request.component} of {request.kind} '{request.name}'"
-    if request.carries and request.kind == "com" and edits:
-        carried = carried_moments(analysis, request.name, request.component, change.value)
-        if isinstance(carried, Refusal):
-            return carried
-        edits, label = tuple(sorted((*edits, *carried))), f"{label} with its moments"
-    writing = Writing(label, analysis.text, edits, change.bindings)
-    tried = analysis.changed(edits, dict(change.bindings))
+    if request.carries and request.kind == "com":
+        change = with_moments(analysis, request.name, request.component, change)
+        if isinstance(change, Refusal):
+            return change
+    writing = Writing(change.label, analysis.text, change.edits, change.bindings)
+    tried = analysis.changed(change.edits, dict(change.bindings))
     document = tried if request.phase == "move" else None
     is_about_bodies = request.kind != "joint" or change.bindings
     warning = _newly_impossible(analysis, tried) if is_about_bodies else ""

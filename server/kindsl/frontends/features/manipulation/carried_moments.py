@@ -5,6 +5,7 @@ alone leaves a body of other moments about itself, soon an impossible one.
 """
 
 from kindsl.frontends.features.manipulation.gesture import Refusal
+from kindsl.frontends.features.manipulation.set_component import ComponentChange
 from kindsl.frontends.features.manipulation.things import LENGTHS
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.rules.inertia.judgements import is_plain
@@ -16,10 +17,23 @@ from kindsl.mechanics.rigid.body import shifted
 from kindsl.robots.mechanism.link_inertia import written_inertia
 
 
+def with_moments(
+    analysis: Analysis, link: str, component: str, change: ComponentChange
+) -> ComponentChange | Refusal:
+    """Return the change of a centre of mass with the edits of the moments that move along."""
+    if not change.edits:
+        return change
+    carried = carried_moments(analysis, link, component, change.value)
+    if isinstance(carried, Refusal):
+        return carried
+    edits = tuple(sorted((*change.edits, *carried)))
+    return change._replace(edits=edits, label=f"{change.label} with its moments")
+
+
 def carried_moments(
     analysis: Analysis, link: str, component: str, value: float
 ) -> tuple[TextEdit, ...] | Refusal:
-    """Return the edits of the moments that a new place of the CoM asks for.
+    """Return the edits of the moments that keep the body the same as its CoM moves.
 
     Args:
         analysis: The document.

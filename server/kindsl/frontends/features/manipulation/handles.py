@@ -2,11 +2,19 @@
 
 from collections.abc import Iterator, Mapping
 
-from kindsl.frontends.features.manipulation.carrier import Carrier, carrier_of
-from kindsl.frontends.features.manipulation.places import places_moved_by
-from kindsl.frontends.features.manipulation.things import ANGLES, LENGTHS, Missing, Thing, component
+from kindsl.frontends.features.manipulation.gesture import Refusal
+from kindsl.frontends.features.manipulation.things import (
+    Carrier,
+    Component,
+    Thing,
+    components,
+    declared,
+)
+from kindsl.frontends.features.tree_path import path_at
+from kindsl.frontends.features.value_place import value_place
 from kindsl.judgement.analysis.analysis import Analysis
-from kindsl.language.semantics.expressions import Expression
+from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.places import Name
 from kindsl.robots.scene.messages import Handle
 
 _NO_VALUES: Mapping[str, float] = {}
@@ -15,7 +23,7 @@ _NO_VALUES: Mapping[str, float] = {}
 def handles(
     analysis: Analysis, thing: Thing, typed: Mapping[str, float] = _NO_VALUES
 ) -> Iterator[Handle]:
-    """Yield the components of a thing as they are now: three of a centre of mass, else six.
+    """Yield the components of a thing: three of a centre of mass, else six.
 
     Args:
         analysis: The document.
@@ -23,20 +31,34 @@ def handles(
         typed: Values of parameters that the preview shows instead of the document's.
     """
     values = {**analysis.context.values, **typed}
-    for name in LENGTHS if thing.kind == "com" else (*LENGTHS, *ANGLES):
-        expression = component(analysis, thing, name)
-        if isinstance(expression, Missing):
-            yield Handle(name, None, "", locked=expression.reason)
+    for name, found in components(analysis.model, thing).items():
+        if isinstance(found, Refusal):
+            yield Handle(name, None, "", locked=found.reason)
         else:
-            yield _handle(analysis, name, expression, values)
+            yield _handle(analysis.model, name, found, values)
 
 
-def _handle(
-    analysis: Analysis, name: str, expression: Expression, values: Mapping[str, float]
-) -> Handle:
-    value, text = expression.value(values), expression.text
-    carrier = carrier_of(expression)
+def _handle(model: Model, name: str, own: Component, values: Mapping[str, float]) -> Handle:
+    value, text, carrier = own.expression.value(values), own.expression.text, own.carrier
     if isinstance(carrier, Carrier):
-        along = places_moved_by(analysis, carrier.use, expression)
+        along = _places_moved_by(model, carrier, own)
         return Handle(name, value, text, str(carrier.use.name), along)
     return Handle(name, value, text, locked=carrier.reason if carrier is not None else "")
+
+
+def _places_moved_by(model: Model, carrier: Carrier, own: Component) -> tuple[str, ...]:
+    """Return the other values with a symbol: `joint 'knee' translation x`."""
+    names = [use.name for use in declared(model, carrier.use).uses]
+    own_value = own.expression
+    elsewhere = (
+        name
+        for name in names
+        if name.island is not own_value.island or not own_value.start <= name.start < own_value.end
+    )
+    return tuple(dict.fromkeys(map(_place_of, elsewhere)))
+
+
+def _place_of(name: Name) -> str:
+    place = value_place(path_at(name.island, name.start), name.start)
+    assert place is not None
+    return f"{place.owner} '{place.owner_name}' {place.label}"

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from kindsl.frontends.features.manipulation.gesture import Gesture, Refusal
-from kindsl.frontends.features.manipulation.new_blocks import behind_last, next_ids, with_child
+from kindsl.frontends.features.manipulation.new_blocks import behind_last, next_id, with_child
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.rules.number_writing import opposite
 from kindsl.language.semantics.declarations import Child, Joint, Link, Pose, Vector
@@ -48,7 +48,7 @@ def mirror_leg(analysis: Analysis, link: str) -> Gesture | Refusal:
     head = names[link], names[edge.child.joint]
     is_listed = head in edge.predecessor.children
     listed = with_child(analysis, edge.predecessor, *head)
-    ids = enumerate(leg.links, next_ids(model))
+    ids = enumerate(leg.links, next_id(model))
     new_links = [_mirrored_link(body, names, number) for number, body in ids]
     new_joints = [_mirrored_joint(joint, names) for joint in joints]
     linked = behind_last(analysis, model.links, new_links)

@@ -47,7 +47,7 @@ def fresh_name(model: Model, stem: str) -> str:
     return next(f"{stem}{number}" for number in count(1) if f"{stem}{number}" not in taken)
 
 
-def next_ids(model: Model) -> int:
+def next_id(model: Model) -> int:
     """Return the number behind the last one, which keeps all others as they are."""
     return 1 + max((link.id or 0 for link in model.links), default=0)
 

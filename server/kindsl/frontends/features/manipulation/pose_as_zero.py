@@ -4,21 +4,17 @@ A revolute joint turns about the z axis of its frame, as the last of the frame's
 so its position is added to that angle. A prismatic joint's is added along the z axis.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from math import isclose
 
-from kindsl.frontends.features.manipulation.carrier import carrier_of
 from kindsl.frontends.features.manipulation.gesture import Gesture, Refusal
-from kindsl.frontends.features.manipulation.things import Missing, Thing, component
-from kindsl.frontends.features.manipulation.written_value import exact_angle
+from kindsl.frontends.features.manipulation.things import LENGTHS, Component, Thing, components
+from kindsl.frontends.features.manipulation.value_text import exact_angle
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.declarations import Joint
-from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.numbers import written_pose
 from kindsl.language.text.decimals import rounded_decimal
 from kindsl.language.text.edits import TextEdit
-
-_AXES = ("x", "y", "z")
 
 
 def pose_as_zero(analysis: Analysis, q: Mapping[str, float]) -> Gesture | Refusal:
@@ -33,30 +29,42 @@ def pose_as_zero(analysis: Analysis, q: Mapping[str, float]) -> Gesture | Refusa
         joint = analysis.model.joint_named.get(name)
         if joint is None:
             return Refusal(f"there is no joint '{name}'")
-        for expression, text in _texts(analysis, joint, position) if position else ():
-            if isinstance(expression, Missing):
-                return Refusal(expression.reason)
-            if carrier_of(expression) is not None:
-                return Refusal(f"'{expression.text}' of joint '{name}' is not a plain number")
-            edits.append(TextEdit(*analysis.resolver.span(expression), text))
+        moved = _edits(analysis, joint, position) if position else []
+        if isinstance(moved, Refusal):
+            return moved
+        edits += moved
     return Gesture("Write this pose as the new zero", tuple(sorted(edits)))
 
 
+def _edits(analysis: Analysis, joint: Joint, position: float) -> list[TextEdit] | Refusal:
+    found = components(analysis.model, Thing("joint", str(joint.name)))
+    texts = _texts(joint, position, found["rz"], analysis.context.values)
+    if texts is None:
+        return Refusal(f"joint '{joint.name}' has no known frame")
+    edits: list[TextEdit] = []
+    for axis, text in texts.items():
+        own = found[axis]
+        if isinstance(own, Refusal):
+            return own
+        if own.carrier is not None:
+            return Refusal(f"'{own.expression.text}' of joint '{joint.name}' is not a plain number")
+        edits.append(TextEdit(*analysis.resolver.span(own.expression), text))
+    return edits
+
+
 def _texts(
-    analysis: Analysis, joint: Joint, position: float
-) -> Iterator[tuple[Expression | Missing, str]]:
-    """Yield the components that a joint's position changes, with their new texts."""
-    thing, values = Thing("joint", str(joint.name)), analysis.context.values
+    joint: Joint, position: float, angle: Component | Refusal, values: Mapping[str, float]
+) -> dict[str, str] | None:
+    """Return the new texts of the components that a joint's position changes."""
     if joint.kind == "revolute":
-        angle = component(analysis, thing, "rz")
-        now = angle.value(values) if isinstance(angle, Expression) else None
-        yield angle, "" if now is None else exact_angle(now + position)
-        return
+        now = None if isinstance(angle, Refusal) else angle.expression.value(values)
+        return {"rz": "" if now is None else exact_angle(now + position)}
     pose = written_pose(joint.pose, values)
     if pose is None:
-        yield Missing(f"joint '{joint.name}' has no known frame"), ""
-        return
+        return None
     moved = pose.point((0.0, 0.0, position))
-    for name, old, new in zip(_AXES, pose.translation, moved, strict=True):
-        if not isclose(new, old, rel_tol=0.0, abs_tol=1e-16 * abs(position)):
-            yield component(analysis, thing, name), rounded_decimal(new, abs(position))
+    return {
+        name: rounded_decimal(new, abs(position))
+        for name, old, new in zip(LENGTHS, pose.translation, moved, strict=True)
+        if not isclose(new, old, rel_tol=0.0, abs_tol=1e-16 * abs(position))
+    }

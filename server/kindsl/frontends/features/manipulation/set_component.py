@@ -1,30 +1,32 @@
 """The edit of one drag: one number of one thing, or the parameter that carries it."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import inf, isclose, isfinite
 from typing import NamedTuple
 
-from kindsl.frontends.features.manipulation.carrier import Carrier, carrier_of
 from kindsl.frontends.features.manipulation.gesture import Refusal
-from kindsl.frontends.features.manipulation.things import ANGLES, Missing, Thing, component
-from kindsl.frontends.features.manipulation.written_value import (
-    Written,
-    written_angle,
-    written_number,
+from kindsl.frontends.features.manipulation.things import (
+    ANGLES,
+    Carrier,
+    Thing,
+    component,
+    declared,
 )
+from kindsl.frontends.features.manipulation.value_text import ValueText, angle_text, number_text
 from kindsl.judgement.analysis.analysis import Analysis
-from kindsl.language.semantics.expressions import ConstantUse, Expression, ParameterUse
-from kindsl.language.semantics.parameters import Binding
+from kindsl.language.semantics.expressions import Expression, ParameterUse
+from kindsl.language.semantics.parameters import Binding, Parameter
 from kindsl.language.text.edits import TextEdit
 
 _NO_VALUES: Mapping[str, float] = {}
-_UNCHANGED = 1e-12
+_UNCHANGED = 1e-12  # below the ten decimals that are written
 
 
 class ComponentChange(NamedTuple):
     """The change of a component to a new value; empty where it has the value already.
 
     Attributes:
+        label: Its title, in the imperative.
         text: The component, or the value that carries it, as it is written afterwards.
         value: The component's value afterwards, metres or radians.
         edits: Of the document: one, or one for each place that gives a symbol its value.
@@ -32,6 +34,7 @@ class ComponentChange(NamedTuple):
         preview: Parameters to set in the preview only.
     """
 
+    label: str
     text: str
     value: float
     edits: tuple[TextEdit, ...] = ()
@@ -60,73 +63,67 @@ def set_component(
     is_step = step is None or (isfinite(step) and step > 0.0)
     if not isfinite(value) or not is_step or not isfinite(value / (step or 1.0)):
         return Refusal("a component takes a finite number")
-    expression = component(analysis, thing, name)
-    if isinstance(expression, Missing):
-        return Refusal(expression.reason)
+    found = component(analysis.model, thing, name)
+    if isinstance(found, Refusal):
+        return found
+    expression, carrier = found
     value = value if step is None else round(value / step) * step
+    label = f"Set {name} of {thing.kind} '{thing.name}'"
     now = expression.value({**analysis.context.values, **typed})
     if now is not None and isclose(now, value, rel_tol=_UNCHANGED, abs_tol=_UNCHANGED):
-        return ComponentChange(expression.text, now)
-    carrier = carrier_of(expression)
+        return ComponentChange(label, expression.text, now)
     if isinstance(carrier, Refusal):
         return carrier
     if carrier is not None:
-        return _of_symbol(analysis, carrier, value / carrier.factor, typed)
-    if name in ANGLES:
-        return _written(analysis, expression, written_angle(value, expression))
-    return _written(analysis, expression, written_number(value, expression.text))
+        return _of_symbol(analysis, label, carrier, value / carrier.factor, typed)
+    is_angle = name in ANGLES
+    new = angle_text(value, expression) if is_angle else number_text(value, expression.text)
+    return ComponentChange(label, new.text, new.value, _edits(analysis, [expression], new))
 
 
 def _of_symbol(
-    analysis: Analysis, carrier: Carrier, value: float, typed: Mapping[str, float]
+    analysis: Analysis, label: str, carrier: Carrier, value: float, typed: Mapping[str, float]
 ) -> ComponentChange | Refusal:
     """Return the change of what carries a component, where it has its value from."""
-    name = str(carrier.use.name)
-    binding = analysis.settings.bindings.get(name)
-    if isinstance(carrier.use, ParameterUse) and name not in typed and binding is not None:
-        return _bound(name, binding, value, carrier.factor)
-    given = [] if name in typed else _given(analysis, carrier.use)
+    name, is_parameter = str(carrier.use.name), isinstance(carrier.use, ParameterUse)
+    binding = analysis.settings.bindings.get(name) if is_parameter else None
+    is_bound = binding is not None and name not in typed
+    given = [] if is_bound or name in typed else _given(analysis, carrier)
+    new = number_text(value, given[0].text if given else "")
+    change = ComponentChange(label, new.text, new.value * carrier.factor)
+    if is_bound and binding is not None:
+        if not _is_within(binding, new.value):
+            return Refusal(f"parameter '{name}' would be out of bounds at {new.text}")
+        return change._replace(bindings=((name, new.value),))
     if given:
-        new = written_number(value, given[0].text)
-        edits = [edit for at in given for edit in _edits(analysis, at, new)]
-        return ComponentChange(new.text, new.value * carrier.factor, tuple(sorted(edits)))
-    if isinstance(carrier.use, ConstantUse):
+        return change._replace(edits=_edits(analysis, given, new))
+    if not is_parameter:
         return Refusal(f"constant '{name}' is not defined")
-    new = written_number(value, "")
-    return ComponentChange(new.text, new.value * carrier.factor, preview=((name, new.value),))
+    return change._replace(preview=((name, new.value),))
 
 
-def _given(analysis: Analysis, use: ParameterUse | ConstantUse) -> list[Expression]:
+def _given(analysis: Analysis, carrier: Carrier) -> list[Expression]:
     """Return the defaults or definitions from which a symbol has the value that it has here."""
-    model = analysis.model
-    found: list[Expression | None]
-    if isinstance(use, ParameterUse):
-        parameter = next(p for p in model.parameters if p.name == use.name)
-        found, own = [each.default for each in parameter.uses], None
+    symbol, own = declared(analysis.model, carrier.use), None
+    if isinstance(symbol, Parameter):
+        found = [each.default for each in symbol.uses]
     else:
-        constant = next(c for c in model.constants if c.name == use.name)
-        found, own = [each.value for each in constant.definitions], use.value
+        found = [each.value for each in symbol.definitions]
+        own = None if isinstance(carrier.use, ParameterUse) else carrier.use.value
     given = [each for each in found if each is not None]
     value = (own or given[0]).value({}) if given else None
     return [each for each in given if each.value({}) == value]
 
 
-def _bound(name: str, binding: Binding, value: float, factor: float) -> ComponentChange | Refusal:
-    """Return the change of a parameter that has its value from outside the document."""
-    new = written_number(value, "")
+def _is_within(binding: Binding, value: float) -> bool:
     least = -inf if binding.minimum is None else binding.minimum
     most = inf if binding.maximum is None else binding.maximum
-    if not least <= new.value <= most:
-        return Refusal(f"parameter '{name}' would be out of bounds at {new.text}")
-    return ComponentChange(new.text, new.value * factor, bindings=((name, new.value),))
+    return least <= value <= most
 
 
-def _written(analysis: Analysis, at: Expression, new: Written) -> ComponentChange:
-    return ComponentChange(new.text, new.value, _edits(analysis, at, new))
-
-
-def _edits(analysis: Analysis, at: Expression, new: Written) -> tuple[TextEdit, ...]:
-    """Return the edit that writes a number where a value stands, if it changes the text."""
-    if new.text == at.text:
-        return ()
-    return (TextEdit(*analysis.resolver.span(at), new.text),)
+def _edits(
+    analysis: Analysis, places: Sequence[Expression], new: ValueText
+) -> tuple[TextEdit, ...]:
+    """Return the edits that write a number where values stand with another text."""
+    spans = (analysis.resolver.span(place) for place in places if place.text != new.text)
+    return tuple(sorted(TextEdit(*span, new.text) for span in spans))

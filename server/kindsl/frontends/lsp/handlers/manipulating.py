@@ -33,8 +33,7 @@ async def set_component(
         return _answer("", change.reason)
     for parameter, shown in change.preview:
         session.previews.set_parameter(view.document.uri, parameter, shown)
-    label = f"Set {component} of {kind} '{name}'"
-    reason = await written(session, view, label, change.edits, change.bindings)
+    reason = await written(session, view, change.label, change.edits, change.bindings)
     return _answer("" if reason else change.text, reason)
 
 

@@ -1,20 +1,39 @@
-"""Hang a new link on another, by a new joint."""
+"""Add a frame to a link, or a link by a new joint, where somebody points."""
 
 from kindsl.frontends.features.actions.layout_edits import newline_of
 from kindsl.frontends.features.completion import snippets
 from kindsl.frontends.features.completion.item import without_placeholders
-from kindsl.frontends.features.manipulation.add_frame import pose_lines
 from kindsl.frontends.features.manipulation.gesture import Gesture, Refusal
 from kindsl.frontends.features.manipulation.new_blocks import (
     behind_last,
     fresh_name,
-    next_ids,
+    next_id,
     with_child,
+    with_frame,
 )
+from kindsl.frontends.features.manipulation.value_text import number_text
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.mechanics.rigid.pose import Vector3
 
 KEYWORDS = {"revolute": "r_joint", "prismatic": "p_joint"}
+
+
+def add_frame(analysis: Analysis, link: str, point: Vector3) -> Gesture | Refusal:
+    """Return the edit that adds a frame to a link.
+
+    Args:
+        analysis: The document.
+        link: The name of a link or of the base.
+        point: The frame's origin in the link's frame, metres, as it is to be written.
+    """
+    body = analysis.model.body_named.get(link)
+    if body is None:
+        return Refusal(f"there is no link '{link}'")
+    name = fresh_name(analysis.model, "frame")
+    edit = with_frame(analysis, body, [f"{name} {{", *_pose_lines(point, "    "), "}"])
+    if edit is None:
+        return Refusal(f"link '{link}' is not whole")
+    return Gesture(f"Add frame '{name}' to '{link}'", (edit,), (name,))
 
 
 def add_child(
@@ -35,15 +54,20 @@ def add_child(
     if kind not in KEYWORDS:
         return Refusal(f"'{kind}' is neither revolute nor prismatic")
     link, joint = fresh_name(model, "link"), fresh_name(model, "joint")
-    pose = [f"        {line}" for line in pose_lines(point)]
-    lines = [f"{KEYWORDS[kind]} {joint} {{", "    ref_frame {", *pose, "    }", "}"]
-    newline = newline_of(analysis.text)
-    block = without_placeholders(snippets.link(link, next_ids(model))).replace("\n", newline)
     listed = with_child(analysis, body, link, joint)
+    if listed is None:
+        return Refusal(f"'{parent}' has no section of children to add to")
+    newline = newline_of(analysis.text)
+    head = [f"{KEYWORDS[kind]} {joint} {{", "    ref_frame {"]
+    lines = [*head, *_pose_lines(point, "        "), "    }", "}"]
+    block = without_placeholders(snippets.link(link, next_id(model))).replace("\n", newline)
     bodies = model.links or model.bases
     linked = behind_last(analysis, bodies, [block])
     jointed = behind_last(analysis, model.joints or bodies, [newline.join(lines)])
-    if listed is None:
-        return Refusal(f"'{parent}' has no section of children to add to")
     title = f"Add link '{link}' to '{parent}' by joint '{joint}'"
     return Gesture(title, tuple(sorted((listed, linked, jointed))), (link, joint))
+
+
+def _pose_lines(point: Vector3, indent: str) -> list[str]:
+    x, y, z = (number_text(value, "").text for value in point)
+    return [f"{indent}translation = ({x}, {y}, {z})", f"{indent}rotation = (0.0, 0.0, 0.0)"]
