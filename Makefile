@@ -155,6 +155,16 @@ audit: $(SUPPLY)/pip-audit
 	$(SUPPLY)/pip-audit --strict --requirement $(PINS).txt --no-deps --disable-pip
 	for part in web vscode-extension; do (cd $$part && npm audit --omit dev) || exit 1; done
 
+# A release: versions, change log, tag; docs/releasing.md says what the tag does.
+.PHONY: release
+release: $(STAMP)
+	git diff --quiet HEAD
+	$(BIN)/python packaging/release.py version $(VERSION)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[test]'
+	$(BIN)/python -m pytest -q tests/test_release.py tests/test_supply.py tests/vscode/test_vscode_sources.py
+	git commit --quiet --all --message "Release $(VERSION)"
+	git tag --annotate v$(VERSION) --message "kindsl $(VERSION)"
+
 demo-web: playground
 	@echo "The playground, on this machine only; Ctrl-C stops it."
 	$(BIN)/python web/serve.py dist/playground

@@ -1,4 +1,4 @@
-"""No address is invented: what a publisher must know is asked for in docs/publishing.md."""
+"""No address is invented: what a publisher must know is asked for in docs/releasing.md."""
 
 import subprocess
 from pathlib import Path
