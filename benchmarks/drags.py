@@ -40,7 +40,7 @@ from tests.support.lsp import RawClient  # noqa: E402
 from kindsl.frontends.features.manipulation.handles import handles  # noqa: E402
 from kindsl.frontends.features.manipulation.things import Thing  # noqa: E402
 from kindsl.judgement.analysis.analysis import Analysis, analyse  # noqa: E402
-from kindsl.robots.mechanism.skeleton import named_frames  # noqa: E402
+from kindsl.robots.mechanism.reading import named_frames  # noqa: E402
 
 MOST_TIMES = 3.0
 LINK_DRAGS = 0.1  # of all

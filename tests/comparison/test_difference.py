@@ -9,12 +9,12 @@ import kindsl
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.language.semantics.parameters import Binding
 from kindsl.robots.comparison.difference import Difference, difference
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
 
 ARM = (Path(__file__).parents[2] / "examples" / "industrial_arm.kindsl").read_text()
 
 
-def skeleton(text: str) -> Skeleton:
+def skeleton(text: str) -> Linkage:
     return kindsl.parse(text, Settings(bindings={"tool_length": Binding(0.1)})).skeleton()
 
 

@@ -20,7 +20,7 @@ from kindsl.robots.interchange.kindsl_writing import kindsl_text
 from kindsl.robots.interchange.urdf.numbers import numbers_of_urdf
 from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
 from kindsl.robots.mechanism.bodies import bodies_of
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
 
 ARM = """Robot arm {
 RobotBase base {
@@ -162,7 +162,7 @@ def _edited(text: str, span: tuple[int, int], value: float) -> str:
     return f"{text[:start]}{value:.17f}{text[end:]}"
 
 
-def _is_same(one: Skeleton, other: Skeleton) -> bool:
+def _is_same(one: Linkage, other: Linkage) -> bool:
     """Return whether no motion can tell the robot from that with a number off."""
     random_numbers = np.random.default_rng(5)
     q, qd = random_numbers.uniform(-1.0, 1.0, (2, 8, one.n_links))

@@ -14,13 +14,13 @@ from kindsl.mechanics.rigid.pose import (
     pose_from,
 )
 from kindsl.robots.interchange.rigid_links import RigidLink
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
 
 Variant = list[RigidLink]
 _ORIGIN = (0.0, 0.0, 0.0)
 
 
-def links_of(skeleton: Skeleton) -> Variant:
+def links_of(skeleton: Linkage) -> Variant:
     """Return the links of a robot; each joint has the axis z."""
     links = [RigidLink(skeleton.base_name, body=skeleton.masses[0])]
     for i, parent in skeleton.links():
@@ -129,7 +129,7 @@ def _vector(chance: random.Random, size: float) -> Vector3:
     return chance.uniform(-size, size), chance.uniform(-size, size), chance.uniform(-size, size)
 
 
-def variant(skeleton: Skeleton, seed: int) -> Variant:
+def variant(skeleton: Linkage, seed: int) -> Variant:
     """Return a robot with a random choice of all that does not matter."""
     chance = random.Random(seed)
     links = links_of(skeleton)

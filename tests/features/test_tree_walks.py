@@ -15,8 +15,8 @@ from kindsl.frontends.features.zero_configuration import body_pose, frame_pose, 
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.language.semantics.unknown import Unknown
 from kindsl.mechanics.rigid.body import principal_moments_about_com
-from kindsl.robots.mechanism.drawable import drawable_skeleton
 from kindsl.robots.mechanism.link_inertia import link_inertia
+from kindsl.robots.mechanism.reading import reachable_linkage
 from kindsl.robots.mechanism.total_mass import Weight, own_mass
 
 QUADRUPED = (ROOT / "examples" / "quadruped.kindsl").read_text()
@@ -99,7 +99,7 @@ def test_a_link_s_own_mass_is_what_is_written(name: str, mass: float | Unknown) 
 )
 def test_poses_at_zero_are_those_that_are_drawn(text: str) -> None:
     analysis = analyse(text)
-    skeleton = drawable_skeleton(analysis.model, analysis.context.values)
+    skeleton = reachable_linkage(analysis.model, analysis.context.values)
     drawn = {skeleton.base_name: np.eye(4)}
     names = skeleton.body_names
     model = analysis.model

@@ -5,29 +5,24 @@ import numpy as np
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import RigidPose, pose_from
 from kindsl.mechanics.spatial.inertia import point_inertia
-from kindsl.robots.interchange.robot_description import (
-    DescribedFrame,
-    DescribedLink,
-    RobotDescription,
-)
+from kindsl.robots.mechanism.linkage import Body, Linkage, Part
 
 
-def random_robot(seed: int) -> RobotDescription:
+def random_robot(seed: int) -> Linkage:
     chance = np.random.default_rng(seed)
     n_links = int(chance.integers(1, 12))
-    links = [_link(chance, i) for i in range(n_links + 1)]
-    return RobotDescription(f"robot_{seed}", bool(chance.integers(2)), tuple(links))
+    bodies = [_made(chance, i) for i in range(n_links + 1)]
+    return Linkage(tuple(bodies), bool(chance.integers(2)), f"robot_{seed}")
 
 
-def _link(chance: np.random.Generator, index: int) -> DescribedLink:
-    frames = tuple(
-        DescribedFrame(f"frame_{index}_{k}", _pose(chance)) for k in range(chance.integers(3))
-    )
+def _made(chance: np.random.Generator, index: int) -> Body:
+    frames = [
+        Part(f"frame_{index}_{k}", _pose(chance), is_link=False) for k in range(chance.integers(3))
+    ]
     parent = int(chance.integers(index)) if index else None
     kind = str(chance.choice(["revolute", "prismatic"]))
-    return DescribedLink(
-        f"link_{index}", _body(chance), frames, parent, f"joint_{index}", kind, _pose(chance)
-    )
+    link = Part(f"link_{index}", mass=_body(chance))
+    return Body((link, *frames), parent, f"joint_{index}" if index else "", kind, _pose(chance))
 
 
 def _pose(chance: np.random.Generator) -> RigidPose:

@@ -10,7 +10,7 @@ from kindsl.judgement.analysis.settings import Settings
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.robots.interchange.format import AS_WRITTEN, ORDINARY, Format, ReadRobot
 from kindsl.robots.interchange.kindsl_writing import kindsl_text
-from kindsl.robots.mechanism.bodies import skeleton_of_bodies
+from kindsl.robots.mechanism.bodies import linkage_of_bodies
 
 
 def mechanism_of(text: str) -> Mechanics:
@@ -23,7 +23,7 @@ def mechanism_of(text: str) -> Mechanics:
 def written(robot: Mechanics, format: Format) -> str:
     """Return a robot in a format."""
     assert format.write is not None
-    return format.write("robot", skeleton_of_bodies(robot.bodies), ORDINARY).text
+    return format.write("robot", linkage_of_bodies(robot.bodies), ORDINARY).text
 
 
 def read(text: str, format: Format, folder: Path) -> ReadRobot:

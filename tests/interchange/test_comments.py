@@ -1,7 +1,7 @@
 """Comments of a URDF that stay with what they are on."""
 
 from kindsl.judgement.analysis.analysis import analyse
-from kindsl.robots.interchange.kindsl_writing import kindsl_text
+from kindsl.robots.interchange.kindsl_writing import written_kindsl
 from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
 
 URDF = """<?xml version="1.0"?>
@@ -55,6 +55,6 @@ r_joint shoulder {
 
 
 def test_comments_stay_and_the_document_is_as_it_should_be() -> None:
-    text = kindsl_text(robot_of_urdf(URDF, "arm").robot)
+    text = written_kindsl(robot_of_urdf(URDF, "arm")).text
     assert text == MEANT
     assert {finding.code for finding in analyse(text).findings} <= {"KD304"}

@@ -1,6 +1,5 @@
 """Descriptions to compare: whether the base floats where a file leaves that open, and is told."""
 
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -104,7 +103,8 @@ def test_generated_code_tells_its_base(tmp_path: Path) -> None:
         [pose.numbers for pose in ours.placements],
         atol=1e-15,
     )
-    assert replace(theirs, placements=ours.placements) == ours
+    for same in ("body_names", "joint_names", "joint_kinds", "parents", "masses", "frames"):
+        assert getattr(theirs, same) == getattr(ours, same)
 
 
 @pytest.mark.parametrize("files", [(), ("inertia_properties.h",), ("transforms.h",)])

@@ -1,6 +1,5 @@
 """What is imported moves and weighs as MuJoCo says, wherever and however its root is placed."""
 
-from dataclasses import replace
 from pathlib import Path
 from typing import get_args
 
@@ -19,8 +18,8 @@ from kindsl.judgement.analysis.settings import Settings
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.robots.interchange.kindsl_writing import kindsl_text
 from kindsl.robots.interchange.registry import format_named
-from kindsl.robots.interchange.robot_description import RobotDescription
-from kindsl.robots.mechanism.bodies import skeleton_of_bodies
+from kindsl.robots.mechanism.bodies import linkage_of_bodies
+from kindsl.robots.mechanism.linkage import Linkage
 
 TOLERANCE = 1e-9
 SEEDS = range(usually(8, 300))
@@ -65,13 +64,13 @@ def test_the_axis_that_is_not_written(format: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize("size", [1e-4, 1e-2, 1.0, 1e2])
 def test_bodies_of_any_size_keep_their_digits(size: float) -> None:
     """Of one density: a body of 0.1 mm weighs micrograms, and its moments are of 1e-17 kg m^2."""
-    link = random_robot(1).links[1]
-    small = scaled(link.body, size)
-    links = [replace(link, parent=None, joint="", body=None), replace(link, parent=0, body=small)]
-    text = kindsl_text(RobotDescription("r", False, tuple(links)))
+    body = random_robot(1).bodies[1]
+    small = scaled(body.mass, size)
+    base = body._replace(parent=None, joint="").weighing(None)
+    text = kindsl_text(Linkage((base, body._replace(parent=0).weighing(small)), name="r"))
     (body,) = kindsl.parse(text, Settings()).mechanism().bodies.masses[1:]
     np.testing.assert_allclose(body, small.mass, rtol=1e-13)
-    read_again = skeleton_of_bodies(kindsl.parse(text, Settings()).mechanism().bodies).masses[1]
+    read_again = linkage_of_bodies(kindsl.parse(text, Settings()).mechanism().bodies).masses[1]
     greatest = max(small.moments)
     np.testing.assert_allclose(read_again.moments, small.moments, rtol=0, atol=1e-13 * greatest)
 

@@ -55,7 +55,7 @@ def test_anchors_references_axes_and_fixed_bodies_move_as_in_mujoco(tmp_path: Pa
 def test_body_with_two_joints_becomes_two_links(tmp_path: Path) -> None:
     text = ARM.replace('pos="0.1 0.2 0.3" ref="20"/>', '/><joint name="twist" axis="0 1 0"/>')
     found = robot(text, tmp_path)
-    assert [link.joint for link in found.robot.links[1:]] == ["shoulder", "twist", "slider"]
+    assert [*found.robot.joint_names] == ["shoulder", "twist", "slider"]
     assert any("'upper' has 2 joints" in remark for remark in found.remarks)
     data = mujoco.MjData(model := mujoco.MjModel.from_xml_string(text))
     data.qpos[:] = [0.3, 0.5, -0.2]
@@ -184,8 +184,8 @@ def test_dust_is_left_out_and_a_point_is_not(
 ) -> None:
     dust = f'<inertial pos="0 0 0" mass="{mass}" diaginertia="{moment} {moment} {moment}"/>'
     found = robot(ARM.replace(f'quat="1 1 0 0">{BODY}', f'quat="1 1 0 0">{dust}'), tmp_path).robot
-    (tool,) = [part for part in found.links[2].parts if part.name == "tool"]
-    assert (tool.body is not None) is is_kept
+    (tool,) = [part for part in found.bodies[2].parts if part.name == "tool"]
+    assert (tool.mass is not None) is is_kept
 
 
 def test_an_equality_of_one_joint_names_it_alone(tmp_path: Path) -> None:
@@ -235,6 +235,7 @@ def test_files_that_it_names_are_found_from_where_it_is(
     path.write_text(text)
     monkeypatch.chdir("/")
     former = mujoco.get_mju_user_warning()
-    (tool,) = read_mjcf(path, floating=False).robot.links[2].parts[1:]
+    parts = read_mjcf(path, floating=False).robot.bodies[2].parts[1:]
+    (tool,) = [part for part in parts if part.is_link]
     assert mujoco.get_mju_user_warning() is former
-    assert tool.body is not None and tool.body.mass == pytest.approx(1.0)
+    assert tool.mass is not None and tool.mass.mass == pytest.approx(1.0)

@@ -8,11 +8,7 @@ from kindsl.judgement.analysis.settings import Settings
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
 from kindsl.robots.interchange.format import ReadRobot
 from kindsl.robots.interchange.kindsl_writing import kindsl_text, written_kindsl
-from kindsl.robots.interchange.robot_description import (
-    DescribedFrame,
-    DescribedLink,
-    RobotDescription,
-)
+from kindsl.robots.mechanism.linkage import Body, Linkage, Part
 
 WORDS = ["arm", "Arm", "fr_arm", "arm_link", "arm_joint", "arm_frame", "arm_robot", "arm_2", "link"]
 WORDS += ["union", "end", "floating", "2nd", "a b", "a-b", "é", "", "_", "world", "id", "PI"]
@@ -21,41 +17,44 @@ BESIDE = RigidPose(IDENTITY.rotation, (0.1, 0.0, 0.0))
 
 
 @st.composite
-def robots(draw: st.DrawFn) -> RobotDescription:
-    links = []
+def robots(draw: st.DrawFn) -> Linkage:
+    bodies = []
     for index in range(draw(st.integers(2, 5))):
-        frames = tuple(DescribedFrame(name, BESIDE) for name in draw(st.lists(NAMES, max_size=3)))
+        frames = [_frame(name) for name in draw(st.lists(NAMES, max_size=3))]
         parent = draw(st.integers(0, index - 1)) if index else None
-        link = draw(NAMES), None, frames, parent, draw(NAMES), "revolute", IDENTITY
-        links.append(DescribedLink(*link))
-    return RobotDescription(draw(NAMES), draw(st.booleans()), tuple(links))
+        bodies.append(Body((Part(draw(NAMES)), *frames), parent, draw(NAMES)))
+    return Linkage(tuple(bodies), draw(st.booleans()), draw(NAMES))
+
+
+def _frame(name: str) -> Part:
+    return Part(name, BESIDE, is_link=False)
 
 
 @settings(deadline=None)
 @given(robots())
-def test_no_name_is_found_fault_with(robot: RobotDescription) -> None:
+def test_no_name_is_found_fault_with(robot: Linkage) -> None:
     document = kindsl.parse(kindsl_text(robot), Settings())
     codes = ("KD0", "KD1", "KD2", "KD408")
     assert [f.message for f in document.findings if f.code.startswith(codes)] == []
-    assert [len(link.frames) for link in robot.links] == [
+    assert [len(body.frames) for body in robot.bodies] == [
         len(body.frames) for body in document.model.bodies
     ]
 
 
 @settings(deadline=None)
 @given(robots())
-def test_each_new_name_is_told_and_no_other(robot: RobotDescription) -> None:
+def test_each_new_name_is_told_and_no_other(robot: Linkage) -> None:
     document = kindsl.parse(kindsl_text(robot), Settings())
     model = document.model
     kept = [
         (link.name == str(body.name), f"the link '{link.name}' is now '{body.name}'")
-        for link, body in zip(robot.links, model.bodies, strict=True)
+        for link, body in zip(robot.bodies, model.bodies, strict=True)
     ]
     kept += [
         (link.joint == str(joint.name), f"the joint '{link.joint}' is now '{joint.name}'")
-        for link, joint in zip(robot.links[1:], model.joints, strict=True)
+        for link, joint in zip(robot.bodies[1:], model.joints, strict=True)
     ]
-    frames = [frame for link in robot.links for frame in link.frames]
+    frames = [frame for link in robot.bodies for frame in link.frames]
     kept += [
         (frame.name == str(now.name), f"the frame '{frame.name}' is now '{now.name}'")
         for frame, now in zip(frames, model.frames, strict=True)
@@ -66,18 +65,16 @@ def test_each_new_name_is_told_and_no_other(robot: RobotDescription) -> None:
 
 
 def test_equal_names_are_numbered_from_two() -> None:
-    frames = tuple(DescribedFrame("tip", BESIDE) for _ in range(4))
-    base = DescribedLink("base", None, frames, None, "", "", IDENTITY)
-    told = written_kindsl(ReadRobot(RobotDescription("arm", False, (base,)), ())).remarks
+    base = Body((Part("base"), *(_frame("tip") for _ in range(4))))
+    told = written_kindsl(ReadRobot(Linkage((base,), name="arm"), ())).remarks
     names = ("tip_frame", "tip_2", "tip_3")
     assert told == tuple(f"the frame 'tip' is now '{name}'" for name in names)
 
 
 def test_links_keep_their_names_before_joints_frames_and_the_robot() -> None:
-    frames = (DescribedFrame("arm", BESIDE), DescribedFrame("fr_arm", BESIDE))
-    base = DescribedLink("base", None, frames, None, "", "", IDENTITY)
-    arm = DescribedLink("arm", None, (), 0, "arm", "revolute", IDENTITY)
-    read = ReadRobot(RobotDescription("arm", False, (base, arm)), ("a note",))
+    base = Body((Part("base"), _frame("arm"), _frame("fr_arm")))
+    arm = Body((Part("arm"),), 0, "arm")
+    read = ReadRobot(Linkage((base, arm), name="arm"), ("a note",))
     assert written_kindsl(read).remarks == (
         "a note",
         "the joint 'arm' is now 'arm_joint'",

@@ -80,7 +80,7 @@ def included(folder: Path, uri: str, more: str = "", own: str = "own") -> tuple[
     path.write_text(ROBOT.format(uri=uri, more=more, own=own))
     choices = ReadingChoices(model_paths=(folder / "models",))
     robot = format_named("sdf").read(path, choices).robot
-    return robot.links[0].parts[0].body_T_link.translation
+    return robot.bodies[0].parts[0].pose.translation
 
 
 @pytest.mark.parametrize(
@@ -156,4 +156,4 @@ def test_of_an_included_model_its_frame_and_whether_it_is_static_may_be_said(
     )
     found = format_named("sdf").read(path, ReadingChoices(model_paths=(tmp_path / "models",)))
     assert "the model is static: its joints can move here" in found.remarks
-    assert found.robot.links[0].parts[0].body_T_link.translation == (0.0, -1.0, 1.0)
+    assert found.robot.bodies[0].parts[0].pose.translation == (0.0, -1.0, 1.0)

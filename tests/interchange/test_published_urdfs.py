@@ -46,7 +46,7 @@ def test_converted_robot_is_the_published_one(path: Path) -> None:
     ours = document.mechanism()
     model = pinocchio.buildModelFromUrdf(str(path))
     data = model.createData()
-    joints = [link.joint for link in found.robot.links[1:]]
+    joints = [*found.robot.joint_names]
     chance = np.random.default_rng(len(joints))
     values = {joint: float(chance.uniform(-0.5, 0.5)) for joint in joints}
     q = configuration(model, values)
@@ -58,11 +58,11 @@ def test_converted_robot_is_the_published_one(path: Path) -> None:
     np.testing.assert_allclose(mine[n_base:, n_base:], M[np.ix_(order, order)], atol=TOLERANCE)
     pinocchio.framesForwardKinematics(model, data, q)
     poses = ours.forward_kinematics(list(values.values()))
-    base = data.oMf[body_frame(model, found.robot.links[0].name)].inverse()
-    for link in found.robot.links:
+    base = data.oMf[body_frame(model, found.robot.base_name)].inverse()
+    for link in found.robot.bodies:
         for frame in link.frames:
             theirs = (base * data.oMf[body_frame(model, frame.name)]).homogeneous
             known = [np.eye(4)] if link.parent is None else []
-            initial = (link if frame.is_of_link else frame).name[:1].lower()
+            initial = (link if frame.is_in_place else frame).name[:1].lower()
             known += [pose for n, pose in poses.items() if n.lower().startswith(initial)]
             assert any(np.allclose(each, theirs, rtol=0, atol=1e-9) for each in known), frame.name

@@ -7,8 +7,7 @@ import pytest
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import IDENTITY
 from kindsl.robots.interchange.format import FormatError
-from kindsl.robots.interchange.rigid_links import RigidLink, described
-from kindsl.robots.interchange.robot_description import DescribedFrame
+from kindsl.robots.interchange.rigid_links import RigidLink, linkage_of_links
 
 MOMENTS = (1.0, 1.0, 1.0, 0.0, 0.0)
 
@@ -18,9 +17,9 @@ MOMENTS = (1.0, 1.0, 1.0, 0.0, 0.0)
     "where", ["axis", "parent_T_joint", "joint_T_link", "frames", "mass", "com", "moments"]
 )
 def test_a_number_beyond_all_measure_is_refused(where: str, number: float) -> None:
-    assert len(described("r", "fixed", robot(where, 0.5e60)).links) == 2
+    assert len(linkage_of_links("r", "fixed", robot(where, 0.5e60)).bodies) == 2
     with pytest.raises(FormatError, match=r"^'arm' has a number that is not finite$"):
-        described("r", "fixed", robot(where, number))
+        linkage_of_links("r", "fixed", robot(where, number))
 
 
 def robot(where: str, number: float) -> list[RigidLink]:
@@ -30,7 +29,7 @@ def robot(where: str, number: float) -> list[RigidLink]:
         "axis": {"axis": (number, 0.0, 1.0)},
         "parent_T_joint": {"parent_T_joint": pose},
         "joint_T_link": {"joint_T_link": pose},
-        "frames": {"frames": (DescribedFrame("f", pose),)},
+        "frames": {"frames": (("f", pose),)},
         "mass": {"body": MassDistribution(number, (0.0, 0.0, 0.0), (*MOMENTS, 0.0))},
         "com": {"body": MassDistribution(0.0, (0.0, 0.0, number), (*MOMENTS, 0.0))},
         "moments": {"body": MassDistribution(1.0, (0.0, 0.0, 0.0), (*MOMENTS, number))},

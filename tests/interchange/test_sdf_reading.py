@@ -68,7 +68,7 @@ def test_without_a_joint_to_the_world_the_base_floats(tmp_path: Path) -> None:
     found = robot(ARM.replace(weld, ""), tmp_path)
     assert found.robot.is_floating
     assert "the link 'base' has no inertia: SDFormat's default is 1 kg" in found.remarks
-    assert found.robot.links[0].body.mass == 1.0
+    assert found.robot.bodies[0].mass.mass == 1.0
 
 
 @pytest.mark.parametrize(
@@ -90,7 +90,7 @@ def test_axes_are_in_the_model_before_version_1_5(
 def test_world_is_the_base_of_what_turns_on_it(tmp_path: Path) -> None:
     text = ARM.replace('name="weld" type="fixed"', 'name="weld" type="revolute"')
     found = robot(text, tmp_path)
-    assert [link.name for link in found.robot.links] == ["world", "base", "upper", "lower"]
+    assert [*found.robot.body_names] == ["world", "base", "upper", "lower"]
 
 
 @pytest.mark.parametrize(

@@ -190,8 +190,8 @@ def packages(tmp_path: Path) -> Path:
 def test_packages_are_found_beside_the_one_of_the_file(packages: Path) -> None:
     path = packages / "leg_description" / "urdf" / "leg.urdf.xacro"
     found = format_named("xacro").read(path, AS_WRITTEN).robot
-    assert found.links[1].joint == "leg_joint"
-    assert found.links[1].body.mass == 2.5
+    assert found.bodies[1].joint == "leg_joint"
+    assert found.bodies[1].mass.mass == 2.5
 
 
 def test_arguments_and_folders_of_packages_are_taken_from_the_command(

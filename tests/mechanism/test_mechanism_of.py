@@ -10,8 +10,7 @@ from kindsl.judgement.analysis.settings import Settings
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanics.spatial.inertia import move_inertia
 from kindsl.mechanics.spatial.transforms import rotation_from_intrinsic_xyz
-from kindsl.robots.mechanism.drawable import drawable_skeleton
-from kindsl.robots.mechanism.strict_reading import strict_skeleton
+from kindsl.robots.mechanism.reading import reachable_linkage, whole_linkage
 
 ROOT = Path(__file__).parents[2]
 
@@ -85,7 +84,7 @@ def test_defects_are_told_with_their_names(message: str) -> None:
 def test_drawing_needs_no_ids_and_passes_over_what_hangs_nowhere() -> None:
     text = ARM.replace("id = 2", "id = 1").replace("wrist_2_link via wrist_2", "")
     model = kindsl.parse(text, Settings()).model
-    skeleton = drawable_skeleton(model, {"tool_length": 0.1})
+    skeleton = reachable_linkage(model, {"tool_length": 0.1})
     assert skeleton.link_names == ("shoulder", "upper_arm", "forearm", "wrist_1_link")
 
 
@@ -102,4 +101,4 @@ def test_a_fixed_base_does_not_matter() -> None:
 def test_a_second_base_is_refused_in_a_sentence() -> None:
     text = ARM.replace("RobotBase", "RobotBase other { children {} }\nRobotBase", 1)
     with pytest.raises(kindsl.ModelError, match="there is a second base, '"):
-        strict_skeleton(kindsl.parse(text, Settings()).model, {})
+        whole_linkage(kindsl.parse(text, Settings()).model, {})

@@ -14,10 +14,8 @@ from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.spatial.inertia import move_inertia
 from kindsl.mechanics.spatial.transforms import rotation_from_intrinsic_xyz
-from kindsl.robots.mechanism.drawable import drawable_skeleton
 from kindsl.robots.mechanism.errors import ModelError
-from kindsl.robots.mechanism.fragments import skeleton_as_far_as_known
-from kindsl.robots.mechanism.skeleton import named_frames
+from kindsl.robots.mechanism.reading import named_frames, partial_linkage, reachable_linkage
 
 WITHOUT_NUMPY = """
 import sys
@@ -34,7 +32,7 @@ print(sum(len(encode(m)) for m in robot_messages("robot", shown.skeleton).values
 
 def assert_same_numbers(analysis: Analysis) -> None:
     values = {str(p.name): 0.3 for p in analysis.model.parameters} | analysis.context.values
-    skeleton = drawable_skeleton(analysis.model, values)
+    skeleton = reachable_linkage(analysis.model, values)
     joints, links = analysis.model.joint_named, analysis.model.body_named
     for name, placement in zip(skeleton.joint_names, skeleton.placements, strict=True):
         assert_pose(placement, joints[name].pose, values)
@@ -82,7 +80,7 @@ def test_written_robots(file):
     try:
         assert_same_numbers(analysis)
     except ModelError:
-        assert skeleton_as_far_as_known(analysis.model, {}) is not None
+        assert partial_linkage(analysis.model, {}) is not None
 
 
 @given(links=st.integers(1, 20), seed=st.integers(0, 1000))
@@ -96,9 +94,7 @@ def test_random_robots(links, seed):
 def test_both_readers_agree_on_whole_documents(links, seed):
     analysis = analyse(random_model(links, seed, PLAIN))
     values = analysis.context.values
-    assert skeleton_as_far_as_known(analysis.model, values) == drawable_skeleton(
-        analysis.model, values
-    )
+    assert partial_linkage(analysis.model, values) == reachable_linkage(analysis.model, values)
 
 
 @pytest.mark.parametrize("file", EXAMPLES, ids=lambda file: file.stem)

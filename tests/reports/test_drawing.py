@@ -1,6 +1,5 @@
 """Drawings of robots: where things are on the sheet, in which order, and each shape's words."""
 
-from dataclasses import replace
 from io import BytesIO
 from math import cos, hypot, inf, radians, sin
 
@@ -178,7 +177,7 @@ def test_a_body_beside_its_bones_hangs_on_a_strut() -> None:
         a, b, c = (4e-4 + moment for moment in moments)
         small = MassDistribution(1.0, place, (a, b, c, x * y, x * z, y * z))
         masses = (skeleton.masses[0], small, *skeleton.masses[2:])
-        shapes = robot_drawing(replace(skeleton, masses=masses), colors={"upper": "000001"}).shapes
+        shapes = robot_drawing(skeleton.with_masses(masses), colors={"upper": "000001"}).shapes
         counts.append(len([s for s in shapes if isinstance(s, Polygon) and s.color == "000001"]))
     assert counts[1] == counts[0] + 1
 
@@ -237,7 +236,7 @@ def upper_as(look: str) -> list[Deep]:
     if look == "impossible":
         moments = (moments[0], moments[1], 1.4 * moments[2])
     body = MassDistribution(mass, place, (*moments, mass * x * y, 0.0, 0.0))
-    skeleton = replace(skeleton, masses=(skeleton.masses[0], body, *skeleton.masses[2:]))
+    skeleton = skeleton.with_masses((skeleton.masses[0], body, *skeleton.masses[2:]))
     (upper,) = link_solids(skeleton, extent(skeleton))[1:2]
     assert upper.is_oversized if look == "oversized" else upper.look == look
     poses, camera = skeleton.zero_poses(), Camera(100.0, (0.0, 0.5))
@@ -312,7 +311,7 @@ def test_a_fixed_base_and_what_weighs_nothing_have_no_centre_of_mass() -> None:
     floating = heavy.replace("RobotBase base", "RobotBase base floating", 1)
     assert len(discs(robot_drawing(skeleton_of(floating)), COM)) == 3
     skeleton = skeleton_of(ARM)
-    none = replace(skeleton, masses=tuple(b._replace(mass=0.0) for b in skeleton.masses))
+    none = skeleton.with_masses(b._replace(mass=0.0) for b in skeleton.masses)
     assert discs(robot_drawing(none), COM) == []
 
 

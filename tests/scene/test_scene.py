@@ -2,7 +2,6 @@
 
 import json
 import math
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -72,7 +71,7 @@ def test_a_digit_of_any_joint_changes_few_messages(links, seed, which):
     placements = list(skeleton.placements)
     (x, y, z), joint = placements[which % links].translation, which % links
     placements[joint] = placements[joint]._replace(translation=(x + 0.01, y, z))
-    edited = replace(skeleton, placements=tuple(placements))
+    edited = skeleton.with_placements(placements)
     sent = changes(robot_messages("r", skeleton), robot_messages("r", edited))
     assert sum(len(encode(message)) for message in sent) < 5000
 

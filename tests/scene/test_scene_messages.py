@@ -88,7 +88,7 @@ class TestRobot:
         for body, floats, expected in ((0, False, True), (0, True, False), (1, False, False)):
             masses = list(skeleton.masses)
             masses[body] = bad
-            changed = replace(skeleton, masses=tuple(masses), is_floating=floats)
+            changed = replace(skeleton.with_masses(masses), is_floating=floats)
             links = of_type(robot_messages("r", changed), "link")
             assert [link.is_consistent for link in links] == [
                 expected if i == body else True for i in range(3)
@@ -133,7 +133,7 @@ class TestRobot:
         assert f"{links}/upper/inertia/ellipsoid" in found
         total = "/kindsl/robot/total/robot/robot-com/ball"
         assert found[total] == Shape(Form.BALL, ROBOT_COM, on_top=True)
-        heavy = replace(skeleton, masses=(skeleton.masses[1], *skeleton.masses[1:]))
+        heavy = skeleton.with_masses((skeleton.masses[1], *skeleton.masses[1:]))
         assert f"{links}/base/inertia/ellipsoid" not in shapes(robot_messages("Arm", heavy))
         floating = shapes(robot_messages("Arm", replace(heavy, is_floating=True)))
         assert f"{links}/base/inertia/ellipsoid" in floating

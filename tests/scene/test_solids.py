@@ -50,7 +50,7 @@ def test_what_no_body_has_is_impossible():
     skeleton = skeleton_of(QUADRUPED)
     masses = list(skeleton.masses)
     masses[5] = MassDistribution(0.6, (0.0, 0.0, 0.0), (0.001, 0.001, 0.01, 0.0, 0.0, 0.0))
-    wrong = link_solids(replace(skeleton, masses=tuple(masses)), extent(skeleton))
+    wrong = link_solids(skeleton.with_masses(masses), extent(skeleton))
     assert wrong[5].look == "impossible"
     assert [solid.look for solid in wrong].count("impossible") == 1
 
@@ -61,7 +61,7 @@ def test_an_impossible_body_has_its_rule_and_its_sentence():
     masses[5] = MassDistribution(0.6, (0.0, 0.0, 0.0), (-0.001, 0.001, 0.01, 0.0, 0.0, 0.0))
     masses[6] = MassDistribution(0.6, (0.0, 0.0, 0.0), (0.001, 0.001, 0.01, 0.0, 0.0, 0.0))
     masses[7] = masses[7]._replace(mass=-0.6)
-    found = link_solids(replace(skeleton, masses=tuple(masses)), extent(skeleton))
+    found = link_solids(skeleton.with_masses(masses), extent(skeleton))
     told = [[(doubt.word, doubt.code) for doubt in solid.doubts] for solid in found[5:8]]
     assert told == [[("impossible", code)] for code in ("KD301", "KD302", "KD303")]
     assert "'LF_thigh'" in found[5].doubts[0].sentence
@@ -86,7 +86,7 @@ def test_a_judged_body_as_large_as_the_robot_waits_to_be_asked_for():
     skeleton = skeleton_of(QUADRUPED)
     masses = list(skeleton.masses)
     masses[5] = MassDistribution(0.6, (0.0, 0.0, 0.0), (2.0, 2.0, 2.0, 0.0, 0.0, 0.0))
-    found = link_solids(replace(skeleton, masses=tuple(masses)), extent(skeleton))
+    found = link_solids(skeleton.with_masses(masses), extent(skeleton))
     assert [solid.is_oversized for solid in found].count(True) == 1
     assert found[5].look == "doubtful"
     assert found[5].doubts[0].code == "KD311"
@@ -139,7 +139,7 @@ def ball(radius, center, mass=2.0):
 def with_body(skeleton, name, body):
     masses = list(skeleton.masses)
     masses[skeleton.body_names.index(name)] = body
-    return replace(skeleton, masses=tuple(masses))
+    return skeleton.with_masses(masses)
 
 
 @pytest.mark.parametrize("below", [-0.1, 0.9, 1.1, 3.0])
@@ -201,12 +201,11 @@ def scaled(skeleton, scale):
         moments = tuple(scale**5 * m for m in old.moments)
         return MassDistribution(scale**3 * old.mass, tuple(scale * x for x in old.com), moments)
 
-    return replace(
-        skeleton,
-        placements=tuple(map(pose, skeleton.placements)),
-        frames=tuple(f._replace(pose=pose(f.pose)) for f in skeleton.frames),
-        masses=tuple(map(body, skeleton.masses)),
-    )
+    def made(old):
+        parts = (p._replace(pose=pose(p.pose), mass=p.mass and body(p.mass)) for p in old.parts)
+        return old._replace(parts=tuple(parts), placement=pose(old.placement))
+
+    return replace(skeleton, bodies=tuple(map(made, skeleton.bodies)))
 
 
 @pytest.mark.parametrize("scale", [STEP**-20, STEP**20])

@@ -4,7 +4,7 @@ import numpy as np
 
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.robots.mechanism.bodies import bodies_of
-from kindsl.robots.mechanism.drawable import drawable_skeleton
+from kindsl.robots.mechanism.reading import reachable_linkage
 
 
 def mechanics_by_name(analysis: Analysis, values: dict[str, float] | None = None):
@@ -15,7 +15,7 @@ def mechanics_by_name(analysis: Analysis, values: dict[str, float] | None = None
         values: Of its unbound parameters.
     """
     known = {**(values or {}), **analysis.context.values}
-    bodies = bodies_of(drawable_skeleton(analysis.model, known))
+    bodies = bodies_of(reachable_linkage(analysis.model, known))
     names = (bodies.base_name, *bodies.link_names)
     found = {
         ("base",): (bodies.base_name, bodies.is_floating),

@@ -18,7 +18,7 @@ from kindsl.language.semantics.parameters import Binding
 from kindsl.language.syntax.scanner import scan
 from kindsl.language.syntax.value_forms import accepted_by
 from kindsl.language.text.edits import TextEdit, apply_edits
-from kindsl.robots.mechanism.skeleton import named_frames
+from kindsl.robots.mechanism.reading import named_frames
 
 ROOT = Path(__file__).parents[3]
 N_DRAGS = usually(500, thoroughly=2000)

@@ -15,7 +15,7 @@ from kindsl.frontends.features.manipulation.mirror_leg import mirror_leg
 from kindsl.frontends.features.manipulation.pose_as_zero import pose_as_zero
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.language.formatting.format import format_document
-from kindsl.robots.mechanism.drawable import drawable_skeleton
+from kindsl.robots.mechanism.reading import reachable_linkage
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 QUADRUPED = (EXAMPLES / "quadruped.kindsl").read_text()
@@ -62,7 +62,7 @@ def errors(analysis):
 
 def poses(analysis, q):
     """Return where each link and frame is when the joints are at `q`, in the base's frame."""
-    skeleton = drawable_skeleton(analysis.model, analysis.context.values)
+    skeleton = reachable_linkage(analysis.model, analysis.context.values)
     found = {skeleton.base_name: np.eye(4)}
     names = skeleton.body_names
     for link, parent in skeleton.links():
@@ -132,7 +132,7 @@ def test_a_mirrored_leg_is_the_mirror_image():
 
 
 def assert_mirrored_bodies(analysis):
-    skeleton = drawable_skeleton(analysis.model, analysis.context.values)
+    skeleton = reachable_linkage(analysis.model, analysis.context.values)
     bodies = dict(zip(skeleton.body_names, skeleton.masses, strict=True))
     for name, body in bodies.items():
         if name.startswith("left"):

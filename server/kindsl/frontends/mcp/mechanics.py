@@ -8,7 +8,7 @@ from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.rules.base import Severity
 from kindsl.language.text.lines import LineIndex
 from kindsl.robots.mechanism.errors import ModelError, UnboundParameterError
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
 
 if TYPE_CHECKING:
     from kindsl.robots.mechanism.build import Mechanism
@@ -25,7 +25,7 @@ def mechanism_of(analysis: Analysis) -> "Mechanism":
     return _built(analysis, analysis.mechanism)
 
 
-def skeleton_of(analysis: Analysis) -> Skeleton:
+def skeleton_of(analysis: Analysis) -> Linkage:
     """Return the bodies of a document in plain floats; raises as `mechanism_of` does."""
     return _built(analysis, analysis.skeleton)
 

@@ -14,10 +14,9 @@ from kindsl.robots.comparison.restated import restated
 from kindsl.robots.comparison.sentences import told, verdict
 from kindsl.robots.comparison.twins import TwinFile
 from kindsl.robots.comparison.written import Described
-from kindsl.robots.mechanism.drawable import drawable_skeleton
 from kindsl.robots.mechanism.errors import ModelError, UnboundParameterError
-from kindsl.robots.mechanism.fragments import skeleton_as_far_as_known
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
+from kindsl.robots.mechanism.reading import partial_linkage, reachable_linkage
 from kindsl.robots.scene.messages import ComparisonMessage, DifferenceRow, OtherMessage
 from kindsl.robots.scene.state import Messages, keyed, path_of
 
@@ -49,7 +48,7 @@ class ShownComparison(NamedTuple):
     """
 
     message: ComparisonMessage
-    ghost: Skeleton | None
+    ghost: Linkage | None
 
 
 def document_robot(name: str, read: Callable[[], Analysis | str]) -> OtherRobot:
@@ -70,10 +69,10 @@ def document_robot(name: str, read: Callable[[], Analysis | str]) -> OtherRobot:
 def _as_far_as_known(name: str, analysis: Analysis) -> ComparedRobot | str:
     model, values = analysis.model, analysis.context.values
     try:
-        skeleton = drawable_skeleton(model, values)
+        skeleton = reachable_linkage(model, values)
     except ModelError as error:
         is_unbound = isinstance(error, UnboundParameterError)
-        found = None if is_unbound else skeleton_as_far_as_known(model, values)
+        found = None if is_unbound else partial_linkage(model, values)
         if found is None:
             return str(error)
         skeleton = found
@@ -114,7 +113,7 @@ def compared(
     label: str,
     analysis: Analysis,
     values: Mapping[str, float],
-    skeleton: Skeleton,
+    skeleton: Linkage,
     other: OtherRobot,
 ) -> ShownComparison:
     """Compare a document with another description.
@@ -162,7 +161,7 @@ def _row(ours: ComparedRobot, theirs: ComparedRobot, number: NumberDifference) -
     )
 
 
-def _thing(skeleton: Skeleton, number: NumberDifference) -> tuple[str, str]:
+def _thing(skeleton: Linkage, number: NumberDifference) -> tuple[str, str]:
     """Return the kind and name of what is drawn of the number's owner."""
     names = {
         "link": skeleton.body_names,

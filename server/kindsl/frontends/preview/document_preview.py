@@ -27,7 +27,7 @@ from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.analysis.poses import pose_named
 from kindsl.robots.interchange.mesh_files import MeshFile
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
 from kindsl.robots.scene.messages import (
     GhostMessage,
     HighlightMessage,
@@ -87,13 +87,13 @@ class DocumentPreview:
         self._parameters: dict[str, float] = {}
         self._picture: Picture | None = None
         self._last_good: Picture | None = None
-        self._ghost: Skeleton | None = None
-        self._planned: Skeleton | None = None
+        self._ghost: Linkage | None = None
+        self._planned: Linkage | None = None
         self._shown: tuple[Analysis, ShownVersion] | None = None
         self._saved: OtherRobot | None = None
         self._given: list[OtherRobot] = []
         self._chosen = ""
-        self._compared: Skeleton | None = None
+        self._compared: Linkage | None = None
         self._mesh_source: MeshSource | None = None
         self._wants_meshes = False
         self.mesh_files: dict[str, MeshFile] = {}
@@ -268,7 +268,7 @@ class DocumentPreview:
         self.channel.replace("highlight", keyed([HighlightMessage(kind, name)]))
 
     @property
-    def _last_skeleton(self) -> Skeleton | None:
+    def _last_skeleton(self) -> Linkage | None:
         return self._last_good.skeleton if self._last_good is not None else None
 
     def _others(self) -> list[OtherRobot]:
@@ -346,12 +346,12 @@ def _has_room(values: dict[str, float], name: str) -> bool:
     return name in values or len(values) < MOST_VALUES
 
 
-def _stand_alike(a: Skeleton, b: Skeleton) -> bool:
+def _stand_alike(a: Linkage, b: Linkage) -> bool:
     """Return whether the bodies of two mechanisms cover each other."""
     return _placed(a) == _placed(b)
 
 
-def _placed(skeleton: Skeleton) -> tuple[object, ...]:
+def _placed(skeleton: Linkage) -> tuple[object, ...]:
     frames = [(frame.name, frame.pose.translation) for frame in skeleton.frames]
     return (
         *(skeleton.link_names, skeleton.joint_names, skeleton.joint_kinds, skeleton.parents),

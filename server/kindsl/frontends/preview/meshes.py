@@ -16,10 +16,9 @@ from kindsl.robots.comparison.restated import body_frame, restated
 from kindsl.robots.comparison.twins import TwinFile
 from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.mesh_files import MeshFile, mesh_file, package_of
-from kindsl.robots.interchange.robot_description import RobotDescription
 from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
 from kindsl.robots.interchange.urdf.visuals import LinkVisual, visuals_of_urdf
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
 from kindsl.robots.scene.marks import column_major
 from kindsl.robots.scene.messages import MeshDataMessage, MeshesMessage, VisualMessage
 from kindsl.robots.scene.state import Messages, keyed, path_of
@@ -81,7 +80,7 @@ def offered(source: MeshSource) -> Messages:
 
 
 def link_meshes(
-    source: MeshSource, model: Model, values: Mapping[str, float], skeleton: Skeleton
+    source: MeshSource, model: Model, values: Mapping[str, float], skeleton: Linkage
 ) -> LinkMeshes:
     """Return the meshes of a URDF on a document's links; what is left out is told.
 
@@ -128,7 +127,7 @@ def _nothing(source: MeshSource, problem: str) -> LinkMeshes:
 
 
 def _refused(
-    ours: Skeleton, theirs: Skeleton, found: MechanicalComparison, name: str
+    ours: Linkage, theirs: Linkage, found: MechanicalComparison, name: str
 ) -> Iterator[tuple[int, str]]:
     """Yield the other's bodies that get no mesh, and why: no match, or an axis elsewhere."""
     other = restated(ours, theirs, found)
@@ -148,7 +147,7 @@ def _refused(
             yield its, f"meshes of '{link}' left out: the axis of its joint is {gap} in {name}"
 
 
-def _axis(skeleton: Skeleton, body: int) -> AxisLine:
+def _axis(skeleton: Linkage, body: int) -> AxisLine:
     pose = skeleton.placements[body - 1]
     x, y, z = (row[2] for row in pose.rotation)
     is_free = skeleton.joint_kinds[body - 1] == "prismatic"
@@ -156,17 +155,18 @@ def _axis(skeleton: Skeleton, body: int) -> AxisLine:
 
 
 def _placed(
-    ours: Skeleton,
-    robot: RobotDescription,
+    ours: Linkage,
+    robot: Linkage,
     found: MechanicalComparison,
     visuals: Iterable[LinkVisual],
     refused: dict[int, str],
 ) -> Iterator[_PlacedVisual]:
     our_body = {its: body for body, its in found.matching.theirs.items()}
     places = {
-        part.name: (its, part.body_T_link)
-        for its, link in enumerate(robot.links)
-        for part in link.parts
+        part.name: (its, part.pose)
+        for its, body in enumerate(robot.bodies)
+        for part in body.parts
+        if part.is_link
     }
     for visual in visuals:
         its, body_T_link = places.get(visual.link, (None, IDENTITY))

@@ -63,7 +63,7 @@ def _preview(analysis: Analysis) -> str:
 
 
 def _mechanics(mechanics: Mechanics) -> str:
-    from kindsl.robots.mechanism.bodies import skeleton_of_bodies
+    from kindsl.robots.mechanism.bodies import linkage_of_bodies
 
     bodies = mechanics.bodies
     base = "floating" if bodies.is_floating else "fixed"
@@ -83,7 +83,7 @@ def _mechanics(mechanics: Mechanics) -> str:
         )
     )
     return (
-        f"<p>{escape(head)}</p>{svg_text(robot_drawing(skeleton_of_bodies(bodies)))}"
+        f"<p>{escape(head)}</p>{svg_text(robot_drawing(linkage_of_bodies(bodies)))}"
         f"<details><summary>Order of q</summary><table><tr><th></th><th>joint</th><th>kind</th>"
         f"<th>link</th></tr>{rows}</table></details>"
     )

@@ -32,7 +32,7 @@ from kindsl.language.text.phrases import counted
 
 if TYPE_CHECKING:
     from kindsl.robots.mechanism.build import Mechanism
-    from kindsl.robots.mechanism.skeleton import Skeleton
+    from kindsl.robots.mechanism.linkage import Linkage
 
 _NO_SETTINGS = Settings()
 
@@ -164,16 +164,16 @@ class Analysis:
         values = {**self.context.values, **given}
         return mechanism_of(self.model, values, self.settings.joints)
 
-    def skeleton(self) -> Skeleton:
+    def skeleton(self) -> Linkage:
         """Return the numbered bodies in plain floats, to be written in other formats.
 
         Raises:
             UnboundParameterError: A parameter has no value.
             ModelError: The document does not describe a kinematic tree.
         """
-        from kindsl.robots.mechanism.strict_reading import strict_skeleton
+        from kindsl.robots.mechanism.reading import whole_linkage
 
-        return strict_skeleton(self.model, self.context.values)
+        return whole_linkage(self.model, self.context.values)
 
     def __repr__(self) -> str:
         n_errors = sum(finding.severity == "error" for finding in self.findings)

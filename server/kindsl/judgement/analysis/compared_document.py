@@ -8,11 +8,11 @@ from kindsl.language.semantics.places import Located
 from kindsl.language.text.lines import LineIndex
 from kindsl.robots.comparison.compared_robot import ComparedRobot
 from kindsl.robots.comparison.document_side import described_document
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
 
 
 def compared_document(
-    name: str, analysis: Analysis, values: Mapping[str, float], skeleton: Skeleton
+    name: str, analysis: Analysis, values: Mapping[str, float], skeleton: Linkage
 ) -> ComparedRobot:
     """Return the robot of a document, with what its configuration tells of joints.
 

@@ -20,8 +20,8 @@ from kindsl.robots.cad.properties import MassProperties
 from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.kindsl_writing import body_text, inertia_texts, joint_text, link_head
 from kindsl.robots.interchange.portable_names import valid_name
-from kindsl.robots.interchange.robot_description import DescribedLink
 from kindsl.robots.interchange.urdf.fragment import Fragment, fragment_of_urdf
+from kindsl.robots.mechanism.linkage import Body
 
 _COMMENT = re.compile(r"<!--(.*?)-->", re.DOTALL)
 
@@ -68,8 +68,8 @@ def _changes(model: Model, fragment: Fragment, at: Place) -> tuple[Replacement, 
     changes = [without_lines(at)]
     for link in fragment.links:
         known = model.body_named.get(_name(link))
-        if known is not None and link.body is not None:
-            changes += new_inertia(known, _properties(link.body))
+        if known is not None and link.mass is not None:
+            changes += new_inertia(known, _properties(link.mass))
     changes += _edges(model, fragment)
     last = [model.bodies[-1], model.joints[-1] if model.joints else model.bodies[-1]]
     texts = [list(_links(model, fragment, new)), list(_joints(fragment))]
@@ -95,16 +95,16 @@ def _with_comments(changes: tuple[Replacement, ...], at: Place) -> tuple[Replace
     return tuple(with_them if change is first else change for change in changes)
 
 
-def _of_inertial(link: DescribedLink, at: Place) -> tuple[Replacement, ...]:
+def _of_inertial(link: Body, at: Place) -> tuple[Replacement, ...]:
     from kindsl.language.semantics.lowering import declarations
 
     declared = declarations(at.island)
     body = body_around((*declared.bases, *declared.links), at)
     if body is None:
         raise _NotTakenError("it belongs in a link")
-    if link.body is None:
+    if link.mass is None:
         raise _NotTakenError("it has no mass")
-    return inertia_changes(body, _properties(link.body), at)
+    return inertia_changes(body, _properties(link.mass), at)
 
 
 def _check(model: Model, fragment: Fragment) -> None:
@@ -119,17 +119,17 @@ def _check(model: Model, fragment: Fragment) -> None:
     kept = {link.name for link in fragment.links}
     lumped = [name for name in fragment.given_links if name not in kept]
     stubs = [link for link in fragment.links if link.name not in fragment.given_links]
-    if lumped and any(link.body is not None or link.frames for link in stubs):
+    if lumped and any(link.mass is not None or link.frames for link in stubs):
         raise _NotTakenError(f"link '{lumped[0]}' is fixed to one that is not given")
 
 
-def _links(model: Model, fragment: Fragment, new: list[DescribedLink]) -> Iterator[str]:
+def _links(model: Model, fragment: Fragment, new: list[Body]) -> Iterator[str]:
     number = 1 + max((link.id or 0 for link in model.links), default=0)
     for index, link in enumerate(fragment.links):
         is_child = link.joint in fragment.given_joints
         if link in new and (is_child or link.name in fragment.given_links):
             edges = [_edge(child) for child in fragment.links if child.parent == index]
-            frames = [valid_name(frame.name) for frame in link.frames]
+            frames = [valid_name(frame.name) for frame in link.frames_elsewhere]
             yield body_text(link_head(_name(link), number), link, edges, frames)
             number += 1
 
@@ -178,9 +178,9 @@ def _properties(body: MassDistribution) -> MassProperties:
     return MassProperties("URDF", mass, (x, y, z), (a, b, c, d, e, f))
 
 
-def _name(link: DescribedLink) -> str:
+def _name(link: Body) -> str:
     return valid_name(link.name)
 
 
-def _edge(link: DescribedLink) -> str:
+def _edge(link: Body) -> str:
     return f"{_name(link)} via {valid_name(link.joint)}"

@@ -11,7 +11,7 @@ from kindsl.robots.comparison.mechanical import ComparedTwin, compared_mechanics
 from kindsl.robots.comparison.twins import TwinFile
 from kindsl.robots.comparison.written import Described
 from kindsl.robots.mechanism.errors import ModelError
-from kindsl.robots.mechanism.strict_reading import strict_skeleton
+from kindsl.robots.mechanism.reading import whole_linkage
 
 _XACRO = ".xacro"
 _KEPT = 32
@@ -33,7 +33,7 @@ def compared_twins(
     if not twins:
         return
     try:
-        skeleton = strict_skeleton(model, values)
+        skeleton = whole_linkage(model, values)
     except ModelError:
         return
     ours = described_document("here", model, values, skeleton)

@@ -26,7 +26,7 @@ from kindsl.products.codegen.reference import Reference, independent_contacts, s
 from kindsl.products.codegen.resistance import refuse_unresisted
 from kindsl.products.codegen.wanted import restricted, wanted_pairs
 from kindsl.robots.interchange.generated_folder import digest, robot_record
-from kindsl.robots.mechanism.bodies import skeleton_of_bodies
+from kindsl.robots.mechanism.bodies import linkage_of_bodies
 from kindsl.robots.mechanism.build import Mechanism
 from kindsl.robots.mechanism.symbolic import symbolic_robot
 
@@ -105,7 +105,7 @@ def generate(
         files = language.files(library, reference, parameters)
     except OverflowError as error:
         raise GenerationError(str(error)) from None
-    numbers = robot_record(skeleton_of_bodies(mechanics.bodies))
+    numbers = robot_record(linkage_of_bodies(mechanics.bodies))
     files[NAME] = manifest_text(stamp, options, source.bindings, source.transforms, files, numbers)
     return library, files
 

@@ -23,8 +23,7 @@ from kindsl.products.reports.page.blocks import (
     Table,
 )
 from kindsl.products.reports.robot_facts import mass_text, robot_facts
-from kindsl.robots.mechanism.posing import posed
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
 from kindsl.robots.mechanism.total_mass import unknown_bodies
 from kindsl.robots.scene.picture import Picture, picture
 
@@ -48,7 +47,7 @@ def card_page(analysis: Analysis, pose: str | None = None) -> Page:
     return (*blocks, *_parameters(facts), *_transforms(analysis), *_health(facts))
 
 
-def shown_skeleton(analysis: Analysis) -> Skeleton | None:
+def shown_skeleton(analysis: Analysis) -> Linkage | None:
     """Return what there is to draw of a document, None if there is nothing."""
     return picture(analysis.model, dict(analysis.context.values), None).skeleton
 
@@ -68,12 +67,12 @@ def _heading(
         yield Figure("robot", robot_drawing(_in_pose(shown.skeleton, analysis, pose)), caption)
 
 
-def _in_pose(skeleton: Skeleton, analysis: Analysis, pose: str | None) -> Skeleton:
+def _in_pose(skeleton: Linkage, analysis: Analysis, pose: str | None) -> Linkage:
     if pose is None:
         return skeleton
     joints = [str(joint.name) for joint in analysis.model.joints]
     values = pose_named(analysis.settings, pose, joints)
-    return posed(skeleton, [values.get(joint, 0.0) for joint in skeleton.joint_names])
+    return skeleton.moved_to([values.get(joint, 0.0) for joint in skeleton.joint_names])
 
 
 def _tree(facts: dict[str, Any]) -> Iterator[Block]:
@@ -111,7 +110,7 @@ def branches(facts: dict[str, Any]) -> Iterator[tuple[int, dict[str, Any]]]:
                 pending += [(level + 1, child) for child in reversed(below)]
 
 
-def _joints(skeleton: Skeleton) -> Iterator[Block]:
+def _joints(skeleton: Linkage) -> Iterator[Block]:
     yield Heading("Joints")
     header = ("joint", "kind", "from", "to", "translation / m", "rotation / deg")
     rows = tuple(
@@ -127,7 +126,7 @@ def _joints(skeleton: Skeleton) -> Iterator[Block]:
     yield Table(header, rows)
 
 
-def _masses(skeleton: Skeleton, facts: dict[str, Any], analysis: Analysis) -> Iterator[Block]:
+def _masses(skeleton: Linkage, facts: dict[str, Any], analysis: Analysis) -> Iterator[Block]:
     yield Heading("Masses")
     header = ("link", "mass / kg", "CoM / m", "principal moments / kg m²", "shape")
     first = 0 if skeleton.is_floating else 1
@@ -151,7 +150,7 @@ def _shape(analysis: Analysis, name: str) -> str:
     return ", ".join(doubt.kind for doubt in doubts) or "-"
 
 
-def _frames(skeleton: Skeleton) -> Iterator[Block]:
+def _frames(skeleton: Linkage) -> Iterator[Block]:
     if not skeleton.frames:
         return
     yield Heading("Frames")

@@ -6,7 +6,7 @@ from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.robots.comparison.difference import Difference, difference
 from kindsl.robots.comparison.partial_difference import partial_difference
 from kindsl.robots.mechanism.errors import ModelError, UnboundParameterError
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
 from kindsl.robots.mechanism.total_mass import total_mass
 
 _SYNTAX = "KD0"
@@ -41,7 +41,7 @@ def compared(old: Analysis | None, new: Analysis | None) -> Comparison:
     return Comparison(partial.difference, partial.notes)
 
 
-def _skeleton(analysis: Analysis) -> Skeleton | None:
+def _skeleton(analysis: Analysis) -> Linkage | None:
     if any(finding.code.startswith(_SYNTAX) for finding in analysis.findings):
         return None
     if not total_mass(analysis.model, analysis.context.values).is_whole:

@@ -29,7 +29,7 @@ from kindsl.robots.comparison.features import (
     seen_features,
 )
 from kindsl.robots.comparison.matching import MatchedJoints
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
 
 # Nobody chooses to have a joint's zero so little elsewhere: it is a number that differs.
 DRIFT = 0.05
@@ -80,14 +80,14 @@ class _BodyPair(NamedTuple):
     size: float
 
 
-def base_frames(ours: Skeleton, theirs: Skeleton) -> list[RigidPose]:
+def base_frames(ours: Linkage, theirs: Linkage) -> list[RigidPose]:
     """Return where the other's base may be in ours, before it is known which joint is which."""
     one, other = (Features((), _whole(skeleton)) for skeleton in (ours, theirs))
     return [IDENTITY, *_candidates(one, other)]
 
 
 def likely_base_frames(
-    ours: Skeleton, theirs: Skeleton, matching: MatchedJoints
+    ours: Linkage, theirs: Linkage, matching: MatchedJoints
 ) -> Iterator[RigidPose]:
     """Yield where the other's base may be in ours, the best first; our own is one of them."""
     root = _root_pair(ours, theirs, matching, size_of(ours))
@@ -102,7 +102,7 @@ def likely_base_frames(
 
 
 def aligned(
-    ours: Skeleton, theirs: Skeleton, matching: MatchedJoints, root: RigidPose, cost: Cost
+    ours: Linkage, theirs: Linkage, matching: MatchedJoints, root: RigidPose, cost: Cost
 ) -> Alignment:
     """Return the conventions under which most of two robots agrees.
 
@@ -130,7 +130,7 @@ def aligned(
     return Alignment(frames, joints)
 
 
-def size_of(skeleton: Skeleton) -> float:
+def size_of(skeleton: Linkage) -> float:
     """Return the greatest distance of a joint from the base's origin at zero, metres."""
     return max(dist(pose.translation, _ORIGIN) for pose in skeleton.zero_poses()) or 1.0
 
@@ -147,7 +147,7 @@ def _unlike_each_other(
     return kept
 
 
-def around(ours: Skeleton, alignment: Alignment, body: int) -> tuple[RigidPose, RigidPose]:
+def around(ours: Linkage, alignment: Alignment, body: int) -> tuple[RigidPose, RigidPose]:
     """Return the poses before and after the other's joint frame that make it ours."""
     joint, slides = alignment.joints[body], ours.joint_kinds[body - 1] == "prismatic"
     at_zero = moved_by(-joint.sign * joint.offset, slides)
@@ -162,24 +162,24 @@ def moved_by(value: float, slides: bool) -> RigidPose:
     return pose_from(_ORIGIN, (0.0, 0.0, value))
 
 
-def _whole(skeleton: Skeleton) -> MassDistribution:
+def _whole(skeleton: Linkage) -> MassDistribution:
     """Return all that moves as one body, at zero in the base's frame."""
     first = 0 if skeleton.is_floating else 1
     pairs = list(zip(skeleton.masses, skeleton.zero_poses(), strict=True))[first:]
     return lumped([seen_from(body, pose) for body, pose in pairs])
 
 
-def _axes_at_zero(skeleton: Skeleton, bodies: list[int]) -> tuple[AxisLine, ...]:
+def _axes_at_zero(skeleton: Linkage, bodies: list[int]) -> tuple[AxisLine, ...]:
     poses = skeleton.zero_poses()
     return tuple(_axis(skeleton, body, poses[body]) for body in bodies)
 
 
-def _axis(skeleton: Skeleton, body: int, pose: RigidPose) -> AxisLine:
+def _axis(skeleton: Linkage, body: int, pose: RigidPose) -> AxisLine:
     x, y, z = (row[2] for row in pose.rotation)
     return AxisLine(pose.translation, (x, y, z), skeleton.joint_kinds[body - 1] == "prismatic")
 
 
-def _root_pair(ours: Skeleton, theirs: Skeleton, matching: MatchedJoints, size: float) -> _BodyPair:
+def _root_pair(ours: Linkage, theirs: Linkage, matching: MatchedJoints, size: float) -> _BodyPair:
     bodies = sorted(matching.theirs)[1 : 1 + _AXES_OF_ROOT]
     lines = _axes_at_zero(ours, bodies)
     others = _axes_at_zero(theirs, [matching.theirs[body] for body in bodies])
@@ -196,13 +196,13 @@ def _root_pair(ours: Skeleton, theirs: Skeleton, matching: MatchedJoints, size: 
     return _BodyPair(mine, its, size)
 
 
-def _coms_at_zero(skeleton: Skeleton, bodies: list[int]) -> tuple[Vector3, ...]:
+def _coms_at_zero(skeleton: Linkage, bodies: list[int]) -> tuple[Vector3, ...]:
     poses = skeleton.zero_poses()
     return tuple(poses[body].point(skeleton.masses[body].com) for body in bodies)
 
 
 def _pair(
-    ours: Skeleton, theirs: Skeleton, matching: MatchedJoints, body: int, size: float
+    ours: Linkage, theirs: Linkage, matching: MatchedJoints, body: int, size: float
 ) -> _BodyPair:
     carried = [i for i in matching.theirs if i and ours.parents[i - 1] == body]
     others = [matching.theirs[i] for i in carried]

@@ -7,7 +7,7 @@ from math import dist, fsum, hypot
 from kindsl.mechanics.rigid.body import principal_moments_about_com, seen_from, shifted
 from kindsl.mechanics.rigid.pose import RigidPose, angle_between
 from kindsl.robots.comparison.matching import bodies_by_name
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
 
 # Rounding of numbers that were computed, beside them: metres, radians, masses.
 _ROUNDING = 1e-9
@@ -111,7 +111,7 @@ class Difference:
         return is_same_base and not any(lists) and all(_is_close(a, b) for a, b in totals)
 
 
-def difference(old: Skeleton, new: Skeleton) -> Difference:
+def difference(old: Linkage, new: Linkage) -> Difference:
     """Return the changes from `old` to `new`."""
     bodies = bodies_by_name(old, new)
     pairs = [(old.body_names[i], new.body_names[j]) for i, j in bodies.items()]
@@ -149,29 +149,29 @@ def _without(names: Iterable[str], known: Iterable[str]) -> tuple[str, ...]:
     return tuple(name for name in names if name not in others)
 
 
-def _reparented(old: Skeleton, new: Skeleton, bodies: Mapping[int, int]) -> Iterator[Reparented]:
+def _reparented(old: Linkage, new: Linkage, bodies: Mapping[int, int]) -> Iterator[Reparented]:
     for body, its in bodies.items():
         if body and bodies.get(old.parents[body - 1]) != new.parents[its - 1]:
             before, after = old.parents[body - 1], new.parents[its - 1]
             yield Reparented(new.body_names[its], old.body_names[before], new.body_names[after])
 
 
-def _joint_kinds(old: Skeleton, new: Skeleton) -> Iterator[JointKindChange]:
+def _joint_kinds(old: Linkage, new: Linkage) -> Iterator[JointKindChange]:
     kinds = dict(zip(new.joint_names, new.joint_kinds, strict=True))
     for name, kind in zip(old.joint_names, old.joint_kinds, strict=True):
         if kinds.get(name, kind) != kind:
             yield JointKindChange(name, kind, kinds[name])
 
 
-def _joint_frames(skeleton: Skeleton) -> dict[str, RigidPose]:
+def _joint_frames(skeleton: Linkage) -> dict[str, RigidPose]:
     return dict(zip(skeleton.joint_names, skeleton.placements, strict=True))
 
 
-def _frames(skeleton: Skeleton) -> dict[str, RigidPose]:
+def _frames(skeleton: Linkage) -> dict[str, RigidPose]:
     return {frame.name: frame.pose for frame in skeleton.frames}
 
 
-def _zero_poses(skeleton: Skeleton) -> dict[str, RigidPose]:
+def _zero_poses(skeleton: Linkage) -> dict[str, RigidPose]:
     poses = skeleton.zero_poses()
     of_frames = {frame.name: poses[frame.body].then(frame.pose) for frame in skeleton.frames}
     return {**dict(zip(skeleton.link_names, poses[1:], strict=True)), **of_frames}
@@ -189,7 +189,7 @@ def _unless_rounding(value: float) -> float:
     return value if value > _ROUNDING else 0.0
 
 
-def _masses(old: Skeleton, new: Skeleton, bodies: Mapping[int, int]) -> Iterator[MassChange]:
+def _masses(old: Linkage, new: Linkage, bodies: Mapping[int, int]) -> Iterator[MassChange]:
     moving = bodies if old.is_floating or new.is_floating else [i for i in bodies if i]
     poses = old.zero_poses(), new.zero_poses()
     for body in moving:
@@ -228,15 +228,15 @@ def _is_rounding(change: MassChange) -> bool:
     )
 
 
-def _base_kind(skeleton: Skeleton) -> str:
+def _base_kind(skeleton: Linkage) -> str:
     return "floating" if skeleton.is_floating else "fixed"
 
 
-def _total_mass(skeleton: Skeleton) -> float:
+def _total_mass(skeleton: Linkage) -> float:
     return fsum(body.mass for body in skeleton.masses[0 if skeleton.is_floating else 1 :])
 
 
-def _reach(skeleton: Skeleton) -> float:
+def _reach(skeleton: Linkage) -> float:
     ways = [0.0]
     for parent, placement in zip(skeleton.parents, skeleton.placements, strict=True):
         ways.append(ways[parent] + hypot(*placement.translation))

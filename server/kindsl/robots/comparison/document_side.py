@@ -21,12 +21,13 @@ from kindsl.robots.comparison.written import (
     written_frame,
 )
 from kindsl.robots.mechanism.link_inertia import NO_INERTIA
-from kindsl.robots.mechanism.skeleton import Skeleton, named_frames
+from kindsl.robots.mechanism.linkage import Linkage
+from kindsl.robots.mechanism.reading import named_frames
 from kindsl.robots.mechanism.total_mass import unknown_bodies
 
 
 def described_document(
-    label: str, model: Model, values: Mapping[str, float], skeleton: Skeleton
+    label: str, model: Model, values: Mapping[str, float], skeleton: Linkage
 ) -> Described:
     """Return a document's robot; what cannot be read is named in `unknown`.
 

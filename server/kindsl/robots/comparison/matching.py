@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
-from kindsl.robots.mechanism.skeleton import AttachedFrame, Skeleton
+from kindsl.robots.mechanism.linkage import AttachedFrame, Linkage
 
 # Of a mismatch of shape, beside one of mass or place: anything else is better.
 _OTHER_SHAPE = 100.0
@@ -46,7 +46,7 @@ class _ViewAtZero(NamedTuple):
         shapes: Form of each body's subtree, whatever the order.
     """
 
-    skeleton: Skeleton
+    skeleton: Linkage
     children: list[list[int]]
     poses: list[RigidPose]
     subtrees: list[MassDistribution]
@@ -54,7 +54,7 @@ class _ViewAtZero(NamedTuple):
 
 
 def matching_frames(
-    ours: Skeleton, theirs: Skeleton
+    ours: Linkage, theirs: Linkage
 ) -> Iterator[tuple[AttachedFrame, AttachedFrame]]:
     """Yield the frames that have one name, as far as a document can write it."""
     its = {writable(frame.name): frame for frame in theirs.frames}
@@ -63,7 +63,7 @@ def matching_frames(
             yield frame, other
 
 
-def bodies_by_name(ours: Skeleton, theirs: Skeleton) -> dict[int, int]:
+def bodies_by_name(ours: Linkage, theirs: Linkage) -> dict[int, int]:
     """Return the bodies that are one, by ours: of one name, else on one joint, else of one mass."""
     names = {name: its for its, name in enumerate(theirs.link_names, 1)}
     named = ((body, names.pop(name, 0)) for body, name in enumerate(ours.link_names, 1))
@@ -77,11 +77,11 @@ def bodies_by_name(ours: Skeleton, theirs: Skeleton) -> dict[int, int]:
     return dict(sorted(found.items()))
 
 
-def _are_on_one_joint(ours: Skeleton, body: int, theirs: Skeleton, its: int) -> bool:
+def _are_on_one_joint(ours: Linkage, body: int, theirs: Linkage, its: int) -> bool:
     return ours.joint_names[body - 1] == theirs.joint_names[its - 1]
 
 
-def _are_one_body(ours: Skeleton, body: int, theirs: Skeleton, its: int) -> bool:
+def _are_one_body(ours: Linkage, body: int, theirs: Linkage, its: int) -> bool:
     is_same_place = ours.placements[body - 1] == theirs.placements[its - 1]
     mass = ours.masses[body]
     return is_same_place and mass == theirs.masses[its] and mass.mass != 0.0
@@ -93,8 +93,8 @@ def writable(name: str) -> str:
 
 
 def matched(
-    ours: Skeleton,
-    theirs: Skeleton,
+    ours: Linkage,
+    theirs: Linkage,
     named: Mapping[str, str],
     frames: Callable[[], Iterable[RigidPose]],
 ) -> MatchedJoints:
@@ -118,7 +118,7 @@ def matched(
     return by_names if n_named and by_names.n_joints >= by_shape.n_joints else by_shape
 
 
-def _same_names(ours: Skeleton, theirs: Skeleton) -> dict[str, str]:
+def _same_names(ours: Linkage, theirs: Linkage) -> dict[str, str]:
     """Return the joints of one name: the same, or the same as far as a document can write it."""
     written = {writable(name): name for name in theirs.joint_names}
     pairs = {name: written.get(writable(name)) for name in ours.joint_names}
@@ -127,7 +127,7 @@ def _same_names(ours: Skeleton, theirs: Skeleton) -> dict[str, str]:
     return {a: b for a, b in pairs.items() if b is not None and b not in taken} | exact
 
 
-def _view(skeleton: Skeleton, frame: RigidPose) -> _ViewAtZero:
+def _view(skeleton: Linkage, frame: RigidPose) -> _ViewAtZero:
     children: list[list[int]] = [[] for _ in skeleton.body_names]
     for link, parent in skeleton.links():
         children[parent].append(link)

@@ -11,8 +11,8 @@ from typing import Any, NamedTuple
 from kindsl.language.semantics.model import Model
 from kindsl.language.text.phrases import listed
 from kindsl.robots.comparison.difference import Difference, MassChange, Moved, difference
-from kindsl.robots.mechanism.fragments import skeleton_as_far_as_known
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
+from kindsl.robots.mechanism.reading import partial_linkage
 from kindsl.robots.mechanism.total_mass import total_mass, unknown_bodies
 
 _STAND_INS = (0.7315, 0.4127)
@@ -47,9 +47,9 @@ def partial_difference(old: Document | None, new: Document | None) -> PartialDif
         [(model, {**dict.fromkeys(unbound, stand_in), **values}) for model, values in sides]
         for stand_in in _STAND_INS
     ]
-    versions: list[list[Skeleton]] = []
+    versions: list[list[Linkage]] = []
     for documents in bound:
-        skeletons = [skeleton_as_far_as_known(*document) for document in documents]
+        skeletons = [partial_linkage(*document) for document in documents]
         if None in skeletons:
             return 1 if old is None else skeletons.index(None)
         versions.append([skeleton for skeleton in skeletons if skeleton is not None])
@@ -100,7 +100,7 @@ def _known(found: Difference, sides: Sequence[Document]) -> tuple[Difference, li
     return found, [f"{listed(left_out)} left out: {reasons[0]}"] if left_out else []
 
 
-def _of_one(same: Difference, skeleton: Skeleton, change: str) -> Difference:
+def _of_one(same: Difference, skeleton: Linkage, change: str) -> Difference:
     """Return the difference of nothing to a robot, or the reverse, from that of it to itself."""
     weight, reach = same.total_mass[0], same.reach[0]
     names: dict[str, Any] = {

@@ -7,10 +7,10 @@ from kindsl.mechanics.rigid.body import seen_from
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
 from kindsl.robots.comparison.alignment import around
 from kindsl.robots.comparison.mechanical import MechanicalComparison
-from kindsl.robots.mechanism.skeleton import AttachedFrame, Skeleton
+from kindsl.robots.mechanism.linkage import Body, Linkage, Part
 
 
-def restated(ours: Skeleton, theirs: Skeleton, found: MechanicalComparison) -> Skeleton:
+def restated(ours: Linkage, theirs: Linkage, found: MechanicalComparison) -> Linkage:
     """Return the other robot so that our joint values put its bodies where they belong.
 
     Args:
@@ -21,19 +21,26 @@ def restated(ours: Skeleton, theirs: Skeleton, found: MechanicalComparison) -> S
     our_body = {its: body for body, its in found.matching.theirs.items()}
     taken = {*ours.body_names, *ours.joint_names}
     frames = [body_frame(found, our_body.get(its)) for its in range(len(theirs.body_names))]
-    joints = enumerate(zip(theirs.parents, theirs.placements, strict=True), 1)
-    return replace(
-        theirs,
-        base_name=ours.base_name,
-        link_names=tuple(_names(theirs.link_names, ours.link_names, our_body, taken)),
-        joint_names=tuple(_names(theirs.joint_names, ours.joint_names, our_body, taken)),
-        placements=tuple(
-            _at_our_zero(ours, found, our_body.get(its), frames[parent].then(placement))
-            for its, (parent, placement) in joints
-        ),
-        masses=tuple(seen_from(m, f) for m, f in zip(theirs.masses, frames, strict=True)),
-        frames=tuple(_frames(theirs, frames, taken)),
-    )
+    links = [*_names(theirs.link_names, ours.link_names, our_body, taken)]
+    joints = ["", *_names(theirs.joint_names, ours.joint_names, our_body, taken)]
+    named = zip(theirs.bodies, (ours.base_name, *links), joints, frames, strict=True)
+    bodies = [_in_frame(body, name, frame)._replace(joint=j) for body, name, j, frame in named]
+    for its, body in enumerate(bodies):
+        if body.parent is not None:
+            pose = frames[body.parent].then(body.placement)
+            placement = _at_our_zero(ours, found, our_body.get(its), pose)
+            bodies[its] = body._replace(placement=placement)
+    for frame in theirs.frames:
+        pose = frames[frame.body].then(frame.pose)
+        part = Part(_free(frame.name, taken), pose, is_link=False)
+        bodies[frame.body] = bodies[frame.body]._replace(parts=(*bodies[frame.body].parts, part))
+    return replace(theirs, bodies=tuple(bodies))
+
+
+def _in_frame(body: Body, name: str, frame: RigidPose) -> Body:
+    """Return a body by another name, without frames, its own frame being at a pose."""
+    mass = None if body.mass is None else seen_from(body.mass, frame)
+    return body._replace(parts=(Part(name, mass=mass),))
 
 
 def body_frame(found: MechanicalComparison, body: int | None) -> RigidPose:
@@ -42,7 +49,7 @@ def body_frame(found: MechanicalComparison, body: int | None) -> RigidPose:
 
 
 def _at_our_zero(
-    ours: Skeleton, found: MechanicalComparison, body: int | None, pose: RigidPose
+    ours: Linkage, found: MechanicalComparison, body: int | None, pose: RigidPose
 ) -> RigidPose:
     """Return a joint frame in its predecessor at our zero, of one at the other's."""
     return pose if body is None else pose.then(around(ours, found.alignment, body)[1])
@@ -53,12 +60,6 @@ def _names(
 ) -> Iterator[str]:
     for its, name in enumerate(names, 1):
         yield our_names[our_body[its] - 1] if its in our_body else _free(name, taken)
-
-
-def _frames(theirs: Skeleton, frames: list[RigidPose], taken: set[str]) -> Iterator[AttachedFrame]:
-    for frame in theirs.frames:
-        name = _free(frame.name, taken)
-        yield AttachedFrame(name, frame.body, frames[frame.body].then(frame.pose))
 
 
 def _free(name: str, taken: set[str]) -> str:

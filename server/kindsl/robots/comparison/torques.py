@@ -21,7 +21,7 @@ from kindsl.robots.comparison.quantities import INERTIA, POSE
 from kindsl.robots.comparison.turned_axes import with_axis
 from kindsl.robots.comparison.written import Described
 from kindsl.robots.mechanism.bodies import bodies_of
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
 
 _T = TypeVar("_T")
 _STATES = 20
@@ -71,20 +71,20 @@ def torques(ours: Described, theirs: Described, found: MechanicalComparison) -> 
     return Torques(bool(found.structure) or _gap(own, carried) > _NOTHING, None, effects)
 
 
-def _states(skeleton: Skeleton) -> _States:
+def _states(skeleton: Linkage) -> _States:
     random = np.random.default_rng(_SEED)
     q, qd, qdd = random.uniform(-1.0, 1.0, (3, _STATES, skeleton.n_links))
     return _States(q, qd, qdd)
 
 
-def _forces(skeleton: Skeleton, states: _States) -> tuple[Array, Array]:
+def _forces(skeleton: Linkage, states: _States) -> tuple[Array, Array]:
     """Return inertia matrices and bias forces."""
     mechanics = Mechanics(bodies_of(skeleton), generates_code=False)
     return mechanics.joint_space_inertia(states.q), mechanics.bias_torque(states.q, states.qd)
 
 
 def _counted_as_ours(
-    ours: Skeleton, theirs: Skeleton, found: MechanicalComparison, states: _States
+    ours: Linkage, theirs: Linkage, found: MechanicalComparison, states: _States
 ) -> tuple[Array, Array]:
     """Return the other's own matrices and forces, in our joints and our base's frame."""
     T, offsets = _velocities(ours, theirs, found)
@@ -100,9 +100,7 @@ def _counted_as_ours(
     return T.T @ M @ T, bias @ T
 
 
-def _velocities(
-    ours: Skeleton, theirs: Skeleton, found: MechanicalComparison
-) -> tuple[Array, Array]:
+def _velocities(ours: Linkage, theirs: Linkage, found: MechanicalComparison) -> tuple[Array, Array]:
     """Return the map of our velocities to the other's, and our values at the other's zero."""
     n = ours.n_links
     joints, offsets = np.zeros((n, n)), np.zeros(n)
@@ -118,7 +116,7 @@ def _velocities(
     return T, offsets
 
 
-def _carried(ours: Described, theirs: Described, found: MechanicalComparison) -> Skeleton:
+def _carried(ours: Described, theirs: Described, found: MechanicalComparison) -> Linkage:
     """Return our robot with the other's numbers where they differ, in our conventions."""
     one, other = ours.skeleton, theirs.skeleton
     masses, placements = list(one.masses), list(one.placements)
@@ -134,7 +132,7 @@ def _carried(ours: Described, theirs: Described, found: MechanicalComparison) ->
         elif number.kind == "joint":
             before, after = around(one, found.alignment, body)
             placements[body - 1] = before.then(other.placements[its - 1]).then(after)
-    carried = replace(one, masses=tuple(masses), placements=tuple(placements))
+    carried = one.with_masses(masses).with_placements(placements)
     for body, turn in turns:
         carried = with_axis(carried, body, turn)
     return carried
@@ -166,7 +164,7 @@ def _effect(
     return float(np.abs(taus[0] - taus[1]).max())
 
 
-def _changed(side: Described, found: MechanicalComparison, number: NumberDifference) -> Skeleton:
+def _changed(side: Described, found: MechanicalComparison, number: NumberDifference) -> Linkage:
     skeleton = side.skeleton
     body = found.matching.theirs[number.body] if number.is_theirs else number.body
     if number.turn is not None:
@@ -178,14 +176,14 @@ def _changed(side: Described, found: MechanicalComparison, number: NumberDiffere
     if number.kind == "joint":
         form = side.joints[body - 1]
         pose = form.pose(_with(form.values, POSE.index(number.quantity), value))
-        return replace(skeleton, placements=_with(skeleton.placements, body - 1, pose))
+        return skeleton.with_placements(_with(skeleton.placements, body - 1, pose))
     parts = [
         part.body(_with(part.values, INERTIA.index(number.quantity), value))
         if part.owner == owner
         else part.body()
         for part in side.inertias[body]
     ]
-    return replace(skeleton, masses=_with(skeleton.masses, body, lumped(parts)))
+    return skeleton.with_masses(_with(skeleton.masses, body, lumped(parts)))
 
 
 def _with(values: Sequence[_T], index: int, value: _T) -> tuple[_T, ...]:

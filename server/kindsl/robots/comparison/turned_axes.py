@@ -8,13 +8,12 @@ from collections.abc import Iterator
 from dataclasses import replace
 from math import atan2, hypot
 
-from kindsl.mechanics.rigid.body import seen_from
 from kindsl.mechanics.rigid.pose import RigidPose, Vector3, rotation_from_z
 from kindsl.robots.comparison.number_differences import NumberDifference
 from kindsl.robots.comparison.pair import Pair
 from kindsl.robots.comparison.quantities import AXIS
 from kindsl.robots.comparison.written import Described, WrittenInertia, WrittenPose
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
 
 _APART = 1e-6
 _ORIGIN = (0.0, 0.0, 0.0)
@@ -58,7 +57,7 @@ def _axis_difference(
     return found, _turn(our_axis)
 
 
-def with_axis(skeleton: Skeleton, body: int, turn: RigidPose) -> Skeleton:
+def with_axis(skeleton: Linkage, body: int, turn: RigidPose) -> Linkage:
     """Return a robot one of whose joints has another axis, while at zero nothing has moved.
 
     Args:
@@ -66,19 +65,15 @@ def with_axis(skeleton: Skeleton, body: int, turn: RigidPose) -> Skeleton:
         body: The one that the joint carries.
         turn: The joint's new frame in the one that it has, whose z is the new axis.
     """
-    back, placements, masses = turn.inverse(), list(skeleton.placements), list(skeleton.masses)
-    placements[body - 1] = placements[body - 1].then(turn)
-    for child, parent in skeleton.links():
-        if parent == body:
-            placements[child - 1] = back.then(placements[child - 1])
-    masses[body] = seen_from(masses[body], back)
-    frames = (
-        frame._replace(pose=back.then(frame.pose)) if frame.body == body else frame
-        for frame in skeleton.frames
-    )
-    return replace(
-        skeleton, placements=tuple(placements), masses=tuple(masses), frames=tuple(frames)
-    )
+    back = turn.inverse()
+    bodies = [
+        each._replace(placement=back.then(each.placement)) if each.parent == body else each
+        for each in skeleton.bodies
+    ]
+    own = bodies[body]
+    parts = (part.seen_from(back) for part in own.parts)
+    bodies[body] = own._replace(parts=tuple(parts), placement=own.placement.then(turn))
+    return replace(skeleton, bodies=tuple(bodies))
 
 
 def described_with_axis(robot: Described, body: int, turn: RigidPose) -> Described:

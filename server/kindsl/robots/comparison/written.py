@@ -24,7 +24,7 @@ from kindsl.mechanics.rigid.pose import (
     round_angle,
     transposed,
 )
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
 
 _ORIGIN = (0.0, 0.0, 0.0)
 _GIMBAL = 1e-9
@@ -177,7 +177,7 @@ class Described:
     """
 
     label: str
-    skeleton: Skeleton
+    skeleton: Linkage
     inertias: tuple[tuple[WrittenInertia, ...], ...]
     joints: tuple[WrittenPose, ...]
     heavy_frames: frozenset[str] = frozenset()
@@ -188,15 +188,14 @@ class Described:
 
 def exactly_turned(
     label: str,
-    skeleton: Skeleton,
+    skeleton: Linkage,
     inertias: tuple[tuple[WrittenInertia, ...], ...],
     joints: tuple[WrittenPose, ...],
     heavy_frames: frozenset[str] = frozenset(),
 ) -> Described:
     """Return a robot whose joints stand at the angles meant: `1.5708` is a quarter turn."""
     meant = tuple(map(_with_meant_angles, joints))
-    placements = tuple(joint.pose() for joint in meant)
-    exact = replace(skeleton, placements=placements)
+    exact = skeleton.with_placements(joint.pose() for joint in meant)
     return Described(label, exact, inertias, meant, heavy_frames)
 
 

@@ -8,7 +8,6 @@ from typing import NamedTuple
 
 from kindsl.language.text.phrases import counted
 from kindsl.language.text.regular import require_regular
-from kindsl.mechanics.rigid.body import NO_BODY
 from kindsl.robots.comparison.written import Described
 from kindsl.robots.interchange.comparable import described_robot
 from kindsl.robots.interchange.format import (
@@ -121,7 +120,8 @@ def read_robot(
         told = f"{counted(mimics, 'mimicking joint')} of {label}"
         notes.append(f"{told} compared as if independent")
     if asked is False:
-        robot = _with_fixed_base(robot)
+        fixed = replace(robot.skeleton, is_floating=False).without_mass_at_rest()
+        robot = replace(robot, skeleton=fixed)
     if asked is not None:
         told = f"{label} leaves open whether its base floats"
         kind = "floating" if asked else "fixed"
@@ -135,11 +135,6 @@ def _of_folder(folder: Path, label: str) -> Described:
     if is_robcogen_folder(folder):
         return described_robcogen(folder, label)
     raise FormatError("no generated code in this folder")
-
-
-def _with_fixed_base(robot: Described) -> Described:
-    masses = NO_BODY, *robot.skeleton.masses[1:]
-    return replace(robot, skeleton=replace(robot.skeleton, masses=masses, is_floating=False))
 
 
 def _format(path: Path) -> Format:

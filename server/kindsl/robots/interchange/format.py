@@ -11,9 +11,8 @@ from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from kindsl.language.semantics.parameters import JointProperties
-    from kindsl.robots.interchange.robot_description import RobotDescription
     from kindsl.robots.interchange.written_numbers import FileNumbers
-    from kindsl.robots.mechanism.skeleton import Skeleton
+    from kindsl.robots.mechanism.linkage import Linkage
 
     Joints = Mapping[str, JointProperties]
 
@@ -30,12 +29,15 @@ class ReadRobot(NamedTuple):
         remarks: Notes on parts that could not be kept.
         joints: Properties in the configuration, by joint name.
         tells_base: Whether the file says that the root floats, or that it is fixed.
+        comments: Lines of text on the robot (without a name), on links and joints, by `"robot"`,
+            `"link"` or `"joint"` and the name.
     """
 
-    robot: "RobotDescription"
+    robot: "Linkage"
     remarks: tuple[str, ...]
     joints: "Joints" = MappingProxyType({})
     tells_base: bool = False
+    comments: Mapping[tuple[str, str], tuple[str, ...]] = MappingProxyType({})
 
 
 class WrittenRobot(NamedTuple):
@@ -129,7 +131,7 @@ def gravity_dropped(gravity: Sequence[float]) -> str:
 
 Reader = Callable[[Path, ReadingChoices], ReadRobot]
 Parser = Callable[[bytes | str, str, ReadingChoices], ReadRobot]
-Writer = Callable[[str, "Skeleton", WritingChoices], WrittenRobot]
+Writer = Callable[[str, "Linkage", WritingChoices], WrittenRobot]
 
 
 def file_reader(parse: Parser) -> Reader:

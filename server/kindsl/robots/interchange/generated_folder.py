@@ -15,7 +15,7 @@ from kindsl.robots.comparison.written import (
     written_frame,
 )
 from kindsl.robots.interchange.format import FormatError
-from kindsl.robots.mechanism.skeleton import AttachedFrame, Skeleton
+from kindsl.robots.mechanism.linkage import Body, Linkage, Part, checked
 
 MANIFEST = "kindsl-generated.json"
 KEY = "robot"
@@ -23,39 +23,28 @@ KEY = "robot"
 _WITHOUT_NUMBERS = (".md", ".txt")
 
 
-def robot_record(skeleton: Skeleton) -> dict[str, object]:
+def robot_record(linkage: Linkage) -> dict[str, object]:
     """Return a robot as plain data: SI units, poses as a translation and the rotation's rows."""
-    links = zip(
-        skeleton.link_names,
-        skeleton.joint_names,
-        skeleton.joint_kinds,
-        skeleton.parents,
-        skeleton.placements,
-        skeleton.masses[1:],
-        strict=True,
-    )
+    names = linkage.body_names
+    masses = [_inertia_record(mass) for mass in linkage.masses]
     return {
-        "base": skeleton.base_name,
-        "floating": skeleton.is_floating,
-        "base_inertia": _inertia_record(skeleton.masses[0]),
+        "base": linkage.base_name,
+        "floating": linkage.is_floating,
+        "base_inertia": masses[0],
         "links": [
             {
-                "name": name,
-                "joint": joint,
-                "kind": kind,
-                "parent": skeleton.body_names[parent],
-                "pose": list(pose.numbers),
-                "inertia": _inertia_record(body),
+                "name": body.name,
+                "joint": body.joint,
+                "kind": body.kind,
+                "parent": names[body.parent or 0],
+                "pose": list(body.placement.numbers),
+                "inertia": mass,
             }
-            for name, joint, kind, parent, pose, body in links
+            for body, mass in zip(linkage.bodies[1:], masses[1:], strict=True)
         ],
         "frames": [
-            {
-                "name": frame.name,
-                "link": skeleton.body_names[frame.body],
-                "pose": list(frame.pose.numbers),
-            }
-            for frame in skeleton.frames
+            {"name": f.name, "link": names[f.body], "pose": list(f.pose.numbers)}
+            for f in linkage.frames
         ],
     }
 
@@ -70,7 +59,7 @@ def described_generated(folder: Path, label: str) -> Described:
     """
     try:
         record = json.loads((folder / MANIFEST).read_text("utf-8"))
-        skeleton = _skeleton(record[KEY])
+        skeleton = _linkage(record[KEY])
         edited = _edited(folder, record.get("files", {}))
     except KeyError:
         raise FormatError(f"'{MANIFEST}' has no numbers: generate the code again") from None
@@ -112,22 +101,25 @@ def _inertia(name: str, body: MassDistribution) -> WrittenInertia:
     return WrittenInertia(name, IDENTITY, turn, False, 1.0, values, (None,) * len(values))
 
 
-def _skeleton(robot: Mapping[str, Any]) -> Skeleton:
+def _linkage(robot: Mapping[str, Any]) -> Linkage:
     links, frames = robot["links"], robot["frames"]
-    names = [robot["base"], *(link["name"] for link in links)]
-    return Skeleton(
-        str(robot["base"]),
-        tuple(str(link["name"]) for link in links),
-        tuple(str(link["joint"]) for link in links),
-        tuple(link["kind"] for link in links),
-        tuple(names.index(link["parent"]) for link in links),
-        tuple(_pose(link["pose"]) for link in links),
-        (_body(robot["base_inertia"]), *(_body(link["inertia"]) for link in links)),
-        bool(robot["floating"]),
-        tuple(
-            AttachedFrame(str(f["name"]), names.index(f["link"]), _pose(f["pose"])) for f in frames
-        ),
+    base = {"name": robot["base"], "inertia": robot["base_inertia"]}
+    names = [base["name"], *(link["name"] for link in links)]
+    parts = [[Part(str(each["name"]), mass=_body(each["inertia"]))] for each in (base, *links)]
+    for f in frames:
+        part = Part(str(f["name"]), _pose(f["pose"]), is_link=False)
+        parts[names.index(f["link"])].append(part)
+    carried = (
+        Body(
+            tuple(own),
+            names.index(link["parent"]),
+            str(link["joint"]),
+            link["kind"],
+            _pose(link["pose"]),
+        )
+        for own, link in zip(parts[1:], links, strict=True)
     )
+    return checked(Linkage((Body(tuple(parts[0])), *carried), bool(robot["floating"])))
 
 
 def _pose(numbers: list[float]) -> RigidPose:

@@ -1,7 +1,7 @@
-"""A robot description as a document of the Kinematics-DSL."""
+"""A linkage as a document of the Kinematics-DSL."""
 
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from math import pi
 
 from kindsl.language.syntax.vocabulary import MOMENTS
@@ -10,11 +10,7 @@ from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import RigidPose, angles
 from kindsl.robots.interchange.format import ReadRobot, WrittenRobot
 from kindsl.robots.interchange.portable_names import valid_names
-from kindsl.robots.interchange.robot_description import (
-    DescribedFrame,
-    DescribedLink,
-    RobotDescription,
-)
+from kindsl.robots.mechanism.linkage import Body, Linkage, Part
 
 # Of lengths and angles; masses and moments have so many digits.
 _DECIMALS = 15
@@ -24,6 +20,8 @@ _FRACTIONS = {
     pi: "PI",
     **{pi / n: f"PI/{n}.0" for n in (2, 3, 4, 6)},
 }
+Comments = Mapping[tuple[str, str], tuple[str, ...]]
+NO_COMMENTS: Comments = {}
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,60 +36,54 @@ class _Names:
 
 def written_kindsl(read: ReadRobot) -> WrittenRobot:
     """Return the document of a robot, with all notes."""
-    robot = _without_frames_of_links(read.robot)
-    links, names = robot.links[1:], _names(robot).joints[1:]
+    robot = read.robot
+    names = _names(robot).joints[1:]
     joints = {
-        name: read.joints[link.joint]
-        for link, name in zip(links, names, strict=True)
-        if link.joint in read.joints
+        name: read.joints[joint]
+        for joint, name in zip(robot.joint_names, names, strict=True)
+        if joint in read.joints
     }
-    remarks = (*read.remarks, *_left_out(read.robot), *_renamed(robot))
-    return WrittenRobot(kindsl_text(robot), remarks, joints)
+    remarks = (*read.remarks, *_left_out(robot), *_renamed(robot))
+    return WrittenRobot(kindsl_text(robot, read.comments), remarks, joints)
 
 
-def kindsl_text(robot: RobotDescription) -> str:
-    """Return the document of a robot; its names made valid and unique."""
-    robot = _without_frames_of_links(robot)
+def kindsl_text(robot: Linkage, comments: Comments = NO_COMMENTS) -> str:
+    """Return the document of a robot; its names made valid and unique.
+
+    Args:
+        robot: The robot.
+        comments: Lines on it, see `ReadRobot`.
+    """
     names = _names(robot)
     children: dict[int | None, list[int]] = {}
-    for index, link in enumerate(robot.links):
-        children.setdefault(link.parent, []).append(index)
-    indices = range(len(robot.links))
+    for index, body in enumerate(robot.bodies):
+        children.setdefault(body.parent, []).append(index)
     blocks = [
-        _comments(robot, "link", robot.links[index].name)
-        + _link(robot, index, children.get(index, []), names)
-        for index in indices
+        _comments(comments, "link", body.name) + _link(robot, index, children.get(index, []), names)
+        for index, body in enumerate(robot.bodies)
     ]
     blocks += [
-        _comments(robot, "joint", robot.links[index].joint)
-        + joint_text(robot.links[index], names.joints[index])
-        for index in indices[1:]
+        _comments(comments, "joint", body.joint) + joint_text(body, name)
+        for body, name in zip(robot.bodies[1:], names.joints[1:], strict=True)
     ]
-    head = f"{_comments(robot, 'robot', '')}Robot {names.robot} {{"
+    head = f"{_comments(comments, 'robot', '')}Robot {names.robot} {{"
     return "\n\n".join((head, *blocks)) + "\n}\n"
 
 
-def _without_frames_of_links(robot: RobotDescription) -> RobotDescription:
-    """Return a robot without the frames that are their link's own."""
-    kept = (tuple(f for f in link.frames if not f.is_of_link) for link in robot.links)
-    links = (replace(link, frames=frames) for link, frames in zip(robot.links, kept, strict=True))
-    return replace(robot, links=tuple(links))
+def _left_out(robot: Linkage) -> Iterator[str]:
+    """Yield which of the others were not links."""
+    for body in robot.bodies:
+        merged = {part.name for part in body.parts if part.is_link}
+        for frame in body.frames:
+            if frame.is_in_place and frame.name not in merged:
+                yield f"the frame '{frame.name}' left out: it is that of link '{body.name}' itself"
 
 
-def _left_out(robot: RobotDescription) -> Iterator[str]:
-    """Yield which of these were not links."""
-    for link in robot.links:
-        merged = {part.name for part in link.parts}
-        for frame in link.frames:
-            if frame.is_of_link and frame.name not in merged:
-                yield f"the frame '{frame.name}' left out: it is that of link '{link.name}' itself"
+def _comments(comments: Comments, kind: str, name: str) -> str:
+    return "".join(f"// {line}\n" for line in comments.get((kind, name), ()))
 
 
-def _comments(robot: RobotDescription, kind: str, name: str) -> str:
-    return "".join(f"// {line}\n" for line in robot.comments.get((kind, name), ()))
-
-
-def _renamed(robot: RobotDescription) -> tuple[str, ...]:
+def _renamed(robot: Linkage) -> tuple[str, ...]:
     """Return the notes on names that the document cannot keep."""
     things = _things(robot)
     return tuple(
@@ -101,31 +93,31 @@ def _renamed(robot: RobotDescription) -> tuple[str, ...]:
     )
 
 
-def _things(robot: RobotDescription) -> list[tuple[str, str]]:
+def _things(robot: Linkage) -> list[tuple[str, str]]:
     """Return kind and name of all that is named, the robot last: other tools ask for links."""
-    things = [("link", link.name) for link in robot.links]
-    things += [("joint", link.joint) for link in robot.links[1:]]
-    things += [("frame", frame.name) for link in robot.links for frame in link.frames]
+    things = [("link", name) for name in robot.body_names]
+    things += [("joint", name) for name in robot.joint_names]
+    things += [("frame", frame.name) for body in robot.bodies for frame in body.frames_elsewhere]
     return [*things, ("robot", robot.name)]
 
 
-def _names(robot: RobotDescription) -> _Names:
+def _names(robot: Linkage) -> _Names:
     names = iter(valid_names(_things(robot)))
-    links = [next(names) for _ in robot.links]
-    joints = ["", *(next(names) for _ in robot.links[1:])]
-    frames = [[next(names) for _ in link.frames] for link in robot.links]
+    links = [next(names) for _ in robot.bodies]
+    joints = ["", *(next(names) for _ in robot.joint_names)]
+    frames = [[next(names) for _ in body.frames_elsewhere] for body in robot.bodies]
     return _Names(next(names), links, joints, frames)
 
 
-def _link(robot: RobotDescription, index: int, children: Sequence[int], names: _Names) -> str:
-    link = robot.links[index]
-    if link.parent is None:
+def _link(robot: Linkage, index: int, children: Sequence[int], names: _Names) -> str:
+    body = robot.bodies[index]
+    if body.parent is None:
         floating = " floating" if robot.is_floating else ""
         head = [f"RobotBase {names.links[index]}{floating} {{"]
     else:
         head = link_head(names.links[index], index)
     edges = [f"{names.links[child]} via {names.joints[child]}" for child in children]
-    return body_text(head, link, edges, names.frames[index])
+    return body_text(head, body, edges, names.frames[index])
 
 
 def link_head(name: str, number: int) -> list[str]:
@@ -133,23 +125,21 @@ def link_head(name: str, number: int) -> list[str]:
     return [f"link {name} {{", f"    id = {number}"]
 
 
-def body_text(
-    head: Sequence[str], link: DescribedLink, edges: Sequence[str], frames: Sequence[str]
-) -> str:
+def body_text(head: Sequence[str], body: Body, edges: Sequence[str], frames: Sequence[str]) -> str:
     """Return the block of a link.
 
     Args:
         head: Its first lines.
-        link: Its inertia and its frames.
+        body: Its inertia and its frames.
         edges: Its children, as `link via joint`.
         frames: Names of its frames.
     """
     lines = list(head)
-    if link.body is not None:
-        lines += ["    inertia_params {", *_inertia(link.body), "    }"]
+    if body.mass is not None:
+        lines += ["    inertia_params {", *_inertia(body.mass), "    }"]
     lines += _children(edges)
-    if link.frames:
-        lines += ["    frames {", *_frames(link.frames, frames), "    }"]
+    if frames:
+        lines += ["    frames {", *_frames(body.frames_elsewhere, frames), "    }"]
     return "\n".join((*lines, "}"))
 
 
@@ -173,18 +163,18 @@ def inertia_texts(body: MassDistribution) -> list[str]:
     return [mass, _vector(map(_number, body.com)), *moments]
 
 
-def _frames(frames: Iterable[DescribedFrame], names: Iterable[str]) -> Iterable[str]:
+def _frames(frames: Iterable[Part], names: Iterable[str]) -> Iterable[str]:
     for frame, name in zip(frames, names, strict=True):
         yield f"        {name} {{"
-        yield from _pose(frame.link_T_frame, " " * 12)
+        yield from _pose(frame.pose, " " * 12)
         yield "        }"
 
 
-def joint_text(link: DescribedLink, name: str) -> str:
+def joint_text(body: Body, name: str) -> str:
     """Return the block of a link's joint."""
-    word = "r_joint" if link.joint_kind == "revolute" else "p_joint"
+    word = "r_joint" if body.kind == "revolute" else "p_joint"
     lines = [f"{word} {name} {{", "    ref_frame {"]
-    return "\n".join((*lines, *_pose(link.parent_T_joint, " " * 8), "    }", "}"))
+    return "\n".join((*lines, *_pose(body.placement, " " * 8), "    }", "}"))
 
 
 def _pose(pose: RigidPose, indent: str) -> list[str]:

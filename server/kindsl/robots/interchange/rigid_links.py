@@ -1,23 +1,18 @@
 """Links as other formats have them: joints about any axis, fixed ones too; and what becomes of it.
 
-In a robot description joints turn about z or slide along it, and no joint is fixed: link frames are
+In a linkage joints turn about z or slide along it, and no joint is fixed: link frames are
 turned with their joints, and what is fixed to a link becomes a frame and a mass of it.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Literal
 
-from kindsl.mechanics.rigid.body import MassDistribution, Symmetric, lumped, seen_from
+from kindsl.mechanics.rigid.body import MassDistribution, Symmetric, seen_from
+from kindsl.mechanics.rigid.joint_kind import JointKind
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3, rotation_from_z
 from kindsl.robots.interchange.format import FormatError
-from kindsl.robots.interchange.robot_description import (
-    DescribedFrame,
-    DescribedLink,
-    DescribedPart,
-    RobotDescription,
-    is_in_place,
-)
+from kindsl.robots.mechanism.linkage import Body, Linkage, Part
 
 LinkJoint = Literal["", "fixed", "revolute", "prismatic"]
 # What URDF and SDF call the kinds of joints that there are here.
@@ -49,7 +44,7 @@ class RigidLink:
         parent_T_origin: What the joint's pose is written in, in the parent's frame.
         written_T_joint: The joint's frame in the one that is written.
         body: In the link's frame, None where nothing is known.
-        frames: Fixed to the link.
+        frames: Names and poses of frames fixed to the link.
     """
 
     name: str
@@ -62,23 +57,10 @@ class RigidLink:
     parent_T_origin: RigidPose = IDENTITY
     written_T_joint: RigidPose = IDENTITY
     body: MassDistribution | None = None
-    frames: tuple[DescribedFrame, ...] = ()
+    frames: tuple[tuple[str, RigidPose], ...] = ()
 
 
-@dataclass(slots=True)
-class _Body:
-    """A link with all that is fixed to it, while it is put together."""
-
-    link: RigidLink
-    parent: int | None
-    parent_T_joint: RigidPose
-    parent_T_origin: RigidPose = IDENTITY
-    written_T_joint: RigidPose = IDENTITY
-    parts: list[DescribedPart] = field(default_factory=list)
-    frames: list[DescribedFrame] = field(default_factory=list)
-
-
-def described(name: str, base: BaseKind, links: Sequence[RigidLink]) -> RobotDescription:
+def linkage_of_links(name: str, base: BaseKind, links: Sequence[RigidLink]) -> Linkage:
     """Return the robot whose links these are, each subtree together.
 
     A fixed base has the world's frame, in which gravity is along -z, wherever the root's frame is;
@@ -94,25 +76,31 @@ def described(name: str, base: BaseKind, links: Sequence[RigidLink]) -> RobotDes
     """
     for link in links:
         _check_finite(link)
-    bodies: list[_Body] = []
+    bodies: list[Body] = []
+    parts: list[list[Part]] = []
     placed: dict[int, tuple[int, RigidPose]] = {}
     for index in _depth_first(links):
         link = links[index]
         if link.joint_kind == "fixed" and link.parent is not None:
             body, body_T_parent = placed[link.parent]
             body_T_link = body_T_parent.then(link.parent_T_joint).then(link.joint_T_link)
-            bodies[body].frames.append(DescribedFrame(link.name, body_T_link))
         else:
-            body, body_T_link = len(bodies), _add_body(link, base, bodies, placed)
+            body, (made, body_T_link) = len(bodies), _body_of(link, base, placed)
+            bodies.append(made)
+            parts.append([])
         placed[index] = body, body_T_link
-        _attach(link, bodies[body], body_T_link)
-    return RobotDescription(name, base == "floating", tuple(map(_described, bodies)))
+        mass = None if link.body is None else seen_from(link.body, body_T_link)
+        frames = (Part(n, body_T_link.then(pose), is_link=False) for n, pose in link.frames)
+        parts[body] += (Part(link.name, body_T_link, mass), *frames)
+    made_of = zip(bodies, parts, strict=True)
+    whole = (body._replace(parts=tuple(its)) for body, its in made_of)
+    return Linkage(tuple(whole), base == "floating", name)
 
 
-def fixed_remarks(links: Sequence[RigidLink], noun: str, robot: RobotDescription) -> Iterator[str]:
+def fixed_remarks(links: Sequence[RigidLink], noun: str, robot: Linkage) -> Iterator[str]:
     """Yield what became of links that do not move by themselves, and which have no mass."""
-    parts = (part for body in robot.links for part in body.parts)
-    merged = {part.name for part in parts if is_in_place(part.body_T_link)}
+    parts = (part for body in robot.bodies for part in body.parts)
+    merged = {part.name for part in parts if part.is_link and part.is_in_place}
     carriers: list[int] = []
     for index, link in enumerate(links):
         is_fixed = link.joint_kind == "fixed" and link.parent is not None
@@ -142,7 +130,7 @@ def root_remarks(root: RigidLink, base: BaseKind) -> Iterator[str]:
 
 
 def _check_finite(link: RigidLink) -> None:
-    poses = [link.parent_T_joint, link.joint_T_link, *(f.link_T_frame for f in link.frames)]
+    poses = [link.parent_T_joint, link.joint_T_link, *(pose for _, pose in link.frames)]
     numbers = [*link.axis, *(number for pose in poses for number in pose.numbers)]
     if link.body is not None:
         numbers += [link.body.mass, *link.body.com, *link.body.moments]
@@ -162,19 +150,19 @@ def _depth_first(links: Sequence[RigidLink]) -> Iterator[int]:
         pending += reversed(below.get(index, []))
 
 
-def _add_body(
-    link: RigidLink, base: BaseKind, bodies: list[_Body], placed: dict[int, tuple[int, RigidPose]]
-) -> RigidPose:
-    """Add the body of a link that moves, or of the root; return the link's frame in its own."""
+def _body_of(
+    link: RigidLink, base: BaseKind, placed: dict[int, tuple[int, RigidPose]]
+) -> tuple[Body, RigidPose]:
+    """Return the body of a link that moves, or of the root; and the link's frame in its own."""
     if link.parent is None:
-        bodies.append(_Body(link, None, IDENTITY))
-        return link.parent_T_joint if base == "fixed" else IDENTITY
+        return Body(()), link.parent_T_joint if base == "fixed" else IDENTITY
     parent, body_T_parent = placed[link.parent]
     joint_T_body = RigidPose(rotation_from_z(link.axis), _AT_ORIGIN)
     pose = body_T_parent.then(link.parent_T_joint).then(joint_T_body)
     origin, written = body_T_parent.then(link.parent_T_origin), link.written_T_joint
-    bodies.append(_Body(link, parent, pose, origin, written.then(joint_T_body)))
-    return joint_T_body.inverse().then(link.joint_T_link)
+    kind: JointKind = "prismatic" if link.joint_kind == "prismatic" else "revolute"
+    body = Body((), parent, link.joint, kind, pose, origin, written.then(joint_T_body))
+    return body, joint_T_body.inverse().then(link.joint_T_link)
 
 
 def about_origin(mass: float, tensor: Symmetric, link_T_inertial: RigidPose) -> MassDistribution:
@@ -189,26 +177,3 @@ def about_origin(mass: float, tensor: Symmetric, link_T_inertial: RigidPose) -> 
     xx, yy, zz, xy, xz, yz = tensor
     moments = (xx, yy, zz, 0.0 - xy, 0.0 - xz, 0.0 - yz)
     return seen_from(MassDistribution(mass, _AT_ORIGIN, moments), link_T_inertial)
-
-
-def _attach(link: RigidLink, body: _Body, body_T_link: RigidPose) -> None:
-    own = None if link.body is None else seen_from(link.body, body_T_link)
-    body.parts.append(DescribedPart(link.name, body_T_link, own))
-    for frame in link.frames:
-        body.frames.append(DescribedFrame(frame.name, body_T_link.then(frame.link_T_frame)))
-
-
-def _described(body: _Body) -> DescribedLink:
-    masses = [part.body for part in body.parts if part.body is not None]
-    return DescribedLink(
-        body.link.name,
-        lumped(masses) if masses else None,
-        tuple(body.frames),
-        body.parent,
-        body.link.joint,
-        body.link.joint_kind,
-        body.parent_T_joint,
-        tuple(body.parts),
-        body.parent_T_origin,
-        body.written_T_joint,
-    )

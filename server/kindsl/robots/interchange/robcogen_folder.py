@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import NamedTuple
 
 from kindsl.language.text.lines import LineIndex
-from kindsl.mechanics.rigid.body import NO_BODY
 from kindsl.mechanics.rigid.joint_kind import JointKind
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
 from kindsl.robots.comparison.written import (
@@ -25,7 +24,7 @@ from kindsl.robots.comparison.written import (
 )
 from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.written_numbers import written_number
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Body, Linkage, Part, checked
 
 _INERTIA_FILES = ("inertia_properties.impl.h", "inertia_properties.cpp", "inertia_properties.h")
 _TRANSFORM_FILES = ("transforms.impl.h", "transforms.cpp", "transforms.h")
@@ -98,30 +97,26 @@ def described_robcogen(folder: Path, label: str) -> Described:
     """
     inertia, transforms = _read(folder, _INERTIA_FILES), _read(folder, _TRANSFORM_FILES)
     links = _told_names(folder / "link_data_map.h")
-    joints = _told_names(folder / "joint_data_map.h")
+    names = _told_names(folder / "joint_data_map.h")
     constants = dict(_constants(folder))
     found = dict(_transforms(transforms.text, constants))
-    base, *others = links
-    carriers = {link: _carrier(link, links, joints, found) for link in others}
+    carriers = [_carrier(link, links, names, found) for link in links[1:]]
     inertias = {name: _inertia(name, inertia, constants) for name in links}
     bodies = [inertias[name] for name in links]
     is_floating = bodies[0] is not None
+    masses = (None if body is None else body.body() for body in bodies)
+    parts = [(Part(name, mass=mass),) for name, mass in zip(links, masses, strict=True)]
+    carried = (
+        Body(own, links.index(each.parent), each.joint, each.kind, each.pose)
+        for own, each in zip(parts[1:], carriers, strict=True)
+    )
     try:
-        skeleton = Skeleton(
-            base,
-            tuple(others),
-            tuple(carriers[link].joint for link in others),
-            tuple(carriers[link].kind for link in others),
-            tuple(links.index(carriers[link].parent) for link in others),
-            tuple(carriers[link].pose for link in others),
-            tuple(NO_BODY if body is None else body.body() for body in bodies),
-            is_floating,
-        )
+        skeleton = checked(Linkage((Body(parts[0]), *carried), is_floating))
     except ValueError as error:
         raise FormatError(str(error)) from None
     poses = zip(skeleton.joint_names, skeleton.placements, strict=True)
-    parts = tuple(() if body is None else (body,) for body in bodies)
-    return exactly_turned(label, skeleton, parts, tuple(written_frame(*each) for each in poses))
+    written = tuple(() if body is None else (body,) for body in bodies)
+    return exactly_turned(label, skeleton, written, tuple(written_frame(*each) for each in poses))
 
 
 def _first(folder: Path, names: Iterable[str]) -> Path | None:

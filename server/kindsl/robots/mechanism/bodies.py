@@ -1,4 +1,4 @@
-"""From a skeleton to the arrays that the dynamics work on."""
+"""From a linkage to the arrays that the dynamics work on, and back."""
 
 from collections.abc import Mapping, Sequence
 
@@ -9,24 +9,24 @@ from kindsl.mechanics.dynamics.bodies import Bodies, BodyFrame, Drives
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import RigidPose, Vector3
 from kindsl.mechanics.spatial.arrays import Array
-from kindsl.robots.mechanism.skeleton import AttachedFrame, Skeleton
+from kindsl.robots.mechanism.linkage import Body, Linkage, Part
 
 
-def bodies_of(skeleton: Skeleton) -> Bodies:
-    """Return the bodies of a skeleton, numbered like it."""
+def bodies_of(linkage: Linkage) -> Bodies:
+    """Return the bodies of a robot as arrays, numbered like it."""
     return Bodies(
-        base_name=skeleton.base_name,
-        link_names=skeleton.link_names,
-        joint_names=skeleton.joint_names,
-        joint_kinds=skeleton.joint_kinds,
-        parents=skeleton.parents,
-        p_R_j=np.array([pose.rotation for pose in skeleton.placements]),
-        p_r_j=np.array([pose.translation for pose in skeleton.placements]),
-        masses=np.array([body.mass for body in skeleton.masses]),
-        coms=np.array([body.com for body in skeleton.masses]),
-        inertias=np.array([_tensor(body) for body in skeleton.masses]),
-        is_floating=skeleton.is_floating,
-        frames=tuple(BodyFrame(f.name, f.body, *_arrays(f.pose)) for f in skeleton.frames),
+        base_name=linkage.base_name,
+        link_names=linkage.link_names,
+        joint_names=linkage.joint_names,
+        joint_kinds=linkage.joint_kinds,
+        parents=linkage.parents,
+        p_R_j=np.array([pose.rotation for pose in linkage.placements]),
+        p_r_j=np.array([pose.translation for pose in linkage.placements]),
+        masses=np.array([body.mass for body in linkage.masses]),
+        coms=np.array([body.com for body in linkage.masses]),
+        inertias=np.array([_tensor(body) for body in linkage.masses]),
+        is_floating=linkage.is_floating,
+        frames=tuple(BodyFrame(f.name, f.body, *_arrays(f.pose)) for f in linkage.frames),
     )
 
 
@@ -47,24 +47,17 @@ def drives_of(names: Sequence[str], joints: Mapping[str, JointProperties]) -> Dr
     return drives if is_told else None
 
 
-def skeleton_of_bodies(bodies: Bodies) -> Skeleton:
-    """Return the skeleton of bodies, numbered like them."""
-    poses = zip(bodies.p_R_j, bodies.p_r_j, strict=True)
-    masses = zip(bodies.masses, bodies.coms, bodies.inertias, strict=True)
-    return Skeleton(
-        base_name=bodies.base_name,
-        link_names=bodies.link_names,
-        joint_names=bodies.joint_names,
-        joint_kinds=bodies.joint_kinds,
-        parents=bodies.parents,
-        placements=tuple(_pose(R, r) for R, r in poses),
-        masses=tuple(_mass_distribution(float(m), com, tensor) for m, com, tensor in masses),
-        is_floating=bodies.is_floating,
-        frames=tuple(
-            AttachedFrame(f.name, f.body, _pose(f.body_R_frame, f.body_r_frame))
-            for f in bodies.frames
-        ),
-    )
+def linkage_of_bodies(bodies: Bodies) -> Linkage:
+    """Return the bodies of arrays in plain numbers, numbered like them."""
+    poses = map(_pose, bodies.p_R_j, bodies.p_r_j)
+    masses = map(_mass_distribution, bodies.masses, bodies.coms, bodies.inertias)
+    parts = [[Part(name, mass=mass)] for name, mass in zip(bodies.body_names, masses, strict=True)]
+    for f in bodies.frames:
+        pose = _pose(f.body_R_frame, f.body_r_frame)
+        parts[f.body].append(Part(f.name, pose, is_link=False))
+    base, *others = map(tuple, parts)
+    joints = bodies.parents, bodies.joint_names, bodies.joint_kinds, poses
+    return Linkage((Body(base), *map(Body, others, *joints)), bodies.is_floating)
 
 
 def _pose(R: Array, r: Array) -> RigidPose:
@@ -74,7 +67,7 @@ def _pose(R: Array, r: Array) -> RigidPose:
 
 def _mass_distribution(mass: float, com: Array, tensor: Array) -> MassDistribution:
     (Ix, Ixy, Ixz), (_, Iy, Iyz), (_, _, Iz) = tensor.tolist()
-    return MassDistribution(mass, _triple(com), (Ix, Iy, Iz, -Ixy, -Ixz, -Iyz))
+    return MassDistribution(float(mass), _triple(com), (Ix, Iy, Iz, -Ixy, -Ixz, -Iyz))
 
 
 def _triple(values: Array) -> Vector3:

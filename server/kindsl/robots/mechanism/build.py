@@ -11,7 +11,7 @@ from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.robots.mechanism.bodies import bodies_of, drives_of
 from kindsl.robots.mechanism.errors import ModelError
 from kindsl.robots.mechanism.numbering import require_base
-from kindsl.robots.mechanism.strict_reading import strict_skeleton
+from kindsl.robots.mechanism.reading import whole_linkage
 
 if TYPE_CHECKING:
     from kindsl.mechanics.dynamics.evaluation.compiled import CompiledMechanics
@@ -49,7 +49,7 @@ class Mechanism(Mechanics):
 def mechanism_of(
     model: Model, values: Mapping[str, float], joints: Mapping[str, JointProperties] | None = None
 ) -> Mechanism:
-    """Return the mechanics of a model: those of its strict skeleton.
+    """Return the mechanics of a model: its bodies and joints as arrays.
 
     Args:
         model: A model without defects in its tree.
@@ -60,9 +60,9 @@ def mechanism_of(
         UnboundParameterError: A parameter has no value; names all of them.
         ModelError: The model is no kinematic tree with regular numbering.
     """
-    skeleton = strict_skeleton(model, values)
+    linkage = whole_linkage(model, values)
     try:
-        bodies = bodies_of(skeleton)
+        bodies = bodies_of(linkage)
         return Mechanism(replace(bodies, drives=drives_of(bodies.joint_names, joints or {})))
     except ValueError as error:
         raise ModelError(str(error), require_base(model)) from error

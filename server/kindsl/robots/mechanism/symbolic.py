@@ -18,7 +18,7 @@ from kindsl.robots.mechanism.bodies import drives_of
 from kindsl.robots.mechanism.build import mechanism_of
 from kindsl.robots.mechanism.errors import ModelError
 from kindsl.robots.mechanism.numbering import numbered_by_id, require_base
-from kindsl.robots.mechanism.skeleton import named_frames
+from kindsl.robots.mechanism.reading import named_frames
 
 # Any values will do to find out whether a document is whole; these are unlikely to cancel.
 PLACEHOLDER = 0.731

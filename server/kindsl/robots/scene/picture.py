@@ -8,12 +8,12 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
 from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.numbers import written_pose
 from kindsl.language.semantics.parameters import values_of
 from kindsl.language.text.phrases import counted
-from kindsl.robots.mechanism.drawable import drawable_skeleton
 from kindsl.robots.mechanism.errors import ModelError
-from kindsl.robots.mechanism.fragments import LenientReader, skeleton_as_far_as_known
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
+from kindsl.robots.mechanism.reading import partial_linkage, reachable_linkage
 from kindsl.robots.mechanism.total_mass import NO_MASS, Weight, total_mass, unknown_bodies
 from kindsl.robots.scene.guesses import NO_GUESSES, Guesses, guesses
 
@@ -43,7 +43,7 @@ class Picture:
         is_former: Whether it is an earlier version.
     """
 
-    skeleton: Skeleton | None
+    skeleton: Linkage | None
     state: PictureState
     message: str = ""
     guesses: Guesses = NO_GUESSES
@@ -65,7 +65,7 @@ def picture(model: Model, given: dict[str, float], last: Picture | None) -> Pict
     values.update(guessed.values)
     former = last.skeleton if last is not None else None
     earlier = dict(zip(former.joint_names, former.placements, strict=True)) if former else {}
-    skeleton = skeleton_as_far_as_known(model, values, earlier)
+    skeleton = partial_linkage(model, values, earlier)
     defect = _defect(model) or (_refusal(model, values) if skeleton is None else "")
     if defect and last is not None and former is not None:
         sentence = _sentence(defect, "the last complete version is shown")
@@ -101,7 +101,7 @@ def _defect(model: Model) -> str:
 def _refusal(model: Model, values: Mapping[str, float]) -> str:
     """Return why there are no bodies at all."""
     try:
-        drawable_skeleton(model, values)
+        reachable_linkage(model, values)
     except ModelError as error:
         return str(error)
     return "there are no links"
@@ -122,8 +122,7 @@ def _message(guessed: Guesses) -> str:
 
 def _incomplete(model: Model, values: Mapping[str, float]) -> str:
     """Return which joint is drawn where it was, because its pose is not whole."""
-    reader = LenientReader(values)
-    names = [str(j.name) for j in model.joints if not reader.is_whole(j.pose)]
+    names = [str(j.name) for j in model.joints if written_pose(j.pose, values) is None]
     if not names:
         return ""
     more = f" and {len(names) - 1} more" if len(names) > 1 else ""

@@ -10,7 +10,7 @@ from functools import lru_cache
 
 from kindsl.language.semantics.parameters import JointProperties
 from kindsl.mechanics.rigid.pose import Vector3
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
 from kindsl.robots.scene.ellipsoids import InertiaEllipsoid, inertia_ellipsoid
 from kindsl.robots.scene.guesses import NO_GUESSES, Guesses
 from kindsl.robots.scene.marks import (
@@ -45,7 +45,7 @@ NOTHING_UNKNOWN: Mapping[str, str] = {}
 
 def robot_messages(
     name: str,
-    skeleton: Skeleton,
+    skeleton: Linkage,
     guessed: Guesses = NO_GUESSES,
     limits: Mapping[str, JointProperties] = NO_LIMITS,
     unknown: Mapping[str, str] = NOTHING_UNKNOWN,
@@ -69,7 +69,7 @@ def robot_messages(
     return keyed(messages)
 
 
-def ghost_messages(skeleton: Skeleton) -> Messages:
+def ghost_messages(skeleton: Linkage) -> Messages:
     """Return the bodies of a former version, to stand behind the present one."""
     size = extent(skeleton)
     ellipsoids = [inertia_ellipsoid(body) for body in skeleton.masses]
@@ -81,7 +81,7 @@ def ghost_messages(skeleton: Skeleton) -> Messages:
     return keyed(messages)
 
 
-def _model(name: str, skeleton: Skeleton, size: Extent, unknown: Mapping[str, str]) -> ModelMessage:
+def _model(name: str, skeleton: Linkage, size: Extent, unknown: Mapping[str, str]) -> ModelMessage:
     return ModelMessage(
         name=name,
         is_floating=skeleton.is_floating,
@@ -94,7 +94,7 @@ def _model(name: str, skeleton: Skeleton, size: Extent, unknown: Mapping[str, st
 
 
 def _robot_marks(
-    skeleton: Skeleton, size: Extent, ellipsoids: Sequence[InertiaEllipsoid]
+    skeleton: Linkage, size: Extent, ellipsoids: Sequence[InertiaEllipsoid]
 ) -> Iterator[Part]:
     for body, link in enumerate(skeleton.body_names):
         yield from body_marks("robot", link, size.segments[body], "body" if body else "base")
@@ -113,7 +113,7 @@ def _robot_marks(
 
 def _numbers(
     tree: str,
-    skeleton: Skeleton,
+    skeleton: Linkage,
     size: Extent,
     ellipsoids: Sequence[InertiaEllipsoid],
     guessed: Guesses,
@@ -141,7 +141,7 @@ def _numbers(
 
 
 def _solids(
-    tree: str, skeleton: Skeleton, size: Extent, unknown: Mapping[str, str]
+    tree: str, skeleton: Linkage, size: Extent, unknown: Mapping[str, str]
 ) -> Iterator[Part]:
     bodies = zip(
         skeleton.body_names, link_solids(skeleton, size, unknown), size.segments, strict=True
@@ -177,7 +177,7 @@ def _solid(path: str, name: str, own: LinkSolid, segments: tuple[Segment, ...]) 
     )
 
 
-def _joints(tree: str, skeleton: Skeleton, guessed: Guesses) -> Iterator[Part]:
+def _joints(tree: str, skeleton: Linkage, guessed: Guesses) -> Iterator[Part]:
     names = skeleton.body_names
     for link, parent in skeleton.links():
         name = skeleton.joint_names[link - 1]
@@ -193,14 +193,14 @@ def _joints(tree: str, skeleton: Skeleton, guessed: Guesses) -> Iterator[Part]:
         )
 
 
-def _limits(skeleton: Skeleton, limits: Mapping[str, JointProperties]) -> Iterator[Part]:
+def _limits(skeleton: Linkage, limits: Mapping[str, JointProperties]) -> Iterator[Part]:
     for name in skeleton.joint_names:
         if name in limits:
             own = limits[name]
             yield LimitsMessage(path_of("limits", name), name, own.minimum, own.maximum)
 
 
-def _frames(tree: str, skeleton: Skeleton, guessed: Guesses) -> Iterator[Part]:
+def _frames(tree: str, skeleton: Linkage, guessed: Guesses) -> Iterator[Part]:
     for frame in skeleton.frames:
         yield FrameMessage(
             path=path_of(tree, "frames", frame.name),

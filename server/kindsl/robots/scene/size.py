@@ -6,7 +6,7 @@ from statistics import median
 from typing import Annotated, NamedTuple
 
 from kindsl.mechanics.rigid.pose import Vector3
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
 
 # A body's radius is a share of the median segment, within shares of the whole robot.
 RADIUS_PER_SEGMENT = 0.11
@@ -48,7 +48,7 @@ class Extent:
     radius: float
 
 
-def extent(skeleton: Skeleton) -> Extent:
+def extent(skeleton: Linkage) -> Extent:
     """Measure a mechanism."""
     segments = _segments(skeleton)
     xs, ys, zs = zip(*_points(skeleton, segments), strict=True)
@@ -61,7 +61,7 @@ def extent(skeleton: Skeleton) -> Extent:
     return Extent(segments, size, (x, y, z), ground, radius)
 
 
-def _segments(skeleton: Skeleton) -> tuple[tuple[Segment, ...], ...]:
+def _segments(skeleton: Linkage) -> tuple[tuple[Segment, ...], ...]:
     """Return each body's pieces: to its joints, else to its frames, else through its CoM."""
     ends: list[list[Segment]] = [[] for _ in skeleton.body_names]
     for link, parent in skeleton.links():
@@ -80,7 +80,7 @@ def _segments(skeleton: Skeleton) -> tuple[tuple[Segment, ...], ...]:
     return tuple(drawn)
 
 
-def _points(skeleton: Skeleton, segments: tuple[tuple[Segment, ...], ...]) -> list[Vector3]:
+def _points(skeleton: Linkage, segments: tuple[tuple[Segment, ...], ...]) -> list[Vector3]:
     """Return where bodies begin and end at the zero configuration, in the base's frame."""
     poses = skeleton.zero_poses()
     ends = [pose.point(s.end) for pose, own in zip(poses, segments, strict=True) for s in own]

@@ -10,7 +10,7 @@ from kindsl.mechanics.rigid.body import NO_BODY, MassDistribution, principal_mom
 from kindsl.mechanics.rigid.pose import RigidPose, Vector3, dot, minus
 from kindsl.mechanics.rigid.solid import Solid, equivalent_solid
 from kindsl.robots.mechanism.body_verdicts import body_verdicts
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
 from kindsl.robots.scene.size import Extent, Segment
 
 # How a solid stands to what is plausible. Of glass is what would hide the robot.
@@ -71,7 +71,7 @@ class LinkSolid(NamedTuple):
 
 
 def link_solids(
-    skeleton: Skeleton, extent: Extent, unknown: Collection[str] = ()
+    skeleton: Linkage, extent: Extent, unknown: Collection[str] = ()
 ) -> list[LinkSolid]:
     """Return the body of each link, the base first.
 
@@ -94,13 +94,13 @@ def link_solids(
     return _joined(skeleton, extent, alone)
 
 
-def known_masses(skeleton: Skeleton, unknown: Collection[str]) -> list[MassDistribution]:
+def known_masses(skeleton: Linkage, unknown: Collection[str]) -> list[MassDistribution]:
     """Return the mass distributions of the base and the links, nothing for those unknown."""
     bodies = zip(skeleton.body_names, skeleton.masses, strict=True)
     return [NO_BODY if name in unknown else body for name, body in bodies]
 
 
-def _doubts(skeleton: Skeleton, masses: Sequence[MassDistribution]) -> Iterator[tuple[Doubt, ...]]:
+def _doubts(skeleton: Linkage, masses: Sequence[MassDistribution]) -> Iterator[tuple[Doubt, ...]]:
     """Yield what is doubtful about each body, nothing of a fixed base."""
     children: list[list[Vector3]] = [[] for _ in masses]
     frames: list[list[Vector3]] = [[] for _ in masses]
@@ -226,7 +226,7 @@ def _nearest(point: Vector3, end: Vector3) -> Vector3:
     return share * end[0], share * end[1], share * end[2]
 
 
-def _joined(skeleton: Skeleton, extent: Extent, alone: Sequence[LinkSolid]) -> list[LinkSolid]:
+def _joined(skeleton: Linkage, extent: Extent, alone: Sequence[LinkSolid]) -> list[LinkSolid]:
     """Return the bodies with what depends on their parents and on where they stand."""
     parents = (None, *skeleton.parents)
     joined: list[LinkSolid] = []

@@ -96,7 +96,7 @@ def _document(path: str, label: str, analysis: "Analysis") -> tuple[ComparedRobo
     """Return the robot of a document, and what is wrong with it where only a part can be read."""
     from kindsl.judgement.analysis.compared_document import compared_document
     from kindsl.robots.mechanism.errors import ModelError, UnboundParameterError
-    from kindsl.robots.mechanism.fragments import skeleton_as_far_as_known
+    from kindsl.robots.mechanism.reading import partial_linkage
 
     failures: list[Failure] = []
     values = analysis.context.values
@@ -112,7 +112,7 @@ def _document(path: str, label: str, analysis: "Analysis") -> tuple[ComparedRobo
             else defect(path, analysis, str(error), error.at)
         )
         failures = told.failures
-        found = skeleton_as_far_as_known(analysis.model, values)
+        found = partial_linkage(analysis.model, values)
         if found is None:
             raise CommandError(failures) from None
         skeleton = found

@@ -20,7 +20,7 @@ from kindsl.language.text.printable import printable
 
 if TYPE_CHECKING:
     from kindsl.robots.mechanism.errors import UnboundParameterError
-    from kindsl.robots.mechanism.skeleton import Skeleton
+    from kindsl.robots.mechanism.linkage import Linkage
 
 _SYNTAX = "KD0"
 
@@ -169,7 +169,7 @@ def model_told(path: str, analysis: Analysis) -> Iterator[None]:
         raise defect(path, analysis, str(error), error.at) from None
 
 
-def skeleton_of_document(path: str, analysis: Analysis) -> "Skeleton":
+def skeleton_of_document(path: str, analysis: Analysis) -> "Linkage":
     """Return the bodies of a document in plain floats.
 
     Raises:

@@ -15,7 +15,7 @@ from kindsl.language.semantics.expressions import (
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.parameters import Constant, Parameter
 from kindsl.language.syntax.tree import Node
-from kindsl.robots.mechanism.skeleton import named_frames
+from kindsl.robots.mechanism.reading import named_frames
 
 LENGTHS = ("x", "y", "z")
 ANGLES = ("rx", "ry", "rz")

@@ -17,8 +17,7 @@ from kindsl.products.reports.drawing.robot import robot_drawing
 from kindsl.products.reports.drawing.shapes import Drawing
 from kindsl.products.reports.drawing.svg import svg_text
 from kindsl.products.reports.motions import ConfigurationSpace, MotionError, motion
-from kindsl.robots.mechanism.posing import posed
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
 from kindsl.robots.scene.picture import picture
 
 
@@ -45,12 +44,11 @@ def run(arguments: ViewArguments, folder: Folder) -> list[Content]:
     return [_content(drawing, arguments.format), *notes]
 
 
-def _moved(skeleton: Skeleton, q: list[float] | dict[str, float] | None) -> Skeleton:
+def _moved(skeleton: Linkage, q: list[float] | dict[str, float] | None) -> Linkage:
     space = ConfigurationSpace(skeleton.joint_names, skeleton.is_floating)
     try:
-        return posed(
-            skeleton, motion({"q": q}, space, dict.fromkeys(("q", "qd", "qdd", "tau"), "'q'")).q
-        )
+        names = dict.fromkeys(("q", "qd", "qdd", "tau"), "'q'")
+        return skeleton.moved_to(motion({"q": q}, space, names).q)
     except MotionError as error:
         raise ToolError(str(error)) from None
 

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from kindsl.mechanics.rigid.pose import RigidPose, Vector3, dot, transposed, turned
 from kindsl.products.reports.drawing.camera import Camera, across, depth
 from kindsl.products.reports.drawing.shapes import Line, Polygon, Shape, Spot
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
 from kindsl.robots.scene.size import Segment, extent
 from kindsl.robots.scene.solids import LinkSolid, link_solids
 
@@ -34,7 +34,7 @@ class Deep(NamedTuple):
 
 
 def body_shapes(
-    skeleton: Skeleton,
+    skeleton: Linkage,
     poses: Sequence[RigidPose],
     camera: Camera,
     colors: Mapping[str, str],
@@ -64,7 +64,7 @@ def body_shapes(
         yield _drum(solids[link].drum, kind, pose, camera, color)
 
 
-def reach(skeleton: Skeleton, poses: Sequence[RigidPose]) -> Iterator[Vector3]:
+def reach(skeleton: Linkage, poses: Sequence[RigidPose]) -> Iterator[Vector3]:
     """Yield where the solids of a robot reach to on the sheet, in the base's frame."""
     for solid, pose in zip(link_solids(skeleton, extent(skeleton)), poses, strict=True):
         if solid.core is not None and not solid.is_oversized:

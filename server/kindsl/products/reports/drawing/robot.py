@@ -6,7 +6,7 @@ from kindsl.mechanics.rigid.pose import RigidPose, Vector3
 from kindsl.products.reports.drawing.bodies import Deep, body_shapes, reach
 from kindsl.products.reports.drawing.camera import HEIGHT, WIDTH, Camera, camera_for, depth
 from kindsl.products.reports.drawing.shapes import Disc, Drawing, Label, Line, Spot
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
 from kindsl.robots.scene.size import extent
 
 AXIS, COM, FRAME, NAME = "2b4562", "b8860b", "3f9a52", "33404d"
@@ -24,7 +24,7 @@ PRESETS = {
 }
 
 
-def points_of(skeleton: Skeleton) -> list[Vector3]:
+def points_of(skeleton: Linkage) -> list[Vector3]:
     """Return what a picture must show, in the base's frame."""
     poses = skeleton.zero_poses()
     ends = zip(poses, extent(skeleton).segments, strict=True)
@@ -35,7 +35,7 @@ def points_of(skeleton: Skeleton) -> list[Vector3]:
 
 
 def robot_drawing(
-    skeleton: Skeleton,
+    skeleton: Linkage,
     camera: Camera | None = None,
     colors: Mapping[str, str] = NO_COLORS,
     preset: str = "bodies",
@@ -63,7 +63,7 @@ def robot_drawing(
 
 
 def _marks(
-    skeleton: Skeleton, poses: Sequence[RigidPose], camera: Camera, colors: Mapping[str, str]
+    skeleton: Linkage, poses: Sequence[RigidPose], camera: Camera, colors: Mapping[str, str]
 ) -> Iterator[tuple[str, Deep]]:
     """Yield marks, each with the part of the picture that it belongs to."""
     length = _AXIS_LENGTH * extent(skeleton).size
@@ -86,7 +86,7 @@ def _marks(
 
 
 def _labels(
-    skeleton: Skeleton, poses: Sequence[RigidPose], camera: Camera, colors: Mapping[str, str]
+    skeleton: Linkage, poses: Sequence[RigidPose], camera: Camera, colors: Mapping[str, str]
 ) -> Iterator[Label]:
     """Yield names beside their bodies; one that would cover another is left out."""
     boxes: list[tuple[float, float, float, float]] = []

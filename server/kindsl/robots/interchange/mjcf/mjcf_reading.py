@@ -24,12 +24,11 @@ from kindsl.robots.interchange.rigid_links import (
     BaseKind,
     RigidLink,
     about_origin,
-    described,
     fixed_remarks,
+    linkage_of_links,
     moves,
     root_remarks,
 )
-from kindsl.robots.interchange.robot_description import DescribedFrame
 
 _WORLD = 0
 _FREE, _SLIDE = 0, 2
@@ -65,7 +64,7 @@ def _read(spec: Any, name: str, floating: bool) -> ReadRobot:
     links = _links(model, roots, base)
     if not moves(links):
         raise FormatError("the MJCF has no joint that moves, and a document needs one")
-    robot = described(spec.modelname or name, base, links)
+    robot = linkage_of_links(spec.modelname or name, base, links)
     told = (
         *physics_losses(model),
         *joint_losses(model),
@@ -200,16 +199,16 @@ def _body(model: Any, body: int) -> MassDistribution | None:
     return about_origin(mass, (*_triple(moments), 0.0, 0.0, 0.0), body_T_inertial)
 
 
-def _sites(model: Any, body: int) -> tuple[DescribedFrame, ...]:
+def _sites(model: Any, body: int) -> tuple[tuple[str, RigidPose], ...]:
     sites = [s for s in range(model.nsite) if model.site_bodyid[s] == body]
     poses = (_transform(model.site_pos[s], model.site_quat[s]) for s in sites)
     names = (model.site(s).name or f"site_{s}" for s in sites)
-    return tuple(map(DescribedFrame, names, poses))
+    return tuple(zip(names, poses, strict=True))
 
 
-def _world_sites(model: Any, root_T_world: RigidPose) -> Iterator[DescribedFrame]:
-    for site in _sites(model, _WORLD):
-        yield DescribedFrame(site.name, root_T_world.then(site.link_T_frame))
+def _world_sites(model: Any, root_T_world: RigidPose) -> Iterator[tuple[str, RigidPose]]:
+    for name, pose in _sites(model, _WORLD):
+        yield name, root_T_world.then(pose)
 
 
 def _joint_remarks(model: Any) -> Iterator[str]:

@@ -18,7 +18,7 @@ from kindsl.robots.interchange.format import ORDINARY, WritingChoices, WrittenRo
 from kindsl.robots.interchange.mjcf.compiling import checked_text
 from kindsl.robots.interchange.xml_writing import added, document_text, numbers
 from kindsl.robots.mechanism.bodies import bodies_of
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
 
 WORLD = "world"
 _TYPES = {"revolute": "hinge", "prismatic": "slide"}
@@ -30,7 +30,7 @@ DUST = 1e-14
 _FAR = 1e6
 
 
-def written_mjcf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINARY) -> WrittenRobot:
+def written_mjcf(name: str, skeleton: Linkage, choices: WritingChoices = ORDINARY) -> WrittenRobot:
     """Return the MJCF of a mechanism.
 
     A fixed base is a body of the world without joint, or the world itself if that is its name; a

@@ -16,7 +16,7 @@ from kindsl.robots.interchange.format import (
 
 if TYPE_CHECKING:
     from kindsl.robots.interchange.written_numbers import FileNumbers
-    from kindsl.robots.mechanism.skeleton import Skeleton
+    from kindsl.robots.mechanism.linkage import Linkage
 
 
 def _parse(text: bytes | str, name: str, choices: ReadingChoices) -> ReadRobot:
@@ -34,7 +34,7 @@ def _read(path: Path, choices: ReadingChoices) -> ReadRobot:
     return robot_of_sdf(content, path.stem, floating=choices.floating, searched=searched)
 
 
-def _write(name: str, skeleton: "Skeleton", choices: WritingChoices) -> WrittenRobot:
+def _write(name: str, skeleton: "Linkage", choices: WritingChoices) -> WrittenRobot:
     from kindsl.robots.interchange.sdf.writing import written_sdf
 
     return written_sdf(name, skeleton, choices)

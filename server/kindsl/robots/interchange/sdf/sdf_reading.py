@@ -7,7 +7,7 @@ from typing import Any
 
 from kindsl.language.text.phrases import listed
 from kindsl.mechanics.rigid.body import MassDistribution, Symmetric
-from kindsl.mechanics.rigid.pose import IDENTITY, Vector3
+from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3
 from kindsl.robots.interchange.format import FormatError, ReadRobot, told_joints
 from kindsl.robots.interchange.rigid_links import (
     JOINT_KINDS,
@@ -15,12 +15,11 @@ from kindsl.robots.interchange.rigid_links import (
     BaseKind,
     RigidLink,
     about_origin,
-    described,
     fixed_remarks,
+    linkage_of_links,
     moves,
     root_remarks,
 )
-from kindsl.robots.interchange.robot_description import DescribedFrame
 from kindsl.robots.interchange.sdf.elements import (
     defect,
     is_true,
@@ -67,7 +66,7 @@ def robot_of_sdf(
     links = _links(model, graph, joints, start, base)
     if not moves(links):
         raise FormatError("the SDF has no joint that moves, and a document needs one")
-    robot = described(name_of(model), base, links)
+    robot = linkage_of_links(name_of(model), base, links)
     told = (
         *others,
         *world_losses(root),
@@ -213,15 +212,15 @@ def _axis_in_model(joint: Any, graph: FrameGraph) -> Vector3:
     return graph.model_T(frame, joint).turn((x, y, z))
 
 
-def _frames(model: Any, graph: FrameGraph, on_world: str) -> dict[str, list[DescribedFrame]]:
+def _frames(model: Any, graph: FrameGraph, on_world: str) -> dict[str, list[tuple[str, RigidPose]]]:
     """Return the frames by the link that they are attached to, the world's by another name."""
-    found: dict[str, list[DescribedFrame]] = {}
+    found: dict[str, list[tuple[str, RigidPose]]] = {}
     for frame in model.iterfind("frame"):
         name = name_of(frame)
         link = graph.link_of(name, frame)
         link = on_world if link == WORLD else link
         link_T_frame = graph.model_T(link, frame).inverse().then(graph.model_T(name, frame))
-        found.setdefault(link, []).append(DescribedFrame(name, link_T_frame))
+        found.setdefault(link, []).append((name, link_T_frame))
     return found
 
 

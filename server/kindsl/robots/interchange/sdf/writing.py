@@ -18,14 +18,14 @@ from kindsl.robots.interchange.format import ORDINARY, WritingChoices, WrittenRo
 from kindsl.robots.interchange.sdf.frame_graph import WORLD
 from kindsl.robots.interchange.sdf.joint_properties import add_properties
 from kindsl.robots.interchange.xml_writing import added, document_text, numbers
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
 
 # The first version whose poses may be quaternions, which keep every rotation exact.
 _VERSION = "1.9"
 _WELD = ("weld", "world_fixed")  # the joint that fixes the base
 
 
-def written_sdf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINARY) -> WrittenRobot:
+def written_sdf(name: str, skeleton: Linkage, choices: WritingChoices = ORDINARY) -> WrittenRobot:
     """Return the SDF of a mechanism; a fixed base has a fixed joint to the world.
 
     Args:
@@ -57,7 +57,7 @@ def written_sdf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINAR
     return WrittenRobot(document_text(root), (*renamed, *_refused_elsewhere(skeleton)))
 
 
-def _names(skeleton: Skeleton) -> dict[tuple[str, str], str]:
+def _names(skeleton: Linkage) -> dict[tuple[str, str], str]:
     """Return a name for each kind and name, unique among all; of the joint to the world too."""
     things = [("link", name) for name in skeleton.body_names]
     things += [("joint", name) for name in skeleton.joint_names]
@@ -74,7 +74,7 @@ def _names(skeleton: Skeleton) -> dict[tuple[str, str], str]:
 
 
 def _add_link(
-    model: Element, skeleton: Skeleton, names: dict[tuple[str, str], str], link: int, parent: str
+    model: Element, skeleton: Linkage, names: dict[tuple[str, str], str], link: int, parent: str
 ) -> Element:
     """Add a link and its joint; return the joint's axis."""
     i = link - 1
@@ -137,7 +137,7 @@ def _quaternion(rotation: Rotation) -> list[float]:
     return [entry / side for entry in row]
 
 
-def _refused_elsewhere(skeleton: Skeleton) -> Iterator[str]:
+def _refused_elsewhere(skeleton: Linkage) -> Iterator[str]:
     for index, (name, body) in enumerate(zip(skeleton.body_names, skeleton.masses, strict=True)):
         if index == 0 and not skeleton.is_floating:
             continue

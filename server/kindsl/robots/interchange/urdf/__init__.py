@@ -16,7 +16,7 @@ from kindsl.robots.interchange.format import (
 
 if TYPE_CHECKING:
     from kindsl.robots.interchange.written_numbers import FileNumbers
-    from kindsl.robots.mechanism.skeleton import Skeleton
+    from kindsl.robots.mechanism.linkage import Linkage
 
 
 def _parse(text: bytes | str, name: str, choices: ReadingChoices) -> ReadRobot:
@@ -25,7 +25,7 @@ def _parse(text: bytes | str, name: str, choices: ReadingChoices) -> ReadRobot:
     return robot_of_urdf(text, name, floating=choices.floating)
 
 
-def _write(name: str, skeleton: "Skeleton", choices: WritingChoices) -> WrittenRobot:
+def _write(name: str, skeleton: "Linkage", choices: WritingChoices) -> WrittenRobot:
     from kindsl.robots.interchange.urdf.writing import written_urdf
 
     return written_urdf(name, skeleton, choices)

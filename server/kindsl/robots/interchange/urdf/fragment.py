@@ -5,10 +5,10 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 from xml.sax.saxutils import quoteattr
 
-from kindsl.robots.interchange.robot_description import DescribedLink
 from kindsl.robots.interchange.urdf.checking import UrdfError
 from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
 from kindsl.robots.interchange.xml_reading import XmlError, parsed_xml
+from kindsl.robots.mechanism.linkage import Body
 
 _PROLOGUE = re.compile(r"<\?.*?\?>|</?robot\b[^<>]*>", re.DOTALL)
 _BASE = "the rest of the robot"
@@ -27,10 +27,10 @@ class Fragment(NamedTuple):
         has_limits: Whether joints have limits, which the document does not hold.
     """
 
-    links: tuple[DescribedLink, ...]
+    links: tuple[Body, ...]
     given_links: frozenset[str]
     given_joints: frozenset[str]
-    inertial: DescribedLink | None = None
+    inertial: Body | None = None
     has_limits: bool = False
 
 
@@ -50,7 +50,9 @@ def fragment_of_urdf(text: str) -> Fragment:
     more = "".join(_added(robot, given["link"]))
     read = robot_of_urdf(f'<robot name="pasted">{inner}{more}</robot>', "pasted").robot
     links = [
-        _without_base(link) for link in read.links if link.name != _BASE and link.parent is not None
+        _without_base(link)
+        for link in read.bodies
+        if link.name != _BASE and link.parent is not None
     ]
     names = frozenset(given["link"]), frozenset(given["joint"])
     return Fragment(tuple(links), *names, has_limits=robot.find("joint/limit") is not None)
@@ -92,8 +94,6 @@ def _added(robot: Any, given: list[str]) -> Iterator[str]:
             )
 
 
-def _without_base(link: DescribedLink) -> DescribedLink:
+def _without_base(link: Body) -> Body:
     """Return a link with its parent's index counted from behind the base."""
-    from dataclasses import replace
-
-    return replace(link, parent=link.parent - 1 if link.parent else None)
+    return link._replace(parent=link.parent - 1 if link.parent else None)

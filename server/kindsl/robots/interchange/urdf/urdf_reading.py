@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -23,12 +22,11 @@ from kindsl.robots.interchange.rigid_links import (
     BaseKind,
     RigidLink,
     about_origin,
-    described,
     fixed_remarks,
+    linkage_of_links,
     moves,
     root_remarks,
 )
-from kindsl.robots.interchange.robot_description import RobotDescription
 from kindsl.robots.interchange.urdf.checking import (
     Remarkable,
     UrdfError,
@@ -37,6 +35,7 @@ from kindsl.robots.interchange.urdf.checking import (
     rotation_of,
 )
 from kindsl.robots.interchange.urdf.commenting import comments_of
+from kindsl.robots.mechanism.linkage import Linkage
 
 __all__ = ["UrdfError", "read_urdf", "robot_of_urdf"]
 
@@ -85,23 +84,21 @@ def robot_of_urdf(text: bytes | str, name: str, *, floating: bool = False) -> Re
     if not moves(links):
         raise UrdfError("the URDF has no joint that moves, and a document needs one")
     base: BaseKind = "floating" if floating else "fixed"
-    read = replace(
-        described(robot.get("name") or name, base, links), comments=dict(comments_of(robot))
-    )
+    read = linkage_of_links(robot.get("name") or name, base, links)
     roots = (*lost, *root_remarks(links[0], base))
     legs = _legged_remarks(read) if base == "fixed" and root != _WORLD else ()
     remarks = (*_remarks(remarkable), *roots, *legs, *fixed_remarks(links, "link", read))
     moving = (joint for joint in joints if joint.get("type") not in ("fixed", "floating"))
     told = told_joints((str(joint.get("name")), _properties(joint)) for joint in moving)
-    return ReadRobot(read, remarks, told, tells_base)
+    return ReadRobot(read, remarks, told, tells_base, dict(comments_of(robot)))
 
 
-def _legged_remarks(robot: RobotDescription) -> Iterator[str]:
+def _legged_remarks(robot: Linkage) -> Iterator[str]:
     """Yield that a robot may float: one with legs, whose base weighs something."""
-    names = (name for link in robot.links for name in (link.name, link.joint))
-    body = robot.links[0].body
-    if body is not None and body.mass and any(map(_OF_LEGS.search, names)):
-        base = f"the base '{robot.links[0].name}' is fixed, and its mass without effect"
+    mass = robot.bodies[0].mass
+    names = (*robot.body_names, *robot.joint_names)
+    if mass is not None and mass.mass and any(map(_OF_LEGS.search, names)):
+        base = f"the base '{robot.base_name}' is fixed, and its mass without effect"
         yield f"{base}: for a robot on legs, use --floating-base"
 
 

@@ -10,7 +10,7 @@ from kindsl.mechanics.rigid.body import MassDistribution, shifted
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, fixed_axis_angles
 from kindsl.robots.interchange.format import ORDINARY, WritingChoices, WrittenRobot
 from kindsl.robots.interchange.xml_writing import added, document_text
-from kindsl.robots.mechanism.skeleton import Skeleton
+from kindsl.robots.mechanism.linkage import Linkage
 
 # URDF wants limits of every joint but an endless one, and the configuration may give none.
 _LIMITS = {
@@ -19,7 +19,7 @@ _LIMITS = {
 }
 
 
-def written_urdf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINARY) -> WrittenRobot:
+def written_urdf(name: str, skeleton: Linkage, choices: WritingChoices = ORDINARY) -> WrittenRobot:
     """Return the URDF of a mechanism; the root link is the base, floating or not.
 
     Args:
@@ -50,7 +50,7 @@ def written_urdf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINA
     return WrittenRobot(document_text(robot), tuple(_remarks(skeleton, choices)))
 
 
-def _remarks(skeleton: Skeleton, choices: WritingChoices) -> Iterator[str]:
+def _remarks(skeleton: Linkage, choices: WritingChoices) -> Iterator[str]:
     """Yield notes on additions of the URDF to the document."""
     kinds = zip(skeleton.joint_names, skeleton.joint_kinds, strict=True)
     told = choices.joints
