@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kindsl.language.semantics.declarations import ValueKind, link_values, pose_values
+from kindsl.language.semantics.declarations import ValueKind
 from kindsl.language.semantics.expressions import half_unit
 from kindsl.language.semantics.kinematic_tree import KinematicTree
 from kindsl.language.semantics.model import Model
@@ -219,7 +219,7 @@ def test_no_text_stops_the_model(text: str) -> None:
     model = model_of("Robot R { RobotBase b { children { x via j } }\nlink x { id = 1 " + text)
     assert model.base is not None
     for body in model.bodies:
-        for expression, _ in link_values(body):
+        for expression in body.values():
             assert expression.start <= expression.end
     assert model.tree.reachable and model.parameters is not None
 
@@ -231,6 +231,6 @@ def test_endless_expressions_exhaust_nothing(piece: str, tail: str) -> None:
     model = model_of(text)
     assert model.broken_islands
     for joint in model.joints:
-        for expression, _ in pose_values(joint.pose):
+        for expression in joint.values():
             assert expression.value({}) is None or expression.rounding({}) >= 0.0
     assert len(model.parameters) <= 1

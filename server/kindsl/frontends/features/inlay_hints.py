@@ -5,22 +5,17 @@ from typing import NamedTuple
 
 from kindsl.frontends.features.quantity_text import INERTIA, angle, number
 from kindsl.judgement.analysis.analysis import Analysis
-from kindsl.language.semantics.declarations import (
-    Declarations,
-    Inertia,
-    Link,
-    ValueKind,
-    Vector,
-    link_values,
-    pose_values,
-)
+from kindsl.language.semantics.declarations import Declarations, Link
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.lowering import declarations
-from kindsl.language.semantics.places import Located
 from kindsl.language.semantics.unknown import Unknown
+from kindsl.language.syntax.tables import VALUES, ValueKind
+from kindsl.language.syntax.tree import Node
+from kindsl.language.syntax.vocabulary import of_kind
 from kindsl.mechanics.rigid.body import equivalent_box, principal_moments_about_com
 from kindsl.robots.mechanism.link_inertia import link_inertia
 
+_WITH_UNIT = VALUES.keys() & of_kind("scalar", "vector")
 _LONGEST = 43  # characters, of which VS Code shows no more
 
 
@@ -70,23 +65,21 @@ def inlay_hints(
 def _island_hints(
     analysis: Analysis, declared: Declarations, options: InlayHintOptions
 ) -> Iterator[InlayHint]:
-    values = [pair for body in declared.bodies() for pair in link_values(body)]
-    values += [pair for joint in declared.joints for pair in pose_values(joint.pose)]
-    for expression, kind in values:
-        yield from _value_hints(analysis, expression, kind, options)
+    for expression in declared.values():
+        yield from _value_hints(analysis, expression, options)
     for body in declared.bodies():
         if options.inertia:
             yield from _inertia_hints(analysis, body)
     if options.units:
-        for at, unit in _units(declared):
-            yield InlayHint(at.end, unit, "unit")
+        for block in declared.blocks:
+            yield from _units(block.node)
 
 
 def _value_hints(
-    analysis: Analysis, expression: Expression, kind: ValueKind, options: InlayHintOptions
+    analysis: Analysis, expression: Expression, options: InlayHintOptions
 ) -> Iterator[InlayHint]:
     value = expression.value(analysis.context.values)
-    if kind is ValueKind.ANGLE and options.angles:
+    if expression.meaning.kind is ValueKind.ANGLE and options.angles:
         if value:
             yield InlayHint(expression.end, angle(value), "angle", f"{number(value)} rad")
     elif value is not None and options.values and not _is_number(expression):
@@ -135,23 +128,12 @@ def _box_text(sides: Sequence[float], density: float) -> str:
     return f"as a {lengths} box of {heavy}"
 
 
-def _units(declared: Declarations) -> Iterator[tuple[Located, str]]:
-    poses = [joint.pose for joint in declared.joints]
-    for body in declared.bodies():
-        poses += [frame.pose for frame in body.frames]
-        if body.inertia is not None:
-            yield from _inertia_units(body.inertia)
-    for pose in poses:
-        yield from _vector_unit(pose.translation, "m")
-        yield from _vector_unit(pose.rotation, "rad")
-
-
-def _inertia_units(inertia: Inertia) -> Iterator[tuple[Located, str]]:
-    if inertia.mass is not None:
-        yield inertia.mass, "kg"
-    yield from _vector_unit(inertia.com, "m")
-
-
-def _vector_unit(vector: Vector | None, unit: str) -> Iterator[tuple[Located, str]]:
-    if vector is not None:
-        yield vector, unit
+def _units(node: Node) -> Iterator[InlayHint]:
+    """Yield the units behind the values of a block, but for the moments: one of these is enough."""
+    for child in node.children:
+        if not isinstance(child, Node):
+            continue
+        if child.kind in _WITH_UNIT:
+            yield InlayHint(child.end, VALUES[child.kind][1], "unit")
+        elif child.kind not in VALUES:
+            yield from _units(child)

@@ -2,10 +2,12 @@
 
 from collections.abc import Iterable
 from math import degrees
+from typing import assert_never
 
-from kindsl.language.semantics.declarations import ValueKind
+from kindsl.language.syntax.tables import ValueKind
 
 METRES = "m"
+RADIANS = "rad"
 KILOGRAMS = "kg"
 INERTIA = "kg·m²"
 
@@ -36,10 +38,15 @@ def quantity(value: float, kind: ValueKind, unit: str = "") -> str:
         kind: The class of the place where it stands.
         unit: The unit of a dynamics value, which its class does not tell.
     """
-    if kind is ValueKind.ANGLE:
-        return f"{number(value)} rad = {angle(value)}"
-    unit = METRES if kind is ValueKind.LENGTH else unit
-    return f"{number(value)} {unit}".rstrip()
+    match kind:
+        case ValueKind.ANGLE:
+            return f"{number(value)} rad = {angle(value)}"
+        case ValueKind.LENGTH:
+            return f"{number(value)} {METRES}"
+        case ValueKind.DYNAMICS:
+            return f"{number(value)} {unit}".rstrip()
+        case _:
+            assert_never(kind)
 
 
 def _without_dust(value: float, largest: float) -> float:

@@ -2,26 +2,23 @@
 
 from typing import NamedTuple
 
+from kindsl.frontends.features.quantity_text import METRES, RADIANS
 from kindsl.frontends.features.tree_path import index_after
+from kindsl.frontends.features.value_place import component_name
 from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.language.syntax.tables import KINDS, VALUES, WORDS, ValueKind
 from kindsl.language.syntax.tree import Island
+from kindsl.language.syntax.vocabulary import meanings_of
 
-_WHAT = {
+_SECTIONS = {WORDS[section][0]: section for section in VALUES if KINDS[section] == "vector"}
+_ABOUT = {
     "translation": "origin of the frame, in metres",
     "rotation": "intrinsic angles, in radians: about x, then the new y, then the new z",
     "CoM": "centre of mass in the link frame (or in ref_frame), in metres",
 }
-_PARAMETERS = {
-    "translation": (("x", "metres"), ("y", "metres"), ("z", "metres")),
-    "rotation": (
-        ("rx", "radians, about x"),
-        ("ry", "radians, about the new y"),
-        ("rz", "radians, about the new z"),
-    ),
-    "CoM": (("x", "metres"), ("y", "metres"), ("z", "metres")),
-}
+_UNITS = {METRES: "metres", RADIANS: "radians"}
 _FARTHEST = 400
-_BEGINS = frozenset((*_PARAMETERS, "{", "}"))
+_BEGINS = frozenset((*_SECTIONS, "{", "}"))
 
 
 class SignatureParameter(NamedTuple):
@@ -71,7 +68,7 @@ def _vector_before(island: Island, local: int) -> tuple[str, int] | None:
         sign = signs.pop()
         if sign in _BEGINS:
             return None
-        if sign == "(" and not depth and signs and signs[-1] in _PARAMETERS:
+        if sign == "(" and not depth and signs and signs[-1] in _SECTIONS:
             return signs[-1], commas
         # A parenthesis that is open at the offset groups a part of a component.
         depth = max(depth + {")": 1, "(": -1}.get(sign, 0), 0)
@@ -82,8 +79,11 @@ def _vector_before(island: Island, local: int) -> tuple[str, int] | None:
 def _signature(word: str, active: int) -> Signature:
     label = f"{word} = ("
     parameters: list[SignatureParameter] = []
-    for name, documentation in _PARAMETERS[word]:
+    for meaning in meanings_of(_SECTIONS[word], word):
+        name, documentation = "xyz"[meaning.component or 0], _UNITS.get(meaning.unit, meaning.unit)
+        if meaning.kind is ValueKind.ANGLE:
+            name, documentation = f"r{name}", f"{documentation}, {component_name(meaning)}"
         label += ", " if parameters else ""
         parameters.append(SignatureParameter(len(label), len(label) + len(name), documentation))
         label += name
-    return Signature(f"{label})", _WHAT[word], tuple(parameters), active)
+    return Signature(f"{label})", _ABOUT.get(word, ""), tuple(parameters), active)

@@ -1,6 +1,6 @@
 """Names and what they stand for: links, joints, frames, parameters, constants and the robot.
 
-One walk over an island finds all its names; the result lives as long as the island.
+They are read from an island's blocks; the result lives as long as the island.
 """
 
 from bisect import bisect_right
@@ -9,8 +9,12 @@ from enum import StrEnum
 from typing import NamedTuple
 
 from kindsl.judgement.analysis.analysis import Analysis
-from kindsl.language.semantics.lowering import NAME
-from kindsl.language.syntax.tree import Island, Node, Token
+from kindsl.language.semantics.blocks import Block, Reference
+from kindsl.language.semantics.expressions import ConstantUse, Expression, symbols
+from kindsl.language.semantics.lowering import declarations
+from kindsl.language.semantics.places import Name
+from kindsl.language.syntax.tables import DECLARES, REFERS
+from kindsl.language.syntax.tree import Island
 from kindsl.language.text.facts import kept
 
 
@@ -87,7 +91,7 @@ def occurrences(analysis: Analysis, entity: Entity) -> tuple[Symbol, ...]:
 @kept
 def named_places(island: Island) -> NamedPlaces:
     """Return the names in an island, offsets from its start; computed once in its life."""
-    symbols = sorted(s for node in island.nodes for s in _symbols(node, ""))
+    symbols = sorted(s for block in declarations(island).blocks for s in _symbols(block))
     return NamedPlaces(tuple(symbols), _by_entity(symbols))
 
 
@@ -98,52 +102,34 @@ def _by_entity(symbols: list[Symbol]) -> dict[Entity, tuple[Symbol, ...]]:
     return {entity: tuple(places) for entity, places in found.items()}
 
 
-_DECLARED = {
-    "head": EntityKind.ROBOT,
-    "base": EntityKind.LINK,
-    "link": EntityKind.LINK,
-    "joint": EntityKind.JOINT,
-    "frame": EntityKind.FRAME,
-}
-_NAMELESS = frozenset(("number", "pi", "id"))
-_VALUES = {
-    "parameter": (EntityKind.PARAMETER, Role.READ),
-    "juxtaposed_parameter": (EntityKind.PARAMETER, Role.READ),
-    "defaulted": (EntityKind.PARAMETER, Role.WRITE),
-    "constant_use": (EntityKind.CONSTANT, Role.READ),
-    "constant": (EntityKind.CONSTANT, Role.WRITE),
-}
+def _symbols(block: Block) -> Iterator[Symbol]:
+    """Yield the names in a block: its own, those that it refers to, those in its values."""
+    owner = str(block.name) or block.owner
+    if block.node.kind in DECLARES:
+        kind = EntityKind(DECLARES[block.node.kind])
+        yield from _named(block.name, Entity(kind, str(block.name), block.owner), Role.DECLARATION)
+    for part in block.parts:
+        if isinstance(part, Block):
+            yield from _symbols(part)
+        elif isinstance(part, Reference):
+            for name, kind in zip(part.names, map(EntityKind, REFERS[part.section]), strict=True):
+                entity = Entity(kind, str(name), owner if kind is EntityKind.FRAME else "")
+                yield from _named(name, entity, Role.READ)
+        elif isinstance(part, Expression) and part.literal is None:
+            yield from _in_value(part)
 
 
-def _symbols(node: Node, link: str) -> Iterator[Symbol]:
-    """Yield the names below a node; `link` is the name of the block around it."""
-    kind = node.kind
-    names = [t for t in node.children if isinstance(t, Token) and t.kind == NAME]
-    if kind in _DECLARED:
-        name = _text(names[0])
-        yield from _named(names, Entity(_DECLARED[kind], name, link), Role.DECLARATION)
-        link = name
-    elif kind in _VALUES and names:
-        what, role = _VALUES[kind]
-        yield from _named(names, Entity(what, _text(names[0])), role)
-    elif kind == "inertia_frame" and names:
-        yield from _named(names, Entity(EntityKind.FRAME, _text(names[0]), link), Role.READ)
-    elif kind == "child":
-        for token, what in zip(names, (EntityKind.LINK, EntityKind.JOINT), strict=True):
-            yield from _named([token], Entity(what, _text(token)), Role.READ)
-    for child in node.children:
-        if isinstance(child, Node) and child.kind not in _NAMELESS:
-            yield from _symbols(child, link)
+def _in_value(value: Expression) -> Iterator[Symbol]:
+    for use in symbols(value):
+        is_constant = isinstance(use, ConstantUse)
+        given = use.value if isinstance(use, ConstantUse) else use.default
+        entity = Entity(EntityKind.CONSTANT if is_constant else EntityKind.PARAMETER, str(use.name))
+        yield from _named(use.name, entity, Role.READ if given is None else Role.WRITE)
 
 
-def _named(tokens: list[Token], entity: Entity, role: Role) -> Iterator[Symbol]:
-    for token in tokens:
-        if not token.is_missing:
-            yield Symbol(token.start, token.end, entity, role)
-
-
-def _text(token: Token) -> str:
-    return token.text.removeprefix("^")
+def _named(name: Name, entity: Entity, role: Role) -> Iterator[Symbol]:
+    if name.start < name.end:
+        yield Symbol(name.start, name.end, entity, role)
 
 
 def _start(symbol: Symbol) -> int:

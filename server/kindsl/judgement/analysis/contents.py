@@ -7,19 +7,15 @@ from math import isnan
 from typing import NamedTuple, TypeAlias
 from zlib import crc32
 
+from kindsl.language.semantics.blocks import Block, Reference, Whole
+from kindsl.language.semantics.declarations import Joint, Link
 from kindsl.language.semantics.expressions import ConstantUse, Expression, symbols
+from kindsl.language.semantics.lowering import declarations
 from kindsl.language.syntax.tree import Island, Node, Token
-from kindsl.language.syntax.vocabulary import BLOCKS, SCALARS, of_kind
 from kindsl.language.text.facts import kept
 
 Place: TypeAlias = tuple[object, ...]
 
-_VALUES = SCALARS
-_REFERENCES = frozenset({"child", "inertia_frame"})
-# What may be written once or in several pieces, and means the same.
-_PIECES = of_kind("list", "groups", "group")
-_NAMED = frozenset(("head", *BLOCKS, "frame"))
-_BLOCKS = _NAMED | {"inertia", "joint_frame"}
 # What the generators read in two ways.
 _AMBIGUOUS = frozenset({"POWER_FLOAT", "LOWER_PI"})
 # What keeps numbers apart is no part of one.
@@ -118,38 +114,25 @@ class _Walk:
         self.blocks: list[FoundBlock] = []
 
     def piece(self) -> _Piece:
-        for node in self.island.nodes:
-            self._walk(node, ())
+        for block in declarations(self.island).blocks:
+            self._walk(block, ())
         numbers, references = tuple(self.numbers), tuple(self.references)
         remarks, unread = _remarks(self.island), (token.text for token in self.island.skipped)
         words = _words(remarks), _words(unread)
         return _Piece(numbers, references, tuple(self.blocks), *words)
 
-    def _walk(self, node: Node, owner: Place) -> None:
-        kind = node.kind
-        if kind in _BLOCKS:
-            owner = (*owner, kind, _name(node) if kind in _NAMED else "")
-            self.blocks.append(FoundBlock(owner, _detail(node)))
-        elif kind in _REFERENCES:
-            self.references.append((*owner, kind, *_names(node)))
-            return
-        elif kind == "id":
-            self._add((*owner, kind), node.children[-1])
-            return
-        elif kind not in _PIECES:
-            first = next(node.tokens())
-            owner = (*owner, first.text if kind == "moment" else kind)
-        self._walk_below(node, owner)
-
-    def _walk_below(self, node: Node, owner: Place) -> None:
-        for index, child in enumerate(node.children):
-            if isinstance(child, Node):
-                if node.kind == "vector":
-                    self._add((*owner, index), child)
-                elif node.kind in _VALUES:
-                    self._add(owner, child)
-                else:
-                    self._walk(child, owner)
+    def _walk(self, block: Block, around: Place) -> None:
+        owner = (*around, block.node.kind, str(block.name))
+        self.blocks.append(FoundBlock(owner, _detail(block)))
+        for part in block.parts:
+            if isinstance(part, Block):
+                self._walk(part, owner)
+            elif isinstance(part, Reference):
+                self.references.append((*owner, part.section, *map(str, part.names)))
+            elif isinstance(part, Whole):
+                self._add((*owner, part.section), part.token)
+            else:
+                self._add((*owner, part.meaning.section, part.meaning.component), part.node)
 
     def _add(self, place: Place, at: Node | Token) -> None:
         self.numbers.append((place, self._number(at)))
@@ -157,7 +140,7 @@ class _Walk:
             for symbol in symbols(Expression(at, self.island)):
                 given = symbol.value if isinstance(symbol, ConstantUse) else symbol.default
                 if given is not None:
-                    self._add((*place, str(symbol.name)), given.node)
+                    self.numbers.append(((*place, str(symbol.name)), self._number(given.node)))
 
     def _number(self, at: Node | Token) -> Number:
         tokens = list(at.tokens()) if isinstance(at, Node) else [at]
@@ -206,21 +189,10 @@ def _stand_ins(expression: Expression) -> dict[str, float]:
     return found
 
 
-def _names(node: Node) -> Iterator[str]:
-    for child in node.children:
-        if isinstance(child, Token) and child.kind == "NAME":
-            yield child.text.removeprefix("^")
-
-
-def _name(node: Node) -> str:
-    return next(_names(node), "")
-
-
-def _detail(node: Node) -> str:
-    first = node.children[0]
-    word = first.text if node.kind == "joint" and isinstance(first, Token) else ""
-    is_floating = any(child.kind == "FLOATING" for child in node.children)
-    return "floating" if is_floating else word
+def _detail(block: Block) -> str:
+    if isinstance(block, Joint):
+        return block.kind
+    return "floating" if isinstance(block, Link) and block.is_floating else ""
 
 
 def _remarks(island: Island) -> Iterator[str]:

@@ -14,8 +14,6 @@ from kindsl.language.semantics.declarations import (
     Declarations,
     Joint,
     Link,
-    inertia_values,
-    pose_values,
 )
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.lowering import declarations
@@ -162,12 +160,12 @@ def _unconverted_of(island: Island) -> list[Finding]:
 
 def _tried(declared: Declarations) -> Iterator[Expression]:
     for joint in declared.joints:
-        yield from (value for value, _ in pose_values(joint.pose))
+        yield from joint.values()
     for body in declared.bodies():
         for frame in body.frames:
-            yield from (value for value, _ in pose_values(frame.pose))
+            yield from frame.values()
         if body.inertia is not None and (body.is_floating or not body.is_base):
-            yield from inertia_values(body.inertia)
+            yield from body.inertia.values()
 
 
 def _unconverted(values: Iterable[Expression]) -> Iterator[Finding]:

@@ -7,6 +7,7 @@ from typing import NamedTuple, cast
 from kindsl.language.semantics.places import Construct, Name
 from kindsl.language.syntax.tree import Island, Node, Token
 from kindsl.language.syntax.value_forms import is_signed_product
+from kindsl.language.syntax.vocabulary import NO_MEANING, Meaning
 
 _MOST_DECIMALS = 300
 
@@ -16,13 +17,15 @@ class Expression(Construct):
 
     Attributes:
         literal: Its value if it is a plain decimal number, else None.
+        meaning: The section and component that it is the value of, their class and unit.
     """
 
-    __slots__ = ("literal",)
+    __slots__ = ("literal", "meaning")
 
-    def __init__(self, node: Node, island: Island) -> None:
+    def __init__(self, node: Node, island: Island, meaning: Meaning = NO_MEANING) -> None:
         self.node = node
         self.island = island
+        self.meaning = meaning
         self.literal = number_of(node.children[0]) if node.kind == "number" else None
 
     @property
@@ -116,10 +119,8 @@ def _symbols(node: Node, island: Island) -> Iterator[ParameterUse | ConstantUse]
     if token is not None and token.text:
         name = Name.at(token.text.lstrip("^"), island, token.start, token.end)
         yield _USES[node.kind](name, Expression(parts[0], island) if parts else None)
-    else:
-        # What has no name, as `PI[0.5]` and unfinished text, is only what stands in it.
-        for part in parts:
-            yield from _symbols(part, island)
+    for part in parts:
+        yield from _symbols(part, island)
 
 
 def _name_token(node: Node) -> Token | None:

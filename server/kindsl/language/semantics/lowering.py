@@ -1,25 +1,21 @@
-"""From the syntax of one island to what it declares. Takes what is there, needs nothing else."""
+"""The one fold of the tree: nodes to blocks, sections and values. Takes what is there."""
 
-from collections.abc import Iterator
-from typing import cast
+from collections.abc import Callable, Iterator
+from typing import Any, TypeAlias, TypeVar, cast
 
-from kindsl.language.semantics.declarations import (
-    Child,
-    Declarations,
-    Frame,
-    Inertia,
-    Joint,
-    Link,
-    Pose,
-    Vector,
-)
+from kindsl.language.semantics.blocks import Block, Reference, Vector, Whole
+from kindsl.language.semantics.declarations import Declarations, Joint, Link
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.places import Name, Place
+from kindsl.language.semantics.sections import BLOCKS, ROWS
+from kindsl.language.syntax.tables import DECLARES, KINDS
 from kindsl.language.syntax.tree import Island, Node, Token
+from kindsl.language.syntax.vocabulary import meanings
 from kindsl.language.text.facts import kept
-from kindsl.mechanics.rigid.joint_kind import JointKind
 
-NAME = "NAME"
+_Block = TypeVar("_Block", bound=Block)
+_Found: TypeAlias = dict[str, Any]
+_NO_NAME = Name("")
 
 
 @kept
@@ -29,125 +25,125 @@ def declarations(island: Island) -> Declarations:
     bases: list[Link] = []
     links: list[Link] = []
     joints: list[Joint] = []
+    blocks: list[Block] = []
     for node in island.nodes:
         if node.kind == "link":
-            links.append(_link(node, island))
+            links.append(_block(Link, node, island))
+            blocks.append(links[-1])
         elif node.kind == "joint":
-            joints.append(_joint(node, island))
+            joints.append(_block(Joint, node, island))
+            blocks.append(joints[-1])
         elif node.kind == "base":
-            bases.append(_base(node, island))
+            bases.append(_block(Link, node, island))
+            bases[-1].id, bases[-1].id_place = 0, None
+            blocks.append(bases[-1])
         elif node.kind == "head":
-            robot = _name(node, island)
-    return Declarations(robot, tuple(bases), tuple(links), tuple(joints))
+            blocks.append(_block(Block, node, island))
+            robot = blocks[-1].name
+    return Declarations(robot, tuple(bases), tuple(links), tuple(joints), tuple(blocks))
 
 
-def _base(node: Node, island: Island) -> Link:
-    base = _link(node, island)
-    base.is_base = True
-    base.is_floating = any(child.kind == "FLOATING" for child in node.children)
-    base.id = 0
-    base.id_place = None
-    return base
+def _block(of: type[_Block], node: Node, island: Island, owner: str = "") -> _Block:
+    name = next(_names(node, island)) if node.kind in DECLARES else _NO_NAME
+    block = of(node, island, name, owner)
+    found: _Found = {}
+    for child in node.children:
+        if child.__class__ is Node:
+            _READERS[KINDS[child.kind]](block, child, found)
+    for section, attribute in of.attributes.items():
+        kind = KINDS[section]
+        setattr(block, attribute, found.get(section, _EMPTY.get(kind)))
+        if kind == "whole":
+            setattr(block, f"{attribute}_place", found.get(f"{section} place"))
+    return block
 
 
-def _link(node: Node, island: Island) -> Link:
-    link = Link(node, island, _name(node, island))
-    number, inertia = _first(node, "id"), _first(node, "inertia")
-    if number is not None:
-        link.id, link.id_place = _number(number, island)
-    if inertia is not None:
-        link.inertia = _inertia(inertia, island)
-    link.children = tuple(
-        _child(child, island)
-        for section in node.nodes("children")
-        for child in section.nodes("child")
-    )
-    link.frames = tuple(
-        _frame(frame, island, link.name)
-        for section in node.nodes("frames")
-        for group in section.nodes("frame_group")
-        for frame in group.nodes("frame")
-    )
-    return link
+def _read_scalar(block: Block, section: Node, found: _Found) -> None:
+    value = Expression(cast(Node, section.children[-1]), block.island, *meanings(section))
+    block.parts.append(value)
+    found.setdefault(section.kind, value)
 
 
-def _joint(node: Node, island: Island) -> Joint:
-    word = cast(Token, node.children[0])
-    kind: JointKind = "prismatic" if word.text == "p_joint" else "revolute"
-    joint = Joint(node, island, _name(node, island), kind)
-    number = _first(node, "id")
-    if number is not None:
-        joint.id, joint.id_place = _number(number, island)
-    for section in node.nodes("joint_frame"):
-        if joint.pose == (None, None):
-            joint.pose = _pose(section, island)
-    return joint
+def _read_moment(block: Block, section: Node, found: _Found) -> None:
+    value = Expression(cast(Node, section.children[-1]), block.island, *meanings(section))
+    block.parts.append(value)
+    found.setdefault(section.kind, {}).setdefault(cast(Token, section.children[0]).text, value)
 
 
-def _inertia(node: Node, island: Island) -> Inertia:
-    mass, com, frame = (_first(node, kind) for kind in ("mass", "com", "inertia_frame"))
-    moments: dict[str, Expression] = {}
-    for section in node.nodes("moment"):
-        word = cast(Token, section.children[0])
-        moments.setdefault(word.text, _expression(section, island))
-    return Inertia(
-        node,
-        island,
-        _expression(mass, island) if mass is not None else None,
-        _vector(com, island) if com is not None else None,
-        moments,
-        _name(frame, island) if frame is not None else None,
-    )
+def _read_vector(block: Block, section: Node, found: _Found) -> None:
+    node, island = cast(Node, section.children[-1]), block.island
+    pairs = zip(node.children[1::2], meanings(section), strict=True)
+    x, y, z = (Expression(cast(Node, child), island, meaning) for child, meaning in pairs)
+    block.parts += (x, y, z)
+    found.setdefault(section.kind, Vector(node, island, (x, y, z)))
 
 
-def _frame(node: Node, island: Island, link: str) -> Frame:
-    return Frame(node, island, _name(node, island), link, _pose(node, island))
-
-
-def _pose(node: Node, island: Island) -> Pose:
-    translation, rotation = _first(node, "translation"), _first(node, "rotation")
-    return Pose(
-        _vector(translation, island) if translation is not None else None,
-        _vector(rotation, island) if rotation is not None else None,
-    )
-
-
-def _vector(section: Node, island: Island) -> Vector:
-    node = cast(Node, section.children[-1])
-    x, y, z = (Expression(cast(Node, child), island) for child in node.children[1::2])
-    return Vector(node, island, (x, y, z))
-
-
-def _expression(section: Node, island: Island) -> Expression:
-    return Expression(cast(Node, section.children[-1]), island)
-
-
-def _number(section: Node, island: Island) -> tuple[int | None, Place]:
+def _read_whole(block: Block, section: Node, found: _Found) -> None:
     token = cast(Token, section.children[-1])
-    place = Place(island, token.start, token.end)
-    if token.is_missing:
-        return None, place
+    place = Place(block.island, token.start, token.end)
     try:
-        return int(token.text), place
+        value = None if token.is_missing else int(token.text)
     except ValueError:
-        return None, place
+        value = None
+    block.parts.append(Whole(section.kind, token, value))
+    found.setdefault(section.kind, value)
+    found.setdefault(f"{section.kind} place", place)
 
 
-def _first(node: Node, kind: str) -> Node | None:
-    return next(node.nodes(kind), None)
+def _read_name(block: Block, section: Node, found: _Found) -> None:
+    names = tuple(_names(section, block.island))
+    block.parts.append(Reference(section.kind, names))
+    found.setdefault(section.kind, names[0])
 
 
-def _child(node: Node, island: Island) -> Child:
-    return Child(*_names(node, island))
+def _read_block(block: Block, section: Node, found: _Found) -> None:
+    inner = _inner(block, section)
+    if section.kind not in found or not found[section.kind].parts:
+        found[section.kind] = inner
 
 
-def _name(node: Node, island: Island) -> Name:
-    return next(_names(node, island))
+def _read_list(block: Block, section: Node, found: _Found) -> None:
+    known = found.setdefault(section.kind, ())
+    found[section.kind] = known + tuple(_listed(block, section))
+
+
+def _listed(block: Block, section: Node) -> Iterator[Any]:
+    for child in section.children:
+        if not isinstance(child, Node):
+            continue
+        if child.kind in ROWS:
+            names = tuple(_names(child, block.island))
+            block.parts.append(Reference(child.kind, names))
+            yield ROWS[child.kind](*names)
+        elif child.kind in BLOCKS:
+            yield _inner(block, child)
+        else:
+            yield from _listed(block, child)
+
+
+def _inner(block: Block, node: Node) -> Block:
+    inner = _block(BLOCKS[node.kind], node, block.island, str(block.name) or block.owner)
+    block.parts.append(inner)
+    return inner
+
+
+_EMPTY: dict[str, object] = {"moments": {}, "list": (), "groups": ()}
+_READERS: dict[str, Callable[[Block, Node, _Found], None]] = {
+    "scalar": _read_scalar,
+    "moments": _read_moment,
+    "vector": _read_vector,
+    "whole": _read_whole,
+    "name": _read_name,
+    "block": _read_block,
+    "pose": _read_block,
+    "list": _read_list,
+    "groups": _read_list,
+}
 
 
 def _names(node: Node, island: Island) -> Iterator[Name]:
     """Yield the names directly in a node, empty where they are missing."""
     for token in node.children:
-        if token.kind == NAME:
+        if token.kind == "NAME":
             text = cast(Token, token).text
             yield Name.at(text.removeprefix("^"), island, token.start, token.end)

@@ -3,9 +3,10 @@
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-from kindsl.language.semantics.declarations import Declarations, ValueKind, link_values, pose_values
+from kindsl.language.semantics.declarations import Declarations
 from kindsl.language.semantics.expressions import ConstantUse, Expression, ParameterUse, symbols
 from kindsl.language.semantics.places import Name
+from kindsl.language.syntax.tables import ValueKind
 from kindsl.language.syntax.tree import Island
 from kindsl.language.syntax.value_forms import formed_values
 from kindsl.language.text.facts import Fact
@@ -169,16 +170,12 @@ def _first_default(uses: Iterable[Use]) -> float | None:
 def _collect(declared: Declarations) -> Symbols:
     parameters: list[Use] = []
     constants: list[ConstantUse] = []
-    values = [pair for body in declared.bodies() for pair in link_values(body)]
-    values += [pair for joint in declared.joints for pair in pose_values(joint.pose)]
-    for expression, kind in values:
+    for expression in declared.values():
         if expression.literal is not None:
             continue
         for symbol in symbols(expression):
             if isinstance(symbol, ParameterUse):
-                parameters.append(Use(symbol.name, kind, symbol.default))
+                parameters.append(Use(symbol.name, expression.meaning.kind, symbol.default))
             else:
                 constants.append(symbol)
-    parameters.sort(key=lambda use: use.name.start)
-    constants.sort(key=lambda use: use.name.start)
     return Symbols(tuple(parameters), tuple(constants))

@@ -1,15 +1,17 @@
-"""Write `tables.py` from `grammar/kindsl.lark`.
+"""Write all that is made of `grammar/kindsl.lark`: tables and typed sections.
 
 `python -m kindsl.language.syntax.generate [--check]`
 
-Lark reads the grammar and builds the LALR automaton; what the parser needs of it is written down as
-literals that load in no time, so that Lark is needed to change the grammar only.
+Lark reads the grammar and builds the LALR automaton; the parser's tables are literals that load in
+no time, so that Lark is needed to change the grammar only.
 """
 
 import re
 import sys
+from collections.abc import Iterable
+from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from kindsl.language.syntax.generating.annotations import (
     Annotation,
@@ -19,9 +21,11 @@ from kindsl.language.syntax.generating.annotations import (
     orders,
 )
 from kindsl.language.syntax.generating.constructs import Constructs
+from kindsl.language.syntax.generating.section_classes import section_classes
 from kindsl.language.syntax.grammars import grammar_text
 
 TABLES = Path(__file__).with_name("tables.py")
+SECTIONS = Path(__file__).parents[1] / "semantics" / "sections.py"
 
 _HEADER = '"""Generated from grammar/kindsl.lark by `make tables`; do not edit."""\n'
 _NUMBERED = "tuple[str, ...], tuple[int, ...]"
@@ -43,27 +47,33 @@ _TYPES = {
     "ORDERS": "dict[str, tuple[str, ...]]",
     "ONLY": "dict[str, str]",
     "NEITHER": "dict[str, str]",
+    "DECLARES": "dict[str, str]",
+    "REFERS": "dict[str, tuple[str, ...]]",
+    "VALUES": "dict[str, tuple[ValueKind, str]]",
 }
 _WORDS = re.compile(r"\(\?:(\w+(?:\|\w+)*)\)")
+_WIDTH = 100
 _ENDING = re.compile(r"(?:\\[^\w\s])+\Z")
 
 
 def main(arguments: list[str]) -> int:
-    """Write the tables, or compare them with `--check`; return the exit status."""
+    """Write what is generated, or compare it with `--check`; return the exit status."""
     try:
-        text = tables(grammar_text("kindsl.lark"))
+        grammar = grammar_text("kindsl.lark")
+        texts = {TABLES: tables(grammar), SECTIONS: sections(grammar)}
     except AnnotationError as error:
         sys.stderr.write(f"grammar/kindsl.lark: {error}\n")
         return 1
-    if "--check" not in arguments:
-        TABLES.write_text(text, encoding="utf-8")
-        return 0
-    if TABLES.read_text(encoding="utf-8") == text:
-        return 0
-    sys.stderr.write(
-        f"{TABLES} does not fit the grammar: run python -m kindsl.language.syntax.generate\n"
-    )
-    return 1
+    status = 0
+    for path, text in texts.items():
+        if "--check" not in arguments:
+            path.write_text(text, encoding="utf-8")
+        elif path.read_text(encoding="utf-8") != text:
+            sys.stderr.write(
+                f"{path} does not fit the grammar: run python -m kindsl.language.syntax.generate\n"
+            )
+            status = 1
+    return status
 
 
 def starts(grammar: str) -> list[str]:
@@ -76,8 +86,38 @@ def tables(grammar: str) -> str:
     """Return the source of `tables.py` for a grammar.
 
     Raises:
-        AnnotationError: Nobody reads one of its remarks.
+        AnnotationError: Nobody reads one of its remarks, or a section of values has no class.
     """
+    lark, kinds, constructs, found = _read(grammar)
+    sections = {
+        **_lexical(lark, kinds),
+        **_Automaton(lark, kinds, starts(grammar)).tables(),
+        **constructs.tables(),
+        "ORDERS": constructs.orders,
+        **{word.upper(): _remarks(found, word) for word in ("only", "neither", "declares")},
+        "REFERS": {name: tuple(v.split()) for name, v in _remarks(found, "refers").items()},
+        "VALUES": {name: _Meaning(*v.split()) for name, v in _remarks(found, "value").items()},
+    }
+    return (
+        f"{_HEADER}\n# ruff: noqa\n# fmt: off\nfrom enum import StrEnum\n\n\n"
+        + "class ValueKind(StrEnum):\n"
+        + '    """The class of a value, which is the class of the parameters in it."""\n\n'
+        + "".join(f"    {kind.upper()} = {kind!r}\n" for kind in constructs.value_kinds)
+        + "\n"
+        + "".join(
+            f"\n{name}: {_TYPES[name]} = {_literal(value)}\n" for name, value in sections.items()
+        )
+    )
+
+
+def sections(grammar: str) -> str:
+    """Return the source of `semantics/sections.py` for a grammar."""
+    return _HEADER + section_classes(_read(grammar)[2])
+
+
+@lru_cache(2)
+def _read(grammar: str) -> tuple[Any, dict[str, str], Constructs, list[Annotation]]:
+    """Return a grammar as Lark compiles it, its token kinds, constructs and remarks."""
     from lark import Lark
 
     lark = Lark(
@@ -91,23 +131,22 @@ def tables(grammar: str) -> str:
     )
     kinds = _token_kinds(lark, grammar)
     found = list(annotations(grammar))
-    constructs = Constructs(lark, grammar, kinds, orders(found))
+    constructs = Constructs(lark, grammar, kinds, found)
     check_read(found, constructs.holds, _readers(lark, constructs))
-    sections = {
-        **_lexical(lark, kinds),
-        **_Automaton(lark, kinds, starts(grammar)).tables(),
-        **constructs.tables(),
-        "ORDERS": orders(found),
-        "ONLY": _remarks(found, "only"),
-        "NEITHER": _remarks(found, "neither"),
-    }
-    return (
-        _HEADER
-        + "\n# ruff: noqa\n# fmt: off\n"
-        + "".join(
-            f"\n{name}: {_TYPES[name]} = {_literal(value)}\n" for name, value in sections.items()
-        )
-    )
+    lacking = constructs.sections_of_values - _remarks(found, "value").keys()
+    if lacking:
+        raise AnnotationError(f"'{min(lacking)}' lacks its '//: value CLASS UNIT'")
+    return lark, kinds, constructs, found
+
+
+class _Meaning(NamedTuple):
+    """The class and the unit of a section's values, as the tables write them."""
+
+    kind: str
+    unit: str = ""
+
+    def __repr__(self) -> str:
+        return f"(ValueKind.{self.kind.upper()}, {self.unit!r})"
 
 
 def _readers(lark: Any, constructs: Constructs) -> dict[str, set[str]]:
@@ -120,6 +159,8 @@ def _readers(lark: Any, constructs: Constructs) -> dict[str, set[str]]:
     return {
         "only": sections | within | aliases | terminals | {"BLOCK_COMMENT"},
         "neither": sections | (terminals & constructs.within("_expression")),
+        "value": constructs.sections_of_values,
+        **dict.fromkeys(("declares", "refers"), constructs.named),
     }
 
 
@@ -257,12 +298,22 @@ def _construct(state: Any) -> str:
 
 
 def _literal(value: Any) -> str:
-    """Return a Python literal, one entry a line."""
+    """Return a Python literal, as many entries a line as fit."""
     if isinstance(value, dict):
-        return "{\n" + "".join(f"    {k!r}: {v!r},\n" for k, v in value.items()) + "}"
+        return "{\n" + _lines(f"{k!r}: {v!r}," for k, v in value.items()) + "}"
     if isinstance(value, tuple):
-        return "(\n" + "".join(f"    {entry!r},\n" for entry in value) + ")"
+        return "(\n" + _lines(f"{entry!r}," for entry in value) + ")"
     return repr(value)
+
+
+def _lines(entries: Iterable[str]) -> str:
+    line, lines = "   ", []
+    for entry in entries:
+        if len(line) + len(entry) >= _WIDTH and line.strip():
+            lines.append(line)
+            line = "   "
+        line += f" {entry}"
+    return "".join(f"{line}\n" for line in (*lines, line))
 
 
 if __name__ == "__main__":

@@ -6,8 +6,46 @@ number, a `name`, a `pose` (a block of vectors), another `block` whose sections 
 """
 
 from collections.abc import Iterable
+from typing import NamedTuple, cast
 
-from kindsl.language.syntax.tables import CLASSES, HOLDS, KEYWORDS, KINDS, NEITHER, ORDERS, WORDS
+from kindsl.language.syntax.tables import (
+    CLASSES,
+    HOLDS,
+    KEYWORDS,
+    KINDS,
+    NEITHER,
+    ORDERS,
+    VALUES,
+    WORDS,
+    ValueKind,
+)
+from kindsl.language.syntax.tree import Node, Token
+
+
+class Meaning(NamedTuple):
+    """The meaning of a value by its place in the grammar.
+
+    Attributes:
+        section: The word of its section: `mass`, `CoM`, `Ix`.
+        component: 0 to 2 in a vector, None outside of one.
+        kind: The class of the parameters that may stand there.
+        unit: The unit of the number.
+    """
+
+    section: str
+    component: int | None
+    kind: ValueKind
+    unit: str
+
+
+def meanings(section: Node) -> tuple[Meaning, ...]:
+    """Return the meaning of each value in a section of values."""
+    return _MEANINGS[section.kind, cast(Token, section.children[0]).text]
+
+
+def meanings_of(section: str, word: str) -> tuple[Meaning, ...]:
+    """Return the meaning of each value in a section of values that begins with a word."""
+    return _MEANINGS[section, word]
 
 
 def of_kind(*kinds: str) -> frozenset[str]:
@@ -45,3 +83,12 @@ PIS = frozenset(CLASSES["_pi"])
 SECTION_TOKENS = token_kinds(SECTIONS)
 VALUE_TERMINALS = NUMBERS | PIS
 OPERANDS = (NAMES | VALUE_TERMINALS) - NEITHER.keys()
+NO_MEANING = Meaning("", None, next(iter(ValueKind)), "")
+_MEANINGS = {
+    (section, word): tuple(
+        Meaning(word, component, *VALUES[section])
+        for component in ((0, 1, 2) if KINDS[section] == "vector" else (None,))
+    )
+    for section in VALUES
+    for word in WORDS[section]
+}

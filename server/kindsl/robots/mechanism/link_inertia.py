@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from functools import partial
 
-from kindsl.language.semantics.declarations import Inertia, Link, inertia_values
+from kindsl.language.semantics.declarations import Inertia, Link
 from kindsl.language.semantics.numbers import mass_distribution, written_pose
 from kindsl.language.semantics.unknown import Unknown, pose_expressions, why_unknown
 from kindsl.language.text.facts import Fact
@@ -16,7 +16,7 @@ _IN_LINK_FRAME = Fact[tuple[object, MassDistribution | Unknown]]("inertia seen i
 def written_inertia(inertia: Inertia, values: Mapping[str, float]) -> MassDistribution | Unknown:
     """Return an inertia in the frame that it is written in, or why it is not known."""
     body = mass_distribution(inertia, values)
-    return why_unknown(inertia_values(inertia), values) if body is None else body
+    return why_unknown(inertia.values(), values) if body is None else body
 
 
 def link_inertia(link: Link, values: Mapping[str, float]) -> MassDistribution | Unknown:

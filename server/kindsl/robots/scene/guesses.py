@@ -5,7 +5,7 @@ from math import hypot, isfinite
 from statistics import median
 from typing import NamedTuple
 
-from kindsl.language.semantics.declarations import Frame, Pose, ValueKind, pose_values
+from kindsl.language.semantics.declarations import Frame, Joint, ValueKind
 from kindsl.language.semantics.expressions import ParameterUse, symbols
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.parameters import Parameter
@@ -47,8 +47,8 @@ def guesses(model: Model, values: Mapping[str, float]) -> Guesses:
     placing = [p for p in unbound if p.kind is not ValueKind.DYNAMICS]
     length = _typical_length(model, values) if placing else USUAL_LENGTH
     found = {str(p.name): _guess(p, length) for p in placing}
-    joints = (j.name for j in model.joints if _depends(j.pose, found))
-    frames = (n for f in model.frames if _depends(f.pose, found) for n in (f.name, _long(f)))
+    joints = (j.name for j in model.joints if _depends(j, found))
+    frames = (n for f in model.frames if _depends(f, found) for n in (f.name, _long(f)))
     left_out = tuple(str(p.name) for p in unbound if p.kind is ValueKind.DYNAMICS)
     return Guesses(found, left_out, frozenset(map(str, joints)), frozenset(map(str, frames)))
 
@@ -77,9 +77,9 @@ def _lengths(model: Model, values: Mapping[str, float]) -> Iterator[float]:
             yield hypot(*known)
 
 
-def _depends(pose: Pose, names: Mapping[str, float]) -> bool:
+def _depends(thing: Joint | Frame, names: Mapping[str, float]) -> bool:
     return any(
         isinstance(symbol, ParameterUse) and str(symbol.name) in names
-        for expression, _ in pose_values(pose)
+        for expression in thing.values()
         for symbol in symbols(expression)
     )

@@ -2,19 +2,13 @@
 
 import math
 from collections.abc import Mapping
+from typing import assert_never
 
 from kindsl.language.semantics.declarations import ValueKind
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.parameters import Binding, Parameter
 from kindsl.robots.scene.messages import ParameterMessage
 from kindsl.robots.scene.state import Messages, keyed, path_of
-
-# Ranges of parameters that have no value to take one from.
-_USUAL = {
-    ValueKind.LENGTH: (-1.0, 1.0),
-    ValueKind.ANGLE: (-math.pi, math.pi),
-    ValueKind.DYNAMICS: (0.0, 10.0),
-}
 
 
 def parameter_messages(
@@ -66,6 +60,15 @@ def _range(parameter: Parameter, binding: Binding | None, value: float) -> tuple
 
 
 def _usual_range(kind: ValueKind, value: float) -> tuple[float, float]:
-    if kind is ValueKind.ANGLE or not value:
-        return _USUAL[kind]
-    return min(0.0, 2.0 * value), max(0.0, 2.0 * value)
+    """Return a range around a value; without one what parameters of its kind usually take."""
+    if value and kind is not ValueKind.ANGLE:
+        return min(0.0, 2.0 * value), max(0.0, 2.0 * value)
+    match kind:
+        case ValueKind.LENGTH:
+            return -1.0, 1.0
+        case ValueKind.ANGLE:
+            return -math.pi, math.pi
+        case ValueKind.DYNAMICS:
+            return 0.0, 10.0
+        case _:
+            assert_never(kind)

@@ -9,6 +9,7 @@ from kindsl.frontends.features.tree_path import TokenAt, token_at
 from kindsl.frontends.features.value_place import ValuePlace, expression_at, value_place
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.rules.context import ROBCOGEN
+from kindsl.language.syntax.tables import ValueKind
 from kindsl.language.syntax.vocabulary import NUMBERS, OPERANDS
 from kindsl.language.text.distinct import free_name
 from kindsl.language.text.edits import TextEdit
@@ -50,9 +51,10 @@ def _action(
 
 def _new_name(analysis: Analysis, place: ValuePlace) -> str:
     """Return a name that tells the place, unlike all names in the document."""
-    axis = "" if place.component is None else "xyz"[place.component]
-    short = {"translation": axis, "rotation": f"r{axis}"}
-    words = f"{place.owner_name}_{short.get(place.section, f'{place.section}_{axis}')}"
+    section, component, kind, _ = place.meaning
+    axis = "" if component is None else "xyz"[component]
+    short = {ValueKind.LENGTH: axis, ValueKind.ANGLE: f"r{axis}"}
+    words = f"{place.owner_name}_{short.get(kind, f'{section}_{axis}')}"
     wanted = _NO_NAME.sub("_", words.lower()).strip("_")
     if wanted.startswith("pi"):
         wanted = f"p_{wanted}"

@@ -27,7 +27,7 @@ def value_items(
     yield from _parameters(analysis, context, place)
     if before in ("(", ",", "="):
         yield from _plain(place)
-    elif place.kind is ValueKind.ANGLE:
+    elif place.meaning.kind is ValueKind.ANGLE:
         if before == "-":
             yield CompletionItem("PI/2.0", "value", "PI/2.0", "90°")
         yield CompletionItem("PI", "value", "PI", "180°")
@@ -45,11 +45,11 @@ def constant_items(analysis: Analysis, form: str) -> Iterator[CompletionItem]:
 
 
 def _plain(place: ValuePlace) -> Iterator[CompletionItem]:
-    if place.kind is ValueKind.ANGLE:
+    if place.meaning.kind is ValueKind.ANGLE:
         for text, detail in _PI_FORMS:
             yield CompletionItem(text, "value", text, detail)
-    if place.section not in _NEVER_ZERO:
-        yield CompletionItem("0.0", "value", "0.0", place.unit, is_asked_for=True)
+    if place.meaning.section not in _NEVER_ZERO:
+        yield CompletionItem("0.0", "value", "0.0", place.meaning.unit, is_asked_for=True)
 
 
 def _divisors(context: CompletionContext) -> Iterator[CompletionItem]:
@@ -68,7 +68,7 @@ def _parameters(
     for parameter in analysis.model.parameters:
         name = str(parameter.name)
         is_new = name == context.typed and len(parameter.uses) == 1
-        if not name or is_new or parameter.kind is not place.kind:
+        if not name or is_new or parameter.kind is not place.meaning.kind:
             continue
         value = analysis.context.values.get(name)
         told = "unbound" if value is None else number(value)

@@ -77,7 +77,7 @@ def _value_hover(analysis: Analysis, expression: Expression, place: ValuePlace) 
     value = expression.value(values)
     if value is None:
         return f"{place.title}: not known, {why_unknown((expression,), values).reason}"
-    return f"{place.title}: **{quantity(value, place.kind, place.unit)}**"
+    return f"{place.title}: **{quantity(value, place.meaning.kind, place.meaning.unit)}**"
 
 
 def _declared_thing(analysis: Analysis, symbol: Symbol) -> Link | Joint | Frame | None:

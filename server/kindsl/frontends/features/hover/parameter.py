@@ -1,23 +1,19 @@
 """The hover of a parameter or a constant: its class, its value, its uses."""
 
 from collections.abc import Iterator, Sequence
+from typing import assert_never
 
 from kindsl.frontends.features.quantity_text import number, quantity
 from kindsl.frontends.features.tree_path import path_at
 from kindsl.frontends.features.value_place import ValuePlace, value_place
 from kindsl.frontends.features.wording import paragraph
 from kindsl.judgement.analysis.analysis import Analysis
-from kindsl.language.semantics.declarations import ValueKind
 from kindsl.language.semantics.parameters import Constant, Parameter
 from kindsl.language.semantics.places import Name
 from kindsl.language.semantics.unknown import Unknown, why_unknown
+from kindsl.language.syntax.tables import ValueKind
 from kindsl.language.text.phrases import counted, listed
 
-_CLASS = {
-    ValueKind.LENGTH: "kinematics parameter, a length",
-    ValueKind.ANGLE: "kinematics parameter, an angle",
-    ValueKind.DYNAMICS: "dynamics parameter",
-}
 _SHOWN = 8
 
 
@@ -27,7 +23,7 @@ def parameter_hover(analysis: Analysis, name: str) -> str:
     if parameter is None:
         return f"There is no parameter `{name}`."
     kinds = dict.fromkeys(use.kind for use in parameter.uses)
-    classes = listed(_CLASS[kind] for kind in kinds)
+    classes = listed(map(_class, kinds))
     lines = [*_binding(analysis, parameter), *_uses([use.name for use in parameter.uses])]
     return paragraph(f"**parameter `{name}`**: {classes}", lines)
 
@@ -41,6 +37,18 @@ def constant_hover(analysis: Analysis, name: str) -> str:
     told = f"value {number(value)}" if value is not None else _no_value(constant)
     lines = [told, *_uses([use.name for use in constant.uses])]
     return paragraph(f"**constant `{name}`**", lines)
+
+
+def _class(kind: ValueKind) -> str:
+    match kind:
+        case ValueKind.LENGTH:
+            return "kinematics parameter, a length"
+        case ValueKind.ANGLE:
+            return "kinematics parameter, an angle"
+        case ValueKind.DYNAMICS:
+            return "dynamics parameter"
+        case _:
+            assert_never(kind)
 
 
 def _no_value(constant: Constant) -> str:

@@ -216,7 +216,7 @@ export interface ParameterMessage {
   /** Its place among the document's parameters. */
   readonly index: number;
   readonly name: string;
-  readonly kind: "length" | "angle" | "dynamics";
+  readonly kind: "dynamics" | "length" | "angle";
   /** As drawn, metres, radians or kg, kg m, kg m^2. */
   readonly value: number;
   /** Whether the value is a guess because there is none. */

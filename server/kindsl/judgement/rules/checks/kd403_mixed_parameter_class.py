@@ -17,6 +17,7 @@ rotation    = (offset, 0.0, 0.0)
 """
 
 from collections.abc import Iterator
+from typing import assert_never
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
@@ -26,12 +27,6 @@ from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import ValueKind
 from kindsl.language.semantics.model import Model
 
-_WORDS = {
-    ValueKind.LENGTH: "a length",
-    ValueKind.ANGLE: "an angle",
-    ValueKind.DYNAMICS: "a property of inertia",
-}
-
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each further class of a parameter, at its first place."""
@@ -40,12 +35,24 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         for use in parameter.uses:
             if use.kind not in known:
                 known.add(use.kind)
-                here, first = _WORDS[use.kind], _WORDS[parameter.kind]
+                here, first = _words(use.kind), _words(parameter.kind)
                 message = f"parameter '{parameter.name}' is {here} here and {first} elsewhere: "
                 message += "the generators keep two values"
                 related = Related(parameter.name, f"{first} here")
                 subject = parameter_subject(parameter.name)
                 yield Finding(use.name, message, (related,), subject=subject)
+
+
+def _words(kind: ValueKind) -> str:
+    match kind:
+        case ValueKind.LENGTH:
+            return "a length"
+        case ValueKind.ANGLE:
+            return "an angle"
+        case ValueKind.DYNAMICS:
+            return "a property of inertia"
+        case _:
+            assert_never(kind)
 
 
 def _joint(angle: str) -> str:

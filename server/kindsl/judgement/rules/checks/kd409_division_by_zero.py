@@ -17,25 +17,15 @@ from collections.abc import Iterator, Mapping
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import joint
-from kindsl.language.semantics.declarations import Declarations, ValueKind, link_values, pose_values
+from kindsl.language.semantics.declarations import Declarations
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.places import Place
 from kindsl.language.syntax.tree import Island, Node
-from kindsl.language.syntax.value_forms import formed_values
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
     """Yield a finding for each divisor that is zero."""
-    for body in declared.bodies():
-        if formed_values(body.island):
-            yield from _check(link_values(body), context)
-    for moved in declared.joints:
-        if formed_values(moved.island):
-            yield from _check(pose_values(moved.pose), context)
-
-
-def _check(values: Iterator[tuple[Expression, ValueKind]], context: Context) -> Iterator[Finding]:
-    for value, _ in values:
+    for value in declared.values():
         if value.literal is None:
             yield from _divisions(value.node, value.island, context.values)
 

@@ -29,7 +29,7 @@ from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import inertia, link
 from kindsl.judgement.rules.inertia.judgements import is_moving, is_plain, keyword
-from kindsl.language.semantics.declarations import Declarations, Inertia, Link, inertia_values
+from kindsl.language.semantics.declarations import Declarations, Inertia, Link
 from kindsl.language.semantics.expressions import ParameterUse, symbols
 from kindsl.language.semantics.numbers import mass_distribution
 
@@ -64,7 +64,7 @@ def _findings(body: Link, inertia: Inertia, context: Context) -> Iterator[Findin
 def _ranges(inertia: Inertia, context: Context) -> dict[str, tuple[float, float]]:
     names = [
         str(use.name)
-        for value in inertia_values(inertia)
+        for value in inertia.values()
         for use in symbols(value)
         if isinstance(use, ParameterUse)
     ]

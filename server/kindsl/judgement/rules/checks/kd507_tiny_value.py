@@ -21,7 +21,7 @@ from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
 from kindsl.judgement.rules.context import ROBCOGEN2, Context
 from kindsl.judgement.rules.examples import STEEL_BALL, link
 from kindsl.judgement.rules.tiny_values import is_negligible, is_tiny
-from kindsl.language.semantics.declarations import Declarations, Link, link_values, pose_values
+from kindsl.language.semantics.declarations import Declarations, Link
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.language.text.phrases import counted
@@ -32,10 +32,10 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
     if ROBCOGEN2 not in context.targets:
         return
     for body in declared.bodies():
-        tiny = _tiny(value for value, _ in link_values(body))
+        tiny = _tiny(body.values())
         yield from _findings([v for v, number in tiny if not _is_negligible(v, number, body)])
     for moved in declared.joints:
-        yield from _findings([v for v, _ in _tiny(value for value, _ in pose_values(moved.pose))])
+        yield from _findings([v for v, _ in _tiny(moved.values())])
 
 
 def _tiny(values: Iterable[Expression]) -> list[tuple[Expression, float]]:

@@ -21,7 +21,6 @@ from kindsl.judgement.rules.context import ROBCOGEN2, Context
 from kindsl.judgement.rules.examples import STEEL_BALL, link
 from kindsl.judgement.rules.number_writing import significant_digits
 from kindsl.language.semantics.aspects import Aspect
-from kindsl.language.semantics.declarations import link_values, pose_values
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.model import Model
@@ -56,10 +55,7 @@ def _long_values(island: Island) -> list[Expression]:
     # Most numbers are short, and their digits need no counting.
     if not any(len(token.text) > _KEPT and token.kind in NUMBERS for token in island.tokens):
         return []
-    declared = declarations(island)
-    values = [value for body in declared.bodies() for value, _ in link_values(body)]
-    values += [value for moved in declared.joints for value, _ in pose_values(moved.pose)]
-    return list(filter(_is_long, values))
+    return list(filter(_is_long, declarations(island).values()))
 
 
 def _is_long(value: Expression) -> bool:

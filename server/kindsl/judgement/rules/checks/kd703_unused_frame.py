@@ -19,7 +19,7 @@ from collections.abc import Iterator
 from kindsl.judgement.rules.base import Finding, Rule, Severity, Tag
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import link
-from kindsl.language.semantics.declarations import Declarations, Frame, pose_values
+from kindsl.language.semantics.declarations import Declarations, Frame
 
 
 def check_island(declared: Declarations, _: Context) -> Iterator[Finding]:
@@ -33,7 +33,7 @@ def check_island(declared: Declarations, _: Context) -> Iterator[Finding]:
 
 
 def _is_link_frame(frame: Frame) -> bool:
-    values = [value.literal for value, _ in pose_values(frame.pose)]
+    values = [value.literal for value in frame.values()]
     return len(values) == 6 and all(value == 0.0 for value in values)
 
 

@@ -22,7 +22,7 @@ from kindsl.judgement.rules.inertia.digits import (
     likely_half_widths,
     numbers_written,
 )
-from kindsl.language.semantics.declarations import Declarations, Inertia, Link, inertia_values
+from kindsl.language.semantics.declarations import Declarations, Inertia, Link
 from kindsl.language.semantics.expressions import ParameterUse, symbols
 from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.numbers import mass_distribution
@@ -249,7 +249,7 @@ def _is_proved_impossible(
 
 def _used(inertia: Inertia, values: Mapping[str, float]) -> dict[str, float]:
     """Return the values that an inertia uses, of parameters by name, of constants by `<name>`."""
-    unknown = (value for value in inertia_values(inertia) if value.literal is None)
+    unknown = (value for value in inertia.values() if value.literal is None)
     uses = [use for value in unknown for use in symbols(value)]
     names = dict.fromkeys(
         str(use.name) if isinstance(use, ParameterUse) else f"<{use.name}>" for use in uses

@@ -1,7 +1,4 @@
-"""The remarks of the grammar, `//: order`, `//: only`, `//: neither`; those that nobody reads fail.
-
-A remark is read where the parser, the values or the portability of a document ask for it.
-"""
+"""The remarks of the grammar, behind `//:`; its head explains them. An unread one is an error."""
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
@@ -10,7 +7,10 @@ from typing import NamedTuple
 TARGETS = ("robcogen", "robcogen2")
 
 _ORDER = re.compile(r"order ((?:\w+[?+]? ?)+)")
-_TARGET = re.compile(rf"(only) ({'|'.join(TARGETS)})|(neither) (KD\d{{3}})")
+_BEHIND = re.compile(
+    rf"(only) ({'|'.join(TARGETS)})|(neither) (KD\d{{3}})|(value) ([a-z]+(?: \S+)?)|"
+    r"(declares) ([a-z]+)|(refers) ([a-z]+(?: [a-z]+)*)"
+)
 _DEFINED = re.compile(r"[?!]?(\w+)(?:\.\d+)?\s*:(?!:)")
 _ALIAS = re.compile(r"->\s*(\w+)")
 
@@ -40,16 +40,17 @@ def annotations(grammar: str) -> Iterator[Annotation]:
         if not sign or code.startswith("//"):
             continue
         order = _ORDER.fullmatch(remark.strip())
-        target = _TARGET.fullmatch(remark.strip())
         below = _DEFINED.match(lines[number]) if number < len(lines) else None
         if order and not code and below:
             yield Annotation(below[1], "order", order[1], number)
             continue
         about = _ALIAS.search(code) or _DEFINED.match(code)
-        if not target or not about:
-            raise AnnotationError(f"line {number}: nobody reads '//:{remark}'")
-        word, value = (part for part in target.groups() if part)
-        yield Annotation(about[1], word, value, number)
+        for part in remark.split(";"):
+            behind = _BEHIND.fullmatch(part.strip())
+            if not behind or not about:
+                raise AnnotationError(f"line {number}: nobody reads '//:{remark}'")
+            word, value = (group for group in behind.groups() if group)
+            yield Annotation(about[1], word, value, number)
 
 
 def orders(found: Sequence[Annotation]) -> dict[str, tuple[str, ...]]:
