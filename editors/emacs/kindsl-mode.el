@@ -36,8 +36,8 @@
 (defconst kindsl--blocks '("Robot" "RobotBase" "link" "r_joint" "p_joint"))
 
 (defconst kindsl--sections
-  '("id" "inertia_params" "inertia_properties" "children" "frames" "ref_frame" "mass" "CoM"
-    "Ix" "Iy" "Iz" "Ixy" "Ixz" "Iyz" "translation" "rotation" "via" "floating"))
+  '("id" "inertia_params" "inertia_properties" "children" "frames" "ref_frame" "mass" "CoM" "Ix"
+    "Iy" "Iz" "Ixy" "Ixz" "Iyz" "translation" "rotation" "floating" "via"))
 
 (defconst kindsl--constants '("PI" "Pi" "pI" "pi"))
 

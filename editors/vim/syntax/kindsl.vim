@@ -4,9 +4,8 @@ if exists('b:current_syntax')
 endif
 
 syntax keyword kindslBlock Robot RobotBase link r_joint p_joint
-syntax keyword kindslSection id inertia_params inertia_properties children frames ref_frame
-syntax keyword kindslSection mass CoM Ix Iy Iz Ixy Ixz Iyz translation rotation
-syntax keyword kindslWord via floating
+syntax keyword kindslSection id inertia_params inertia_properties children frames ref_frame mass CoM Ix Iy Iz Ixy Ixz Iyz translation rotation
+syntax keyword kindslWord floating via
 syntax keyword kindslConstant PI Pi pI pi
 syntax match kindslNumber /\%(\w\)\@<![-+]\?\d*\.\d\+\%([eE][-+]\?\d\+\)\?/
 syntax match kindslNumber /\<\d\+\>/

@@ -4,8 +4,9 @@ import configuration from "../../../grammar/language-configuration.json";
 import { LANGUAGE } from "./files.js";
 
 const KEYWORDS = [
-  "Robot", "RobotBase", "floating", "link", "id", "children", "via", "frames", "inertia_params", "mass", "CoM", "r_joint",
-  "p_joint", "ref_frame", "translation", "rotation", "Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz",
+  "Robot", "RobotBase", "link", "r_joint", "p_joint", "id", "inertia_params",
+  "inertia_properties", "children", "frames", "ref_frame", "mass", "CoM", "Ix", "Iy", "Iz",
+  "Ixy", "Ixz", "Iyz", "translation", "rotation", "floating", "via",
 ];
 /** @type {monaco.languages.IMonarchLanguage} */
 const TOKENS = {

@@ -1,4 +1,4 @@
-"""Write all that is made of `grammar/kindsl.lark`: tables and typed sections.
+"""Write all that is made of `grammar/kindsl.lark`: tables, typed sections, editors' keywords.
 
 `python -m kindsl.language.syntax.generate [--check]`
 
@@ -21,10 +21,12 @@ from kindsl.language.syntax.generating.annotations import (
     orders,
 )
 from kindsl.language.syntax.generating.constructs import Constructs
+from kindsl.language.syntax.generating.editor_words import FILES, editor_files
 from kindsl.language.syntax.generating.section_classes import section_classes
 from kindsl.language.syntax.grammars import grammar_text
 
 TABLES = Path(__file__).with_name("tables.py")
+ROOT = Path(__file__).parents[4]
 SECTIONS = Path(__file__).parents[1] / "semantics" / "sections.py"
 
 _HEADER = '"""Generated from grammar/kindsl.lark by `make tables`; do not edit."""\n'
@@ -60,7 +62,7 @@ def main(arguments: list[str]) -> int:
     """Write what is generated, or compare it with `--check`; return the exit status."""
     try:
         grammar = grammar_text("kindsl.lark")
-        texts = {TABLES: tables(grammar), SECTIONS: sections(grammar)}
+        texts = {TABLES: tables(grammar), SECTIONS: sections(grammar), **_editors(grammar)}
     except AnnotationError as error:
         sys.stderr.write(f"grammar/kindsl.lark: {error}\n")
         return 1
@@ -113,6 +115,14 @@ def tables(grammar: str) -> str:
 def sections(grammar: str) -> str:
     """Return the source of `semantics/sections.py` for a grammar."""
     return _HEADER + section_classes(_read(grammar)[2])
+
+
+def _editors(grammar: str) -> dict[Path, str]:
+    """Return the files of editors that list keywords, with the keywords of the grammar."""
+    lark, kinds, constructs, _ = _read(grammar)
+    known = {**_lexical(lark, kinds), **constructs.tables()}
+    texts = {file: (ROOT / file).read_text(encoding="utf-8") for file in FILES}
+    return {ROOT / file: text for file, text in editor_files(known, texts)}
 
 
 @lru_cache(2)
