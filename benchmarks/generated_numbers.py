@@ -3,7 +3,7 @@
     python benchmarks/generated_numbers.py [--trees N] [--extreme N] [--corpus FOLDER]
 
 Each library is generated with all quantities, compiled (cc -O0), called, and compared with
-the readable algorithms, which share no code with what is generated. A difference is relative to
+the book's algorithms, which share no code with what is generated. A difference is relative to
 the greatest entry of a result, or to one. C and NumPy do all trees; CasADi and JAX, whose
 operations are slow one by one, some.
 
@@ -34,7 +34,7 @@ from tests.codegen.robots import ALL, bodies_of_seed, library
 
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.mechanics.dynamics.bodies import Bodies
-from kindsl.mechanics.dynamics.evaluation import readable_form
+from kindsl.mechanics.dynamics.evaluation import book
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanics.dynamics.evaluation.request import Request
 from kindsl.mechanics.dynamics.generation.function import Function
@@ -65,13 +65,13 @@ class Answers(NamedTuple):
 
 
 class _Book:
-    """Evaluates by the readable algorithms, always."""
+    """Evaluates by the book's algorithms, always."""
 
     def __init__(self, bodies: Bodies) -> None:
         self._bodies = bodies
 
     def evaluate(self, request: Request) -> Array:
-        return readable_form.evaluate(self._bodies, request)
+        return book.evaluate(self._bodies, request)
 
 
 def main() -> None:

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from kindsl.judgement.analysis.analysis import Analysis as Document
     from kindsl.judgement.analysis.settings import Settings
     from kindsl.mechanics.dynamics.evaluation.compiler import CompileError
+    from kindsl.mechanics.spatial.exponential import pose_error
     from kindsl.robots.cad.properties import MassProperties
     from kindsl.robots.cad.report import ReportError
     from kindsl.robots.mechanism.build import Mechanism
@@ -35,6 +36,7 @@ __all__ = [
     "load",
     "mass_properties",
     "parse",
+    "pose_error",
 ]
 
 __version__ = "0.1.0"
@@ -48,6 +50,7 @@ _PLACES = {
     "ParameterValueError": ("kindsl.robots.mechanism.errors", "ParameterValueError"),
     "ReportError": ("kindsl.robots.cad.report", "ReportError"),
     "UnboundParameterError": ("kindsl.robots.mechanism.errors", "UnboundParameterError"),
+    "pose_error": ("kindsl.mechanics.spatial.exponential", "pose_error"),
 }
 
 

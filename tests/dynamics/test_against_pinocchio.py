@@ -14,14 +14,14 @@ from tests.support.amount import usually
 from tests.support.differences import assert_close
 
 from kindsl.mechanics.dynamics.bodies import Bodies
-from kindsl.mechanics.dynamics.evaluation import readable_form as readable
+from kindsl.mechanics.dynamics.evaluation import book
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanics.dynamics.evaluation.request import Request
 from kindsl.mechanics.dynamics.quantities import JOINT_VECTORS, Quantity
 
 TREES_PER_BLOCK = 30
-# Of the trees that are compiled, which takes nearly all of the time.
-COMPILED_STEP = usually(5, thoroughly=1)
+# Of the trees that code is generated for, which takes nearly all of the time.
+GENERATED_STEP = usually(5, thoroughly=1)
 GRAVITY = np.array([1.2, -3.4, -9.0])
 
 
@@ -36,11 +36,11 @@ def _check_tree(seed: int, bodies: Bodies, generator: np.random.Generator) -> No
     q, qd, x = generator.uniform(-2.0, 2.0, (3, bodies.n_links))
     base_velocity = generator.uniform(-1.0, 1.0, 6) * bodies.is_floating
     expected = _expected(bodies, q, qd, x, base_velocity)
-    for quantity, got in _readable(bodies, q, qd, x, base_velocity):
-        assert_close(f"seed {seed}, readable, {quantity}", got, expected[quantity])
-    if seed % COMPILED_STEP == 0:
-        for quantity, got in _compiled(Mechanics(bodies), q, qd, x, base_velocity):
-            assert_close(f"seed {seed}, compiled, {quantity}", got, expected[quantity])
+    for quantity, got in _from_the_book(bodies, q, qd, x, base_velocity):
+        assert_close(f"seed {seed}, book, {quantity}", got, expected[quantity])
+    if seed % GENERATED_STEP == 0:
+        for quantity, got in _generated(Mechanics(bodies), q, qd, x, base_velocity):
+            assert_close(f"seed {seed}, generated, {quantity}", got, expected[quantity])
 
 
 def _expected(
@@ -66,7 +66,7 @@ def _expected(
     return expected
 
 
-def _compiled(
+def _generated(
     mechanics: Mechanics, q: np.ndarray, qd: np.ndarray, x: np.ndarray, base_velocity: np.ndarray
 ) -> Iterator[tuple[str, np.ndarray]]:
     bodies = mechanics.bodies
@@ -85,11 +85,11 @@ def _compiled(
         yield "center_of_mass_jacobian", mechanics.center_of_mass_jacobian(q)
 
 
-def _readable(
+def _from_the_book(
     bodies: Bodies, q: np.ndarray, qd: np.ndarray, x: np.ndarray, base_velocity: np.ndarray
 ) -> Iterator[tuple[str, np.ndarray]]:
     quantities: list[Quantity] = list(JOINT_VECTORS)
     for quantity in quantities:
         vectors = (q, qd, x)[: len(JOINT_VECTORS[quantity])]
         request = Request(quantity, (), vectors, base_velocity, GRAVITY)
-        yield quantity, readable.evaluate(bodies, request)
+        yield quantity, book.evaluate(bodies, request)

@@ -1,4 +1,4 @@
-"""The readable algorithms by themselves: batches of any shape are what their rows are."""
+"""The book's algorithms by themselves: batches of any shape are what their rows are."""
 
 from collections.abc import Callable
 
@@ -21,6 +21,7 @@ from kindsl.mechanics.dynamics.inverse_dynamics import (
 from kindsl.mechanics.dynamics.inverse_dynamics_derivatives import inverse_dynamics_derivatives
 from kindsl.mechanics.dynamics.jacobian import jacobian
 from kindsl.mechanics.dynamics.joint_space_inertia import joint_space_inertia
+from kindsl.mechanics.dynamics.posture import posture
 from kindsl.mechanics.dynamics.regressor import regressor
 from kindsl.mechanics.spatial.arrays import Array
 
@@ -36,7 +37,7 @@ ALGORITHMS: dict[str, Algorithm] = {
     "joint poses": lambda b, s: joint_poses(b, body_poses(b, s["q"])),
     "jacobian": lambda b, s: _jacobian(b, body_poses(b, s["q"])),
     "inertia": lambda b, s: joint_space_inertia(b, s["q"]),
-    "Newton-Euler": lambda b, s: newton_euler(b, s["q"], s["qd"], s["x"], s["v"], s["a"]),
+    "Newton-Euler": lambda b, s: newton_euler(posture(b, s["q"]), s["qd"], s["x"], s["v"], s["a"]),
     "fixed inverse": lambda b, s: inverse_dynamics(b, s["q"], s["qd"], s["x"], s["g"]),
     "floating inverse": lambda b, s: floating_base_inverse_dynamics(
         b, s["q"], s["qd"], s["x"], s["v"], s["g"]
@@ -49,7 +50,7 @@ ALGORITHMS: dict[str, Algorithm] = {
     "CoM": lambda b, s: center_of_mass(b, body_poses(b, s["q"])),
     "CoM jacobian": lambda b, s: center_of_mass_jacobian(b, body_poses(b, s["q"])),
     "inverse derivatives": lambda b, s: inverse_dynamics_derivatives(
-        b, s["q"], s["qd"], s["x"], s["v"], s["a"], s["g"]
+        posture(b, s["q"]), s["qd"], s["x"], s["v"], s["a"], s["g"]
     ),
     "forward derivatives": lambda b, s: forward_dynamics_derivatives(
         b, s["q"], s["qd"], s["x"], s["v"], s["g"]
@@ -58,9 +59,9 @@ ALGORITHMS: dict[str, Algorithm] = {
 }
 
 
-def _jacobian(bodies: Bodies, poses: list[Array]) -> Array:
+def _jacobian(bodies: Bodies, poses: Array) -> Array:
     frame = bodies.frames[0]
-    return jacobian(bodies, poses, frame.body, frame_poses(bodies, poses)[0])
+    return jacobian(bodies, poses, frame.body, frame_poses(bodies, poses)[..., 0, :, :])
 
 
 def _state(bodies: Bodies, shape: tuple[int, ...]) -> dict[str, Array]:
@@ -74,8 +75,13 @@ def _parts(answer: object) -> list[Array]:
     return list(answer) if isinstance(answer, tuple | list) else [answer]  # type: ignore[list-item]
 
 
-@pytest.mark.parametrize("name", ALGORITHMS)
-@pytest.mark.parametrize("bodies", [FIXED, FLOATING], ids=["fixed", "floating"])
+@pytest.mark.parametrize(
+    ("name", "bodies"),
+    [
+        *((name, FIXED) for name in ALGORITHMS if name != "floating inverse"),
+        *((name, FLOATING) for name in ALGORITHMS if name != "fixed inverse"),
+    ],
+)
 def test_a_batch_is_its_rows(name: str, bodies: Bodies) -> None:
     """As the docstrings promise: `...` may be no, one or two dimensions, and no rows at all."""
     algorithm = ALGORITHMS[name]

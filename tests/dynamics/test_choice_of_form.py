@@ -6,25 +6,23 @@ import numpy as np
 import pytest
 from tests.dynamics.random_bodies import random_bodies
 
-from kindsl.mechanics.dynamics.evaluation import choice_of_form, generated_form
-from kindsl.mechanics.dynamics.evaluation import readable_form as readable
-from kindsl.mechanics.dynamics.evaluation.choice_of_form import (
+from kindsl.mechanics.dynamics.evaluation import book, forms
+from kindsl.mechanics.dynamics.evaluation.forms import (
     LINEAR,
     MOST_LINKS_TO_GENERATE_FOR,
+    SMALLEST_BATCH,
     WORTH_GENERATING,
-    WORTH_READABLE,
     Forms,
+    GeneratedForm,
 )
-from kindsl.mechanics.dynamics.evaluation.generated_form import SMALLEST_BATCH, GeneratedForm
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
-from kindsl.mechanics.dynamics.evaluation.path_form import PathForm
 from kindsl.mechanics.dynamics.evaluation.request import Request
 from kindsl.mechanics.dynamics.quantities import JOINT_VECTORS, STANDARD_GRAVITY, Quantity
 from kindsl.mechanics.spatial.arrays import Array
 
 QUANTITIES: list[Quantity] = list(JOINT_VECTORS)
 SHORT, LONG = MOST_LINKS_TO_GENERATE_FOR, MOST_LINKS_TO_GENERATE_FOR + 1
-SIZES = (1, WORTH_READABLE - 1, WORTH_READABLE, WORTH_GENERATING - 1, WORTH_GENERATING)
+SIZES = (1, SMALLEST_BATCH, WORTH_GENERATING - 1, WORTH_GENERATING)
 REST, DOWN = np.zeros(6), np.array(STANDARD_GRAVITY)
 MOVING, ASIDE = np.array([0.3, -0.2, 0.5, 1.0, -2.0, 0.4]), np.array([1.0, 2.0, -3.0])
 
@@ -41,16 +39,11 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
     """How often each form was asked, and made, instead of an answer."""
     counts: Counter[str] = Counter()
 
-    def telling(name: str) -> object:
+    def counting(name: str) -> object:
         return lambda *_: counts.update([name])
 
-    monkeypatch.setattr(GeneratedForm, "evaluate", telling("code"))
-    monkeypatch.setattr(PathForm, "evaluate", telling("path"))
-    monkeypatch.setattr(readable, "evaluate", telling("readable"))
-    make = choice_of_form.PathForm
-    monkeypatch.setattr(
-        choice_of_form, "PathForm", lambda b: counts.update(["path made"]) or make(b)
-    )
+    monkeypatch.setattr(GeneratedForm, "evaluate", counting("code"))
+    monkeypatch.setattr(book, "evaluate", counting("book"))
     return counts
 
 
@@ -64,17 +57,13 @@ def test_short_chains_are_answered_by_code(quantity: Quantity, asked: Counter[st
 
 @pytest.mark.parametrize("quantity", QUANTITIES)
 def test_long_chains_are_answered_by_what_pays(quantity: Quantity, asked: Counter[str]) -> None:
-    """Code for the largest batches if it stays short; M needs most of what is quick by paths."""
+    """Code for the largest batches if it stays short."""
     chosen = Forms(random_bodies(np.random.default_rng(0), LONG, is_floating=False))
-    largest = "code" if quantity in LINEAR else "readable"
-    expected = ["path", "path", "readable", "readable", largest]
-    if quantity == "joint_space_inertia":
-        expected = ["path"] * len(SIZES)
-    for size, form in zip(SIZES, expected, strict=True):
+    largest = "code" if quantity in LINEAR else "book"
+    for size, form in zip(SIZES, ["book", "book", "book", largest], strict=True):
         before = asked[form]
         chosen.evaluate(_request(quantity, (1, size), LONG))
         assert asked[form] == before + 1, size
-    assert asked["path made"] == 1
 
 
 def test_no_code_is_written_where_that_is_said(asked: Counter[str]) -> None:
@@ -82,7 +71,7 @@ def test_no_code_is_written_where_that_is_said(asked: Counter[str]) -> None:
     chosen = Forms(bodies, generates_code=False)
     for size in SIZES:
         chosen.evaluate(_request("bias_torque", (size,), SHORT))
-    assert asked == {"path made": 1, "path": 2, "readable": 3}
+    assert asked == {"book": len(SIZES)}
 
 
 @pytest.mark.parametrize("is_floating", [False, True])
@@ -90,9 +79,9 @@ def test_code_is_written_once(is_floating: bool, monkeypatch: pytest.MonkeyPatch
     """Each quantity's, for one configuration and for many, at rest and in motion."""
     traced: Counter[tuple[object, ...]] = Counter()
     trees: list[int] = []
-    trace, tree_of = generated_form.trace, generated_form.tree_of
-    monkeypatch.setattr(generated_form, "trace", lambda *a: traced.update([a[2:]]) or trace(*a))
-    monkeypatch.setattr(generated_form, "tree_of", lambda b: trees.append(1) or tree_of(b))
+    trace, robot_of = forms.trace, forms.robot_of
+    monkeypatch.setattr(forms, "trace", lambda *a: traced.update([a[1:]]) or trace(*a))
+    monkeypatch.setattr(forms, "robot_of", lambda b: trees.append(1) or robot_of(b))
     bodies = random_bodies(np.random.default_rng(5), 3, is_floating)
     form = GeneratedForm(bodies)
     for _ in range(2):
@@ -116,7 +105,7 @@ def test_rest_is_no_velocity_and_standard_gravity(
     form = GeneratedForm(bodies)
     for quantity in QUANTITIES:
         request = _request(quantity, shape, 3, v, g)
-        expected = readable.evaluate(bodies, request)
+        expected = book.evaluate(bodies, request)
         np.testing.assert_allclose(form.evaluate(request), expected, rtol=1e-9, atol=1e-9)
     is_ready = shape == () and v is REST and g is DOWN
     assert {*form.at_rest} == ({*QUANTITIES} if is_ready else set())

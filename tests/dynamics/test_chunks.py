@@ -2,57 +2,37 @@
 
 import numpy as np
 import pytest
+from tests.dynamics.random_bodies import random_bodies
 
-from kindsl.mechanics.dynamics.evaluation.chunks import BODIES_AT_A_TIME, evaluate_in_chunks
+from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.dynamics.evaluation import book
 from kindsl.mechanics.dynamics.evaluation.request import Request
 from kindsl.mechanics.dynamics.generation.emitters.numpy_rows import BatchFunction, run_in_chunks
 from kindsl.mechanics.spatial.arrays import Array
 
 
-def _request(shape: tuple[int, ...]) -> Request:
-    """Joint vectors of two components that differ everywhere, a base velocity and gravity."""
-    q = np.arange(2.0 * np.prod(shape)).reshape((*shape, 2))
-    qd = -np.arange(2.0 * shape[-1]).reshape((shape[-1], 2)) if shape else -np.ones(2)
-    return Request("bias_torque", shape, (q, qd), np.arange(6.0), np.array([7.0, 8.0, 9.0]))
-
-
-def _told(request: Request) -> Array:
-    """Return one row per configuration that says all that it was given."""
-    return np.concatenate((*request.joint_vectors, request.base_velocity, request.gravity), axis=-1)
-
-
 @pytest.mark.parametrize("chunk", [1, 2, 3, 5, 6, 7, 100])
 @pytest.mark.parametrize("shape", [(), (0,), (1,), (6,), (2, 3), (7,), (3, 0)])
-def test_no_part_is_larger_than_it_may_be(shape: tuple[int, ...], chunk: int) -> None:
-    sizes = []
+def test_the_book_does_no_part_larger_than_it_may_be(
+    shape: tuple[int, ...], chunk: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    bodies = random_bodies(np.random.default_rng(1), 2, is_floating=True)
+    generator = np.random.default_rng(2)
+    q, qd = generator.uniform(-1.0, 1.0, (*shape, 2)), generator.uniform(-1.0, 1.0, 2)
+    request = Request("bias_torque", shape, (q, qd), np.arange(6.0), np.array([7.0, 8.0, 9.0]))
+    whole, sizes, bias = book.evaluate(bodies, request), [], book.bias_torque
 
-    def evaluate(part: Request) -> Array:
-        assert part.quantity == "bias_torque"
-        rows = {len(vector) for vector in (*part.joint_vectors, part.base_velocity, part.gravity)}
-        assert rows == {*part.batch_shape}
-        sizes.extend(rows)
-        return _told(part)
+    def counted(bodies: Bodies, q: Array, *others: Array) -> Array:
+        sizes.append(len(q))
+        return bias(bodies, q, *others)
 
-    request = _request(shape)
-    found = evaluate_in_chunks(evaluate, BODIES_AT_A_TIME // chunk, request)
+    monkeypatch.setattr(book, "bias_torque", counted)
+    monkeypatch.setattr(book, "BODIES_AT_A_TIME", chunk * bodies.n_links)
+    np.testing.assert_allclose(book.evaluate(bodies, request), whole, rtol=1e-12)
     size = int(np.prod(shape))
-    # A batch without rows is asked once: only the answer says how long rows are.
+    # A batch without rows is computed once: only the result says how long rows are.
     assert sizes == [chunk] * (size // chunk) + [size % chunk] * bool(size % chunk or not size)
-    full = [
-        np.broadcast_to(v, (*shape, v.shape[-1])) for v in (*request.joint_vectors, *request[3:])
-    ]
-    np.testing.assert_array_equal(found, np.concatenate(full, axis=-1))
-
-
-def test_the_longest_chains_are_done_one_by_one() -> None:
-    sizes = []
-
-    def evaluate(part: Request) -> Array:
-        sizes.append(*part.batch_shape)
-        return _told(part)
-
-    evaluate_in_chunks(evaluate, BODIES_AT_A_TIME + 1, _request((3,)))
-    assert sizes == [1, 1, 1]
+    assert whole.shape == (*shape, 8)
 
 
 @pytest.mark.parametrize("chunk", [1, 3, 10])

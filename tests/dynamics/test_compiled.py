@@ -1,5 +1,6 @@
 """Compiled mechanics answer what the others do, whatever they are given."""
 
+import inspect
 from dataclasses import replace
 from pathlib import Path
 
@@ -10,7 +11,7 @@ from tests.codegen.compiling import needs_compiler
 from tests.codegen.robots import bodies_of_seed
 
 import kindsl
-from kindsl.mechanics.dynamics.evaluation.compiled import CompiledMechanics
+from kindsl.mechanics.dynamics.evaluation.compiled import METHODS, CompiledMechanics
 from kindsl.mechanics.dynamics.evaluation.compiling import CompileError
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanics.dynamics.quantities import SingularInertiaError
@@ -238,9 +239,23 @@ def test_derivatives_are_compiled_once(monkeypatch: pytest.MonkeyPatch, tmp_path
     compiled = CompiledMechanics(bodies_of_seed(4, 2))
     method, q = compiled.regressor, np.zeros(compiled.n_joints)
     first = method(q, q, q)
-    monkeypatch.setattr("kindsl.mechanics.dynamics.evaluation.extension.kernels_of", None)
+    monkeypatch.setattr("kindsl.mechanics.dynamics.evaluation.kernels.kernels_of", None)
     np.testing.assert_array_equal(method(q, q, q), first)
     assert len(list(tmp_path.iterdir())) == 2
+
+
+def test_robots_that_are_compiled_twice_stay_apart(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """CPython fills one module with what it loads again; each robot keeps its own functions."""
+    monkeypatch.setenv("KINDSL_CACHE", str(tmp_path))
+    robots = [bodies_of_seed(4, 2), bodies_of_seed(12, 2)]
+    for bodies in robots:
+        CompiledMechanics(bodies)
+    again = [CompiledMechanics(bodies) for bodies in robots]
+    for compiled, bodies in zip(again, robots, strict=True):
+        q = np.full((2, 2, bodies.n_links), 0.4)
+        _assert_close(compiled.gravity_torque(q), Mechanics(bodies).gravity_torque(q))
 
 
 def test_with_a_compiler_that_fails(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
@@ -311,3 +326,45 @@ def test_feet_are_held_as_in_numpy(
                 compiled.constrained_forward_dynamics(*arguments)
         else:
             _assert_close(compiled.constrained_forward_dynamics(*arguments), expected, 1e-9)
+
+
+@pytest.mark.parametrize("shape", [(), (3,), (600,)], ids=str)
+def test_loads_are_those_of_numpy(
+    pair: tuple[CompiledMechanics, Mechanics], shape: tuple[int, ...]
+) -> None:
+    """External forces, a base's acceleration, Jacobians between frames and steps in time."""
+    compiled, _ = pair
+    generator, n = np.random.default_rng(8), compiled.n_joints
+    q, qd, x = generator.uniform(-1.0, 1.0, (3, *shape, n))
+    loads = {"external_forces": generator.uniform(-2.0, 2.0, (*shape, n + 1, 6))}
+    base = {"base_velocity": np.full(6, 0.2)} if compiled.bodies.is_floating else {}
+    given = [loads, {**loads, **base}]
+    if compiled.bodies.is_floating:
+        acceleration = {"base_acceleration": generator.uniform(-2.0, 2.0, (*shape, 6))}
+        given += [acceleration, {**acceleration, **loads, **base}]
+    for named in given:
+        found, expected = (m.inverse_dynamics(q, qd, x, **named) for m in pair)
+        _assert_close(found, expected, 1e-11)
+        if "base_acceleration" not in named:
+            found, expected = (m.forward_dynamics(q, qd, x, **named) for m in pair)
+            _assert_close(found, expected, 1e-9)
+    found, expected = (m.relative_jacobian(q, "link1", "frame0") for m in pair)
+    _assert_close(found, expected)
+    found, expected = (m.integrate(q, qd, 0.1, **base) for m in pair)
+    _assert_close(found, expected)
+
+
+def test_compiled_methods_have_signatures_and_help(
+    pair: tuple[CompiledMechanics, Mechanics],
+) -> None:
+    """Before they are compiled and after, of the class and of the instance."""
+    compiled, mechanics = pair
+    q = np.zeros(compiled.n_joints)
+    compiled.regressor(q, q, q)
+    for group, names in METHODS.items():
+        for name in names:
+            original = getattr(mechanics, name)
+            wanted = [*inspect.signature(original).parameters, "out"]
+            for method in (getattr(compiled, name), getattr(CompiledMechanics, name)):
+                assert [x for x in inspect.signature(method).parameters if x != "self"] == wanted
+                assert inspect.getdoc(method) == inspect.getdoc(original), (group, name)

@@ -30,7 +30,7 @@ def _values_of_inputs(lib, values: dict[str, Array]) -> dict[int, complex]:
 
 
 @pytest.mark.parametrize("seed", range(20))
-def test_the_graph_and_the_readable_form_agree(seed: int) -> None:
+def test_the_graph_and_the_book_agree(seed: int) -> None:
     bodies = bodies_of_seed(seed)
     lib, expected = library(bodies, DERIVATIVES), reference(bodies)
     numbers = _values_of_inputs(lib, expected.values)

@@ -1,22 +1,19 @@
 """All forms are equal: single, batched, in chunks, at rest or moving."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from tests.dynamics.random_bodies import random_bodies
 
-from kindsl.mechanics.dynamics.evaluation import generated_form as generated
-from kindsl.mechanics.dynamics.evaluation import readable_form as readable
-from kindsl.mechanics.dynamics.evaluation.choice_of_form import (
+from kindsl.mechanics.dynamics.evaluation import book, forms
+from kindsl.mechanics.dynamics.evaluation.forms import (
+    CHUNK,
     MOST_LINKS_TO_GENERATE_FOR,
+    SMALLEST_BATCH,
     WORTH_GENERATING,
-    WORTH_READABLE,
     Forms,
+    GeneratedForm,
 )
-from kindsl.mechanics.dynamics.evaluation.generated_form import CHUNK, SMALLEST_BATCH, GeneratedForm
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
-from kindsl.mechanics.dynamics.evaluation.path_form import PathForm
 from kindsl.mechanics.dynamics.evaluation.request import Request
 from kindsl.mechanics.dynamics.quantities import JOINT_VECTORS, STANDARD_GRAVITY, Quantity
 
@@ -42,7 +39,7 @@ def test_forms_are_equal(quantity: Quantity, is_floating: bool, is_at_rest: bool
                 v = generator.uniform(-1.0, 1.0, (*shape, 6)) * is_floating
                 gravity = generator.uniform(-9.0, 9.0, 3)
             request = Request(quantity, shape, tuple(vectors), v, gravity)
-            got, expected = form.evaluate(request), readable.evaluate(bodies, request)
+            got, expected = form.evaluate(request), book.evaluate(bodies, request)
             assert got.shape == expected.shape
             scale = abs(expected).max(initial=1e-3)
             assert abs(got - expected).max(initial=0.0) <= TOLERANCE * scale
@@ -73,37 +70,18 @@ def test_angles_of_all_sizes_keep_their_digits() -> None:
 
 
 @pytest.mark.parametrize("quantity", QUANTITIES)
-@pytest.mark.parametrize("is_floating", [False, True])
-def test_the_path_form_is_equal_too(quantity: Quantity, is_floating: bool) -> None:
-    for seed, n_links in enumerate((1, 9, 35)):
-        generator = np.random.default_rng(seed)
-        bodies = random_bodies(generator, n_links, is_floating)
-        if n_links == 9:
-            bodies = replace(bodies, frames=())
-        for shape in ((), (3, 2), (0,)):
-            n_vectors = len(JOINT_VECTORS[quantity])
-            vectors = generator.uniform(-3.0, 3.0, (n_vectors, *shape, n_links))
-            v, gravity = generator.uniform(-9.0, 9.0, 6) * is_floating, np.array([1.0, 2.0, 3.0])
-            request = Request(quantity, shape, tuple(vectors), v, gravity)
-            got, expected = PathForm(bodies).evaluate(request), readable.evaluate(bodies, request)
-            assert got.shape == expected.shape
-            scale = abs(expected).max(initial=1e-3)
-            assert abs(got - expected).max(initial=0.0) <= TOLERANCE * scale
-
-
-@pytest.mark.parametrize("quantity", QUANTITIES)
 def test_long_chains_never_wait_for_code(
     quantity: Quantity, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Unless the batch is so large that waiting for code is the shortest wait."""
     n_links = MOST_LINKS_TO_GENERATE_FOR + 1
-    forms = Forms(random_bodies(np.random.default_rng(0), n_links, is_floating=True))
+    chosen = Forms(random_bodies(np.random.default_rng(0), n_links, is_floating=True))
     traced = []
-    monkeypatch.setattr(generated, "trace", lambda *_: traced.append(1))
+    monkeypatch.setattr(forms, "trace", lambda *_: traced.append(1))
     vectors = tuple(np.zeros(n_links) for _ in JOINT_VECTORS[quantity])
     at_rest = np.zeros(6), np.array(STANDARD_GRAVITY)
-    for size in (1, WORTH_READABLE, WORTH_READABLE + 1):
-        forms.evaluate(Request(quantity, (size,), vectors, *at_rest))
+    for size in (1, SMALLEST_BATCH, SMALLEST_BATCH + 1):
+        chosen.evaluate(Request(quantity, (size,), vectors, *at_rest))
     assert not traced
 
 
@@ -112,6 +90,6 @@ def test_large_batches_of_long_chains_are_worth_code() -> None:
     bodies = random_bodies(np.random.default_rng(0), n_links, is_floating=False)
     q = np.random.default_rng(1).uniform(-1.0, 1.0, (WORTH_GENERATING, n_links))
     mechanics = Mechanics(bodies)
-    for rows in (slice(1), slice(WORTH_READABLE)):
+    for rows in (slice(1), slice(SMALLEST_BATCH)):
         torque = mechanics.gravity_torque(q[rows])
         assert mechanics.gravity_torque(q)[rows] == pytest.approx(torque, rel=1e-9, abs=1e-9)

@@ -17,9 +17,9 @@ from kindsl.mechanics.dynamics.generation.emitters.scalar_python import (
 from kindsl.mechanics.dynamics.generation.emitters.straight_line import computed
 from kindsl.mechanics.dynamics.generation.factorization import solve_symmetric
 from kindsl.mechanics.dynamics.generation.mass_moments import MassMoments
+from kindsl.mechanics.dynamics.generation.robot import robot_of
 from kindsl.mechanics.dynamics.generation.terms import Graph, Term, cosine_and_sine
 from kindsl.mechanics.dynamics.generation.trace import Trace, trace
-from kindsl.mechanics.dynamics.generation.tree import tree_of
 from kindsl.mechanics.dynamics.quantities import SingularInertiaError
 from kindsl.mechanics.spatial.inertia import pseudo_inertia
 
@@ -121,14 +121,14 @@ def test_fixed_base_costs_less_than_floating() -> None:
     generator = np.random.default_rng(0)
     sizes = []
     for is_floating in (False, True):
-        tree = tree_of(random_bodies(generator, 3, is_floating))
-        sizes.append(len(trace(tree, (), "bias_torque", "at_rest").needed()))
+        robot = robot_of(random_bodies(generator, 3, is_floating))
+        sizes.append(len(trace(robot, "bias_torque", "at_rest").needed()))
     assert sizes[0] < sizes[1]
 
 
 def test_scalar_code_refuses_what_is_not_finite() -> None:
-    tree = tree_of(random_bodies(np.random.default_rng(0), 2, is_floating=False))
-    function = scalar_function(trace(tree, (), "joint_space_inertia", "at_rest"))
+    robot = robot_of(random_bodies(np.random.default_rng(0), 2, is_floating=False))
+    function = scalar_function(trace(robot, "joint_space_inertia", "at_rest"))
     for value in (math.nan, math.inf, -math.inf):
         with pytest.raises(OverflowError):
             function(np.array([0.0, value]))

@@ -5,6 +5,7 @@ import numpy as np
 from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.inverse_dynamics import newton_euler
 from kindsl.mechanics.dynamics.joints import uniform_acceleration
+from kindsl.mechanics.dynamics.posture import posture
 from kindsl.mechanics.spatial.arrays import Array
 
 
@@ -23,19 +24,10 @@ def bias_torque(bodies: Bodies, q: Array, qd: Array, base_velocity: Array, gravi
 
     Source: Featherstone 2008, sec. 6.1: `C` of `tau = M qdd + C`.
     """
-    weightless = -uniform_acceleration(gravity)
-    tau, wrench = newton_euler(bodies, q, qd, np.zeros_like(qd), base_velocity, weightless)
-    if not bodies.is_floating:
-        return tau
-    return np.concatenate((np.broadcast_to(wrench, (*tau.shape[:-1], 6)), tau), axis=-1)
+    state, weightless = posture(bodies, q), -uniform_acceleration(gravity)
+    return newton_euler(state, qd, np.zeros_like(qd), base_velocity, weightless)
 
 
 def gravity_torque(bodies: Bodies, q: Array, gravity: Array) -> Array:
-    """Return the forces at rest, shape (..., nv), base rows first with a floating base.
-
-    Args:
-        bodies: The mechanism.
-        q: Joint positions, shape (..., n), radians and metres.
-        gravity: Shape (..., 3), m/s^2, base coordinates.
-    """
+    """Return the forces at rest, shape (..., nv); arguments as of `bias_torque`."""
     return bias_torque(bodies, q, np.zeros_like(q), np.zeros(6), gravity)

@@ -3,19 +3,18 @@
 import numpy as np
 
 from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.dynamics.joints import apply
+from kindsl.mechanics.dynamics.posture import path_matrix
 from kindsl.mechanics.spatial.arrays import Array
 from kindsl.mechanics.spatial.cross_products import cross, skew
 
 
 def subtree_masses(bodies: Bodies) -> Array:
     """Return each body's mass with all that it carries, shape (n + 1,), kg, base first."""
-    masses = bodies.masses.copy()
-    for i, parent in bodies.links_leaves_first():
-        masses[parent] += masses[i]
-    return masses
+    return np.asarray(path_matrix(bodies.parents).T @ bodies.masses)
 
 
-def subtree_first_moments(bodies: Bodies, poses: list[Array]) -> list[Array]:
+def subtree_first_moments(bodies: Bodies, poses: Array) -> Array:
     """Return mass times centre of mass of each body with all that it carries.
 
     Args:
@@ -23,29 +22,23 @@ def subtree_first_moments(bodies: Bodies, poses: list[Array]) -> list[Array]:
         poses: The bodies' poses in the base, from `body_poses`.
 
     Returns:
-        One array (..., 3) per body, base coordinates, kg m.
+        Shape (..., n + 1, 3), base coordinates, kg m.
     """
-    moments = [
-        m * ((pose[..., :3, :3] @ c) + pose[..., :3, 3])
-        for m, c, pose in zip(bodies.masses, bodies.coms, poses, strict=True)
-    ]
-    for i, parent in bodies.links_leaves_first():
-        moments[parent] = moments[parent] + moments[i]
-    return moments
+    coms = apply(poses[..., :3, :3], bodies.coms) + poses[..., :3, 3]
+    return np.asarray(path_matrix(bodies.parents).T @ (bodies.masses[:, None] * coms))
 
 
-def center_of_mass(bodies: Bodies, poses: list[Array]) -> Array:
+def center_of_mass(bodies: Bodies, poses: Array) -> Array:
     """Return the whole mechanism's centre of mass (..., 3), a floating base's included.
 
     Args:
         bodies: The mechanism; its total mass is not zero.
         poses: The bodies' poses in the base, from `body_poses`.
     """
-    center: Array = subtree_first_moments(bodies, poses)[0] / np.sum(bodies.masses)
-    return center
+    return np.asarray(subtree_first_moments(bodies, poses)[..., 0, :] / np.sum(bodies.masses))
 
 
-def center_of_mass_jacobian(bodies: Bodies, poses: list[Array]) -> Array:
+def center_of_mass_jacobian(bodies: Bodies, poses: Array) -> Array:
     """Return `J` (..., 3, nv), with the centre of mass's velocity `J @ (base velocity, qd)`.
 
     The velocity is relative to the world, in base coordinates; a floating base's six columns
@@ -59,15 +52,14 @@ def center_of_mass_jacobian(bodies: Bodies, poses: list[Array]) -> Array:
     """
     moments, masses = subtree_first_moments(bodies, poses), subtree_masses(bodies)
     first = bodies.n_velocities - bodies.n_links
-    J = np.zeros((*moments[0].shape[:-1], 3, bodies.n_velocities))
+    J = np.zeros((*moments.shape[:-2], 3, bodies.n_velocities))
     if bodies.is_floating:
-        J[..., :3] = -skew(moments[0] / masses[0])
+        J[..., :3] = -skew(moments[..., 0, :] / masses[0])
         J[..., 3:6] = np.eye(3)
-    for i, kind in enumerate(bodies.joint_kinds, start=1):
-        axis, origin = poses[i][..., :3, 2], poses[i][..., :3, 3]
-        if kind == "revolute":
-            moved = cross(axis, moments[i] - masses[i] * origin)
-        else:
-            moved = masses[i] * axis
-        J[..., first + i - 1] = moved / masses[0]
+    axes, origins = poses[..., 1:, :3, 2], poses[..., 1:, :3, 3]
+    carried = masses[1:, None]
+    is_revolute = np.array([[kind == "revolute"] for kind in bodies.joint_kinds])
+    turning = cross(axes, moments[..., 1:, :] - carried * origins)
+    moved = np.where(is_revolute, turning, carried * axes)
+    J[..., first:] = np.swapaxes(moved, -1, -2) / masses[0]
     return J

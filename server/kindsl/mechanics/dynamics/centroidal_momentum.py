@@ -4,10 +4,9 @@ import numpy as np
 
 from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.center_of_mass import center_of_mass
-from kindsl.mechanics.dynamics.forward_kinematics import body_poses
-from kindsl.mechanics.dynamics.inverse_dynamics import newton_euler
-from kindsl.mechanics.dynamics.joints import apply, body_inertias
-from kindsl.mechanics.dynamics.spatial_motion import in_base, spatial_motion
+from kindsl.mechanics.dynamics.inverse_dynamics import base_wrench
+from kindsl.mechanics.dynamics.joints import apply
+from kindsl.mechanics.dynamics.posture import posture
 from kindsl.mechanics.spatial.arrays import Array
 from kindsl.mechanics.spatial.cross_products import cross
 
@@ -23,18 +22,10 @@ def centroidal_momentum_matrix(bodies: Bodies, q: Array) -> Array:
 
     Source: Orin, Goswami, Lee 2013, Centroidal dynamics of a humanoid robot.
     """
-    rest, first = np.zeros_like(q), bodies.n_velocities - bodies.n_links
-    motion = spatial_motion(bodies, q, rest, rest, np.zeros(6), np.zeros(6))
-    carried = [
-        in_base(X, inertia)
-        for X, inertia in zip(motion.i_X_base, body_inertias(bodies), strict=True)
-    ]
-    for i, parent in bodies.links_leaves_first():
-        carried[parent] = carried[parent] + carried[i]
-    columns = [carried[0][..., k] for k in range(first)]
-    columns += [apply(carried[i], motion.S[i]) for i, _ in bodies.links()]
-    com = center_of_mass(bodies, body_poses(bodies, q))
-    return np.stack([_about(com, column) for column in columns], axis=-1)
+    state = posture(bodies, q)
+    columns = apply(state.of_columns(state.composites()), state.columns())
+    com = center_of_mass(bodies, state.poses)
+    return np.swapaxes(_about(com[..., None, :], columns), -1, -2)
 
 
 def centroidal_momentum_drift(bodies: Bodies, q: Array, qd: Array, base_velocity: Array) -> Array:
@@ -49,9 +40,9 @@ def centroidal_momentum_drift(bodies: Bodies, q: Array, qd: Array, base_velocity
         qd: Joint velocities, shape (..., n).
         base_velocity: Spatial velocity of the base, shape (..., 6), zero if it is fixed.
     """
-    rest = np.zeros_like(qd)
-    _, wrench = newton_euler(bodies, q, qd, rest, base_velocity, np.zeros(6))
-    return _about(center_of_mass(bodies, body_poses(bodies, q)), wrench)
+    state = posture(bodies, q)
+    wrench = base_wrench(state, qd, np.zeros_like(qd), base_velocity, np.zeros(6))
+    return _about(center_of_mass(bodies, state.poses), wrench)
 
 
 def _about(point: Array, wrench: Array) -> Array:

@@ -6,6 +6,7 @@ import numpy as np
 
 from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.inverse_dynamics_derivatives import inverse_dynamics_derivatives
+from kindsl.mechanics.dynamics.posture import posture
 from kindsl.mechanics.spatial.arrays import Array
 from kindsl.mechanics.spatial.cross_products import motion_cross
 
@@ -30,7 +31,7 @@ def coriolis_matrix(bodies: Bodies, q: Array, qd: Array, base_velocity: Array) -
     bodies = replace(bodies, drives=None)
     rest = np.zeros((*qd.shape[:-1], 6))
     derivatives = inverse_dynamics_derivatives(
-        bodies, q, qd, np.zeros_like(qd), base_velocity, rest, rest[..., :3]
+        posture(bodies, q), qd, np.zeros_like(qd), base_velocity, rest, rest[..., :3]
     )
     C = 0.5 * derivatives.dtau_dqd
     if bodies.is_floating:

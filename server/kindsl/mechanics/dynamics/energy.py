@@ -4,7 +4,8 @@ import numpy as np
 
 from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.center_of_mass import subtree_first_moments
-from kindsl.mechanics.dynamics.joints import apply, body_inertias, link_transforms, motion_subspaces
+from kindsl.mechanics.dynamics.joints import apply
+from kindsl.mechanics.dynamics.posture import posture
 from kindsl.mechanics.spatial.arrays import Array
 
 
@@ -19,18 +20,15 @@ def kinetic_energy(bodies: Bodies, q: Array, qd: Array, base_velocity: Array) ->
 
     Source: Featherstone 2008, eq. 2.67, summed over the bodies.
     """
-    X, S, inertias = link_transforms(bodies, q), motion_subspaces(bodies), body_inertias(bodies)
-    v = [base_velocity]
-    energy = 0.5 * np.sum(v[0] * apply(inertias[0], v[0]), axis=-1)
-    for i, parent in bodies.links():
-        v.append(apply(X[i], v[parent]) + S[i] * qd[..., i - 1, None])
-        energy = energy + 0.5 * np.sum(v[i] * apply(inertias[i], v[i]), axis=-1)
+    state = posture(bodies, q)
+    v = state.velocities(qd, base_velocity)
+    energy = 0.5 * np.sum(v * apply(state.inertias, v), axis=(-2, -1))
     if bodies.drives is not None:
         energy = energy + 0.5 * np.sum(bodies.drives.armature * qd**2, axis=-1)
     return np.asarray(energy)
 
 
-def potential_energy(bodies: Bodies, poses: list[Array], gravity: Array) -> Array:
+def potential_energy(bodies: Bodies, poses: Array, gravity: Array) -> Array:
     """Return the potential energy, zero for all mass at the base's origin: (...), joule.
 
     Args:
@@ -38,4 +36,4 @@ def potential_energy(bodies: Bodies, poses: list[Array], gravity: Array) -> Arra
         poses: The bodies' poses in the base, from `body_poses`.
         gravity: Shape (..., 3), m/s^2, base coordinates.
     """
-    return np.asarray(-np.sum(subtree_first_moments(bodies, poses)[0] * gravity, axis=-1))
+    return np.asarray(-np.sum(subtree_first_moments(bodies, poses)[..., 0, :] * gravity, axis=-1))

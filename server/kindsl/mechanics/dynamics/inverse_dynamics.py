@@ -1,62 +1,98 @@
-"""Inverse dynamics: the recursive Newton-Euler algorithm, for fixed and floating bases."""
+"""Inverse dynamics: the Newton-Euler equations of all bodies, for fixed and floating bases."""
 
 import numpy as np
 
 from kindsl.mechanics.dynamics.bodies import Bodies
-from kindsl.mechanics.dynamics.joint_space_inertia import composite_inertias
+from kindsl.mechanics.dynamics.joint_space_inertia import inertia_of
 from kindsl.mechanics.dynamics.joints import (
     apply,
-    apply_transposed,
-    body_inertias,
-    link_transforms,
     motion_cross_product,
-    motion_subspaces,
     rigid_body_force,
     solve,
     uniform_acceleration,
 )
+from kindsl.mechanics.dynamics.posture import Posture, posture
 from kindsl.mechanics.spatial.arrays import Array
+from kindsl.mechanics.spatial.transforms import plucker
 
 
 def newton_euler(
-    bodies: Bodies, q: Array, qd: Array, qdd: Array, base_velocity: Array, base_acceleration: Array
-) -> tuple[Array, Array]:
-    """Return the joint forces and the wrench on the base that a given motion takes.
+    state: Posture,
+    qd: Array,
+    qdd: Array,
+    base_velocity: Array,
+    base_acceleration: Array,
+    external: Array | None = None,
+) -> Array:
+    """Return the forces that a given motion takes, shape (..., nv).
 
     Args:
-        bodies: The mechanism.
-        q: Joint positions, shape (..., n), radians and metres.
+        state: The mechanism in its configuration.
         qd: Joint velocities, shape (..., n).
         qdd: Joint accelerations, shape (..., n).
         base_velocity: Spatial velocity of the base, shape (..., 6), base coordinates.
         base_acceleration: Spatial acceleration of the base less gravity's, shape (..., 6).
+        external: The wrench on each body at its origin in its coordinates, shape (..., n + 1, 6).
 
     Returns:
-        `tau` (..., n), N m and N, and the wrench (..., 6) in base coordinates, moment first.
+        `tau`, N m and N; with a floating base its wrench comes first, moment then force.
 
-    Source: Featherstone 2008, table 5.1.
+    Source: Featherstone 2008, sec. 5.3.
     """
-    X, S, inertias = link_transforms(bodies, q), motion_subspaces(bodies), body_inertias(bodies)
-    # Outward: velocities, accelerations, and the force that each body's motion takes.
-    v, a = [base_velocity], [base_acceleration]
-    f = [rigid_body_force(inertias[0], v[0], a[0])]
-    for i, parent in bodies.links():
-        v_joint = S[i] * qd[..., i - 1, None]
-        v.append(apply(X[i], v[parent]) + v_joint)
-        a_joint = S[i] * qdd[..., i - 1, None] + motion_cross_product(v[i], v_joint)
-        a.append(apply(X[i], a[parent]) + a_joint)
-        f.append(rigid_body_force(inertias[i], v[i], a[i]))
-    # Inward: each joint carries its whole subtree.
-    tau = np.zeros(np.broadcast_shapes(q.shape, (*base_acceleration.shape[:-1], 1)))
-    for i, parent in bodies.links_leaves_first():
-        tau[..., i - 1] = f[i] @ S[i]
-        f[parent] = f[parent] + apply_transposed(X[i], f[i])
-    if bodies.drives is not None:
-        tau = tau + bodies.drives.force(qd, qdd)
-    return tau, f[0]
+    wrenches, tau = _carried_forces(state, qd, qdd, base_velocity, base_acceleration, external)
+    return np.concatenate((wrenches, tau), axis=-1) if state.bodies.is_floating else tau
 
 
-def inverse_dynamics(bodies: Bodies, q: Array, qd: Array, qdd: Array, gravity: Array) -> Array:
+def base_wrench(
+    state: Posture, qd: Array, qdd: Array, base_velocity: Array, base_acceleration: Array
+) -> Array:
+    """Return the wrench (..., 6) on the base, fixed or floating, that a motion takes."""
+    return _carried_forces(state, qd, qdd, base_velocity, base_acceleration, None)[0]
+
+
+def _carried_forces(
+    state: Posture,
+    qd: Array,
+    qdd: Array,
+    base_velocity: Array,
+    base_acceleration: Array,
+    external: Array | None,
+) -> tuple[Array, Array]:
+    v, a = body_motions(state, qd, qdd, base_velocity, base_acceleration)
+    f = rigid_body_force(state.inertias, v, a)
+    if external is not None:
+        f = f - in_base(state, external)
+    f = state.path.T @ f
+    tau = np.sum(state.S * f, axis=-1)[..., 1:]
+    drives = state.bodies.drives
+    return f[..., 0, :], tau if drives is None else tau + drives.force(qd, qdd)
+
+
+def body_motions(
+    state: Posture, qd: Array, qdd: Array, base_velocity: Array, base_acceleration: Array
+) -> tuple[Array, Array]:
+    """Return the bodies' spatial velocities and accelerations, shape (..., n + 1, 6)."""
+    v_joint = state.along_joints(qd)
+    v = state.path @ v_joint + base_velocity[..., None, :]
+    a_joint = state.along_joints(qdd) + motion_cross_product(v, v_joint)
+    return v, state.path @ a_joint + base_acceleration[..., None, :]
+
+
+def in_base(state: Posture, wrenches: Array) -> Array:
+    """Return wrenches (..., n + 1, 6), given in the bodies, about the base's origin and axes."""
+    poses = state.poses
+    body_X_base = plucker(np.swapaxes(poses[..., :3, :3], -1, -2), poses[..., :3, 3])
+    return apply(np.swapaxes(body_X_base, -1, -2), wrenches)
+
+
+def inverse_dynamics(
+    bodies: Bodies,
+    q: Array,
+    qd: Array,
+    qdd: Array,
+    gravity: Array,
+    external: Array | None = None,
+) -> Array:
     """Return the joint forces `tau` (..., n) of a mechanism with a fixed base.
 
     Args:
@@ -65,15 +101,22 @@ def inverse_dynamics(bodies: Bodies, q: Array, qd: Array, qdd: Array, gravity: A
         qd: Joint velocities, shape (..., n).
         qdd: Joint accelerations, shape (..., n).
         gravity: Shape (..., 3), m/s^2, base coordinates.
+        external: The wrench on each body, see `newton_euler`.
     """
-    tau, _ = newton_euler(bodies, q, qd, qdd, np.zeros(6), -uniform_acceleration(gravity))
-    return tau
+    weightless = -uniform_acceleration(gravity)
+    return newton_euler(posture(bodies, q), qd, qdd, np.zeros(6), weightless, external)
 
 
 def floating_base_inverse_dynamics(
-    bodies: Bodies, q: Array, qd: Array, qdd: Array, base_velocity: Array, gravity: Array
+    bodies: Bodies,
+    q: Array,
+    qd: Array,
+    qdd: Array,
+    base_velocity: Array,
+    gravity: Array,
+    external: Array | None = None,
 ) -> tuple[Array, Array]:
-    """Return the joint forces and the acceleration of a base on which no wrench acts.
+    """Return the joint forces and the acceleration of a base that only gravity and `external` move.
 
     Args:
         bodies: The mechanism.
@@ -82,6 +125,7 @@ def floating_base_inverse_dynamics(
         qdd: Joint accelerations, shape (..., n).
         base_velocity: Spatial velocity of the base, shape (..., 6), base coordinates.
         gravity: Shape (..., 3), m/s^2, base coordinates.
+        external: The wrench on each body, see `newton_euler`.
 
     Returns:
         `tau` (..., n), and the base's spatial acceleration (..., 6), gravity's effect included.
@@ -89,14 +133,11 @@ def floating_base_inverse_dynamics(
     Raises:
         numpy.linalg.LinAlgError: If the whole mechanism's inertia is singular.
 
-    Source: Featherstone 2008, table 9.6.
+    Source: Featherstone 2008, sec. 9.5.
     """
-    X, S = link_transforms(bodies, q), motion_subspaces(bodies)
-    tau, wrench = newton_euler(bodies, q, qd, qdd, base_velocity, np.zeros(6))
+    state = posture(bodies, q)
+    forces = newton_euler(state, qd, qdd, base_velocity, np.zeros(6), external)
     # A free base takes the acceleration, relative to gravity, at which its wrench vanishes.
-    composite = composite_inertias(bodies, X)
-    a = [-solve(composite[0], wrench)]
-    for i, parent in bodies.links():
-        a.append(apply(X[i], a[parent]))
-        tau[..., i - 1] += apply(composite[i], a[i]) @ S[i]
-    return tau, a[0] + uniform_acceleration(gravity)
+    M = inertia_of(state)
+    a = -solve(M[..., :6, :6], forces[..., :6])
+    return forces[..., 6:] + apply(M[..., 6:, :6], a), a + uniform_acceleration(gravity)

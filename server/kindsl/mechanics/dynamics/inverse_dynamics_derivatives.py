@@ -4,18 +4,18 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.dynamics.inverse_dynamics import body_motions
 from kindsl.mechanics.dynamics.joint_space_inertia import add_rotors
-from kindsl.mechanics.dynamics.joints import apply, body_inertias
-from kindsl.mechanics.dynamics.spatial_motion import (
-    force_of,
-    in_base,
-    spatial_motion,
-    support_mask,
-    velocity_columns,
+from kindsl.mechanics.dynamics.joints import (
+    apply,
+    apply_transposed,
+    motion_cross_product,
+    rigid_body_force,
+    uniform_acceleration,
 )
+from kindsl.mechanics.dynamics.posture import Posture, supports
 from kindsl.mechanics.spatial.arrays import Array
-from kindsl.mechanics.spatial.cross_products import cross, force_cross, motion_cross
+from kindsl.mechanics.spatial.cross_products import cross, force_cross, motion_cross, skew
 
 
 class InverseDynamicsDerivatives(NamedTuple):
@@ -37,8 +37,7 @@ class InverseDynamicsDerivatives(NamedTuple):
 
 
 def inverse_dynamics_derivatives(
-    bodies: Bodies,
-    q: Array,
+    state: Posture,
     qd: Array,
     qdd: Array,
     base_velocity: Array,
@@ -48,8 +47,7 @@ def inverse_dynamics_derivatives(
     """Return all first derivatives of the forces; all arguments have the same batch shape.
 
     Args:
-        bodies: The mechanism.
-        q: Joint positions, shape (..., n), radians and metres.
+        state: The mechanism in its configuration.
         qd: Joint velocities, shape (..., n).
         qdd: Joint accelerations, shape (..., n).
         base_velocity: Spatial velocity of the base, shape (..., 6), zero if it is fixed.
@@ -59,89 +57,70 @@ def inverse_dynamics_derivatives(
     Source: Singh, Russell, Wensing 2022, Efficient analytical derivatives of rigid-body dynamics
         using spatial vector algebra, eqs. 40 to 47.
     """
-    relative = base_acceleration.copy()
-    relative[..., 3:] -= gravity
-    motion = spatial_motion(bodies, q, qd, qdd, base_velocity, relative)
-    first = bodies.n_velocities - bodies.n_links
-    # How each joint's axis moves with what carries it.
-    rate, rate_of_rate, both = [np.zeros(6)], [np.zeros(6)], [np.zeros(6)]
-    for i, parent in bodies.links():
-        rate.append(apply(motion_cross(motion.v[parent]), motion.S[i]))
-        second = apply(motion_cross(motion.a[parent]), motion.S[i])
-        rate_of_rate.append(second + apply(motion_cross(motion.v[parent]), rate[i]))
-        both.append(rate[i] + apply(motion_cross(motion.v[i]), motion.S[i]))
-    # What each joint carries: inertia, what its motion adds, and force.
-    composite = _composites(bodies, motion.i_X_base, motion.v, motion.a)
-    S = velocity_columns(bodies, motion.S)
-    rates = [_columns(bodies, vectors) for vectors in (rate, rate_of_rate, both)]
-    nv = bodies.n_velocities
-    dq, dqd, M = (np.zeros((*q.shape[:-1], nv, nv)) for _ in range(3))
+    bodies, S = state.bodies, state.columns()
+    v, a = body_motions(
+        state, qd, qdd, base_velocity, base_acceleration - uniform_acceleration(gravity)
+    )
+    rate, rate_of_rate, both = _axis_rates(state, v, a)
+    # What each velocity variable carries: inertia, what its motion adds, and force.
+    inertia = state.of_columns(state.composites())
+    coriolis = state.of_columns(state.carried(_coriolis(state, v)))
+    force = state.of_columns(state.carried(rigid_body_force(state.inertias, v, a)))
+    by_position = apply(coriolis, rate) + apply(inertia, rate_of_rate)
+    by_velocity = apply(coriolis, S) + apply(inertia, both)
+    # Of a row's variable, the columns that carry it; then the rows that carry a column's, whose
+    # force turns with its axis. The upper triangle of M mirrors the lower.
+    carriers, S_coriolis = supports(bodies), apply_transposed(coriolis, S)
+    above = carriers.T * (1.0 - carriers)
+    momentum, S_T = apply(inertia, S), np.swapaxes(S, -1, -2)
 
-    def fill(i: int, rows: slice) -> None:
-        inertia, coriolis, _ = composite[i]
-        mask = support_mask(bodies, i)
-        S_T = np.swapaxes(S[..., rows], -1, -2)
-        dq[..., rows, :] = (S_T @ (coriolis @ rates[0] + inertia @ rates[1])) * mask
-        dqd[..., rows, :] = (S_T @ (coriolis @ S + inertia @ rates[2])) * mask
-        M[..., rows, :] = (S_T @ inertia @ S) * mask
+    def rows(first: Array, with_first: Array, second: Array, with_second: Array) -> Array:
+        return np.asarray(
+            first @ np.swapaxes(with_first, -1, -2) + second @ np.swapaxes(with_second, -1, -2)
+        )
 
-    if first:
-        rates[2][..., :6] = motion_cross(motion.v[0])
-        fill(0, slice(0, 6))
-    for i, _ in bodies.links():
-        rows = slice(first + i - 1, first + i)
-        fill(i, rows)
-        inertia, coriolis, force = composite[i]
-        mask = support_mask(bodies, i)
-        # The same for what carries joint i; the force turns with the axis.
-        supports = mask.astype(bool)
-        supports[rows] = False
-        by_position = apply(coriolis, rate[i]) + apply(inertia, rate_of_rate[i])
-        by_position = by_position + apply(force_cross(motion.S[i]), force)
-        by_velocity = apply(coriolis, motion.S[i]) + apply(inertia, both[i])
-        above = np.swapaxes(S[..., supports], -1, -2)
-        column = first + i - 1
-        dq[..., supports, column] = apply(above, by_position)
-        dqd[..., supports, column] = apply(above, by_velocity)
-        M[..., supports, column] = apply(above, apply(inertia, motion.S[i]))
-    if first:
+    turning = apply(force_cross(S), force)
+    dq = rows(S_coriolis, rate, momentum, rate_of_rate) * carriers
+    dq += S @ np.swapaxes(by_position + turning, -1, -2) * above
+    dqd = rows(S_coriolis, S, momentum, both) * carriers
+    dqd += S @ np.swapaxes(by_velocity, -1, -2) * above
+    M: Array = momentum @ S_T * carriers
+    M += np.swapaxes(M * (1.0 - carriers.T), -1, -2)
+    if bodies.is_floating:
         # The base turns: gravity turns the other way in its coordinates.
-        for k, axis in enumerate(np.eye(3)):
-            dq[..., k] = -apply(M[..., 3:6], cross(gravity, np.broadcast_to(axis, gravity.shape)))
+        turned = cross(gravity[..., None, :], np.eye(3))
+        dq[..., :3] = -M[..., 3:6] @ np.swapaxes(turned, -1, -2)
+    joints = np.arange(bodies.n_velocities - bodies.n_links, bodies.n_velocities)
     if bodies.drives is not None:
-        joints = np.arange(first, nv)
         dqd[..., joints, joints] += bodies.drives.damping
     add_rotors(bodies, M)
     return InverseDynamicsDerivatives(dq, dqd, M)
 
 
-def _columns(bodies: Bodies, vectors: list[Array]) -> Array:
-    """Return the joints' vectors as columns, zeros for the base's."""
-    shape = np.broadcast_shapes(*(vector.shape for vector in vectors))
-    columns = np.zeros((*shape, bodies.n_velocities))
-    first = bodies.n_velocities - bodies.n_links
-    for i, _ in bodies.links():
-        columns[..., first + i - 1] = vectors[i]
-    return columns
+def _axis_rates(state: Posture, v: Array, a: Array) -> tuple[Array, Array, Array]:
+    """Return how each velocity variable's unit motion moves with what carries it, (..., nv, 6)."""
+    S, parents = state.S[..., 1:, :], state.bodies.parents
+    rate = motion_cross_product(v[..., parents, :], S)
+    second = motion_cross_product(a[..., parents, :], S)
+    second = second + motion_cross_product(v[..., parents, :], rate)
+    both = rate + motion_cross_product(v[..., 1:, :], S)
+    if not state.bodies.is_floating:
+        return rate, second, both
+    still = np.zeros((*rate.shape[:-2], 6, 6))
+    turning = np.swapaxes(motion_cross(v[..., 0, :]), -1, -2) + still
+    return (
+        np.concatenate((still, rate), axis=-2),
+        np.concatenate((still, second), axis=-2),
+        np.concatenate((turning, both), axis=-2),
+    )
 
 
-def _composites(
-    bodies: Bodies, i_X_base: list[Array], v: list[Array], a: list[Array]
-) -> list[tuple[Array, Array, Array]]:
-    """Return inertia, Coriolis matrix and force of each body with all that it carries."""
-    sums = []
-    for inertia, X, v_i, a_i in zip(body_inertias(bodies), i_X_base, v, a, strict=True):
-        moved = in_base(X, inertia)
-        momentum = apply(moved, v_i)
-        coriolis = force_cross(v_i) @ moved - moved @ motion_cross(v_i) + _force_cross_of(momentum)
-        sums.append((moved, coriolis, force_of(moved, v_i, a_i)))
-    for i, parent in bodies.links_leaves_first():
-        above, carried = sums[parent], sums[i]
-        sums[parent] = (above[0] + carried[0], above[1] + carried[1], above[2] + carried[2])
-    return sums
-
-
-def _force_cross_of(f: Array) -> Array:
-    """Return the matrix that takes a motion `m` to `m x* f`, shape (..., 6, 6)."""
-    basis = np.eye(6)
-    return np.stack([apply(force_cross(axis), f) for axis in basis], axis=-1)
+def _coriolis(state: Posture, v: Array) -> Array:
+    """Return what the force of each body changes by with its velocity, (..., n + 1, 6, 6)."""
+    moving, inertias = motion_cross(v), state.inertias
+    # `m x* h` as a matrix times m: the momentum's moments and forces as cross products.
+    h = -skew(apply(inertias, v).reshape((*v.shape[:-1], 2, 3)))
+    turning = np.zeros((*v.shape, 6))
+    turning[..., :3, :3] = h[..., 0, :, :]
+    turning[..., :3, 3:] = turning[..., 3:, :3] = h[..., 1, :, :]
+    return np.asarray(turning - np.swapaxes(moving, -1, -2) @ inertias - inertias @ moving)

@@ -1,13 +1,14 @@
-"""The geometric Jacobian of a frame."""
+"""Geometric Jacobians of frames."""
 
 import numpy as np
 
 from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.dynamics.joints import apply
 from kindsl.mechanics.spatial.arrays import Array
 from kindsl.mechanics.spatial.cross_products import cross, skew
 
 
-def jacobian(bodies: Bodies, poses: list[Array], body: int, base_T_frame: Array) -> Array:
+def jacobian(bodies: Bodies, poses: Array, body: int, base_T_frame: Array) -> Array:
     """Return `J`, with the frame's velocity `J @ (base velocity, qd)`.
 
     The velocity is that of the frame relative to the world, in the frame's orientation, at its
@@ -30,16 +31,32 @@ def jacobian(bodies: Bodies, poses: list[Array], body: int, base_T_frame: Array)
         J[..., :3, :3] = J[..., 3:, 3:6] = frame_E_base
         J[..., 3:, :3] = -frame_E_base @ skew(r)
     for joint in bodies.support(body):
-        axis, origin = poses[joint][..., :3, 2], poses[joint][..., :3, 3]
+        axis, origin = poses[..., joint, :3, 2], poses[..., joint, :3, 3]
         column = J[..., first + joint - 1]
         if bodies.joint_kinds[joint - 1] == "revolute":
-            column[..., :3] = _rotate(frame_E_base, axis)
-            column[..., 3:] = _rotate(frame_E_base, cross(axis, r - origin))
+            column[..., :3] = apply(frame_E_base, axis)
+            column[..., 3:] = apply(frame_E_base, cross(axis, r - origin))
         else:
-            column[..., 3:] = _rotate(frame_E_base, axis)
+            column[..., 3:] = apply(frame_E_base, axis)
     return J
 
 
-def _rotate(E: Array, v: Array) -> Array:
-    rotated: Array = (E @ v[..., None])[..., 0]
-    return rotated
+def relative_jacobian(
+    bodies: Bodies, poses: Array, base: tuple[int, Array], target: tuple[int, Array]
+) -> Array:
+    """Return `J` (..., 6, nv), with a target's velocity relative to a base `J @ (..., qd)`.
+
+    The velocity is that of the target's origin as the base sees it, in the base's coordinates. The
+    mechanism's base has no part in it.
+
+    Args:
+        bodies: The mechanism.
+        poses: The bodies' poses in the base, from `body_poses`.
+        base: The body that carries the base frame, and the frame's pose (..., 4, 4).
+        target: The same of the target.
+    """
+    (one, seen_from), (other, pose) = base, target
+    at_target = np.concatenate((seen_from[..., :3], pose[..., 3:]), axis=-1)
+    J = jacobian(bodies, poses, other, at_target) - jacobian(bodies, poses, one, at_target)
+    J[..., : bodies.n_velocities - bodies.n_links] = 0.0
+    return J

@@ -1,14 +1,10 @@
-"""The joint-space inertia matrix: the composite-rigid-body algorithm."""
+"""The joint-space inertia matrix, by composite rigid bodies."""
 
 import numpy as np
 
 from kindsl.mechanics.dynamics.bodies import Bodies
-from kindsl.mechanics.dynamics.joints import (
-    apply_transposed,
-    body_inertias,
-    link_transforms,
-    motion_subspaces,
-)
+from kindsl.mechanics.dynamics.joints import apply
+from kindsl.mechanics.dynamics.posture import Posture, posture, supports
 from kindsl.mechanics.spatial.arrays import Array
 
 
@@ -23,22 +19,19 @@ def joint_space_inertia(bodies: Bodies, q: Array) -> Array:
         Shape (..., nv, nv); with a floating base its six rows and columns come first, angular
         then linear, in base coordinates.
 
-    Source: Featherstone 2008, table 6.2 and sec. 9.3.
+    Source: Featherstone 2008, sec. 6.2 and 9.3.
     """
-    X, S = link_transforms(bodies, q), motion_subspaces(bodies)
-    composite = composite_inertias(bodies, X)
-    first = bodies.n_velocities - bodies.n_links
-    M = np.zeros((*q.shape[:-1], bodies.n_velocities, bodies.n_velocities))
-    M[..., :first, :first] = composite[0][..., :first, :first]
-    for i, _ in bodies.links():
-        # The force that moves the subtree of joint i, seen by each joint that supports it.
-        f, row = composite[i] @ S[i], first + i - 1
-        for j in bodies.support(i):
-            column = first + j - 1
-            M[..., row, column] = M[..., column, row] = f @ S[j]
-            f = apply_transposed(X[j], f)
-        M[..., row, :first] = M[..., :first, row] = f[..., :first]
-    add_rotors(bodies, M)
+    return inertia_of(posture(bodies, q))
+
+
+def inertia_of(state: Posture) -> Array:
+    """Return the joint-space inertia in a configuration, see `joint_space_inertia`."""
+    columns = state.columns()
+    # The force that moves each subtree, seen by the joints that support it.
+    f = apply(state.of_columns(state.composites()), columns)
+    lower = np.tril(f @ np.swapaxes(columns, -1, -2) * supports(state.bodies))
+    M: Array = lower + np.swapaxes(np.tril(lower, -1), -1, -2)
+    add_rotors(state.bodies, M)
     return M
 
 
@@ -47,17 +40,3 @@ def add_rotors(bodies: Bodies, M: Array) -> None:
     if bodies.drives is not None:
         joints = np.arange(bodies.n_velocities - bodies.n_links, bodies.n_velocities)
         M[..., joints, joints] += bodies.drives.armature
-
-
-def composite_inertias(bodies: Bodies, X: list[Array]) -> list[Array]:
-    """Return the inertia (..., 6, 6) of each body with all that it carries, as if rigid.
-
-    Args:
-        bodies: The mechanism.
-        X: `i_X_p` of every body, from `link_transforms`.
-    """
-    composite = body_inertias(bodies)
-    for i, parent in bodies.links_leaves_first():
-        moved = np.swapaxes(X[i], -1, -2) @ composite[i] @ X[i]
-        composite[parent] = composite[parent] + moved
-    return composite

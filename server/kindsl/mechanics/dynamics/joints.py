@@ -14,36 +14,17 @@ MOTION_SUBSPACE = {
 }
 
 
-def link_poses_in_parents(bodies: Bodies, q: Array) -> tuple[list[Array], list[Array]]:
-    """Return `p_R_i` and `p_r_i` of each link i in its parent p, lists by joint.
-
-    Args:
-        bodies: The mechanism.
-        q: Joint positions, shape (..., n), radians and metres.
-
-    Returns:
-        Rotations (..., 3, 3) and positions (..., 3) metres.
-    """
-    rotations, positions = [], []
+def link_transforms(bodies: Bodies, q: Array) -> list[Array]:
+    """Return `i_X_p` (..., 6, 6), from each link's parent to it, by body; identity for the base."""
+    transforms = [np.eye(6)]
     for joint, kind in enumerate(bodies.joint_kinds):
         R, r, q_i = bodies.p_R_j[joint], bodies.p_r_j[joint], q[..., joint]
         if kind == "revolute":
-            rotations.append(R @ rotation_about_z(q_i))
-            positions.append(np.broadcast_to(r, (*q_i.shape, 3)))
+            R = R @ rotation_about_z(q_i)
         else:
-            rotations.append(np.broadcast_to(R, (*q_i.shape, 3, 3)))
-            positions.append(r + R[:, 2] * q_i[..., None])
-    return rotations, positions
-
-
-def link_transforms(bodies: Bodies, q: Array) -> list[Array]:
-    """Return `i_X_p` (..., 6, 6), from each link's parent to it, by body; identity for the base."""
-    rotations, positions = link_poses_in_parents(bodies, q)
-    transforms = [
-        plucker(np.swapaxes(p_R_i, -1, -2), p_r_i)
-        for p_R_i, p_r_i in zip(rotations, positions, strict=True)
-    ]
-    return [np.eye(6), *transforms]
+            r = r + R[:, 2] * q_i[..., None]
+        transforms.append(plucker(np.swapaxes(R, -1, -2), r))
+    return transforms
 
 
 def motion_subspaces(bodies: Bodies) -> list[Array]:

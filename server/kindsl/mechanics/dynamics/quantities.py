@@ -1,4 +1,4 @@
-"""The quantities that exist in a readable and in a generated form, and what they depend on."""
+"""The quantities that exist in both forms, the book's and generated code; what they depend on."""
 
 from typing import Final, Literal, TypeAlias
 

@@ -3,10 +3,12 @@
 import numpy as np
 
 from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.dynamics.inverse_dynamics import body_motions
 from kindsl.mechanics.dynamics.joints import apply
-from kindsl.mechanics.dynamics.spatial_motion import spatial_motion, support_mask, velocity_columns
+from kindsl.mechanics.dynamics.posture import moved_bodies, posture
 from kindsl.mechanics.spatial.arrays import Array
 from kindsl.mechanics.spatial.cross_products import force_cross, skew
+from kindsl.mechanics.spatial.transforms import plucker
 
 PARAMETERS_PER_BODY = 10
 _TENSOR_ENTRIES = ((0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2))
@@ -43,18 +45,20 @@ def regressor(
 
     Source: Featherstone 2008, sec. 9.6 on the linearity in inertial parameters.
     """
-    motion = spatial_motion(bodies, q, qd, qdd, base_velocity, base_acceleration)
-    S = velocity_columns(bodies, motion.S)
-    units = _unit_inertias()
-    blocks = []
-    for body in range(0 if bodies.is_floating else 1, bodies.n_links + 1):
-        X = motion.i_X_base[body]
-        v, a = apply(X, motion.v[body]), apply(X, motion.a[body])
-        accelerating = np.einsum("pij,...j->...ip", units, a)
-        forces = accelerating + force_cross(v) @ np.einsum("pij,...j->...ip", units, v)
-        block = np.swapaxes(X @ S, -1, -2) @ forces
-        blocks.append(block * support_mask(bodies, body)[:, None])
-    return np.concatenate(blocks, axis=-1)
+    state, units = posture(bodies, q), _unit_inertias()
+    v, a = body_motions(state, qd, qdd, base_velocity, base_acceleration)
+    poses = state.poses
+    X = plucker(np.swapaxes(poses[..., :3, :3], -1, -2), poses[..., :3, 3])
+    v, a = apply(X, v), apply(X, a)
+    forces = np.einsum("pij,...bj->...bip", units, a)
+    forces = forces + force_cross(v) @ np.einsum("pij,...bj->...bip", units, v)
+    # Of each body, what its parameters take of the velocity variables that move it.
+    columns = state.columns()[..., None, :, :]
+    blocks = columns @ np.swapaxes(X, -1, -2) @ forces
+    blocks = blocks * state.path[:, moved_bodies(bodies)][..., None]
+    moving = blocks[..., 0 if bodies.is_floating else 1 :, :, :]
+    Y: Array = np.moveaxis(moving, -3, -2)
+    return Y.reshape((*Y.shape[:-2], Y.shape[-2] * Y.shape[-1]))
 
 
 def _unit_inertias() -> Array:

@@ -71,6 +71,31 @@ def base_conditions(
     return conditions
 
 
+def loads(
+    bodies: Bodies,
+    base_acceleration: npt.ArrayLike | None = None,
+    external_forces: npt.ArrayLike | None = None,
+) -> dict[str, Array]:
+    """Return what is given: a base's acceleration (..., 6), all bodies' wrenches (..., 6 (n + 1)).
+
+    Raises:
+        ValueError: If a fixed base is given an acceleration, or an array is not right.
+    """
+    given = {}
+    if base_acceleration is not None:
+        if not bodies.is_floating:
+            raise ValueError("'base_acceleration' is given, but the base is fixed")
+        given["base_acceleration"] = vectors("base_acceleration", base_acceleration, 6)
+    if external_forces is not None:
+        wrenches, n = vectors("external_forces", external_forces, 6), bodies.n_links + 1
+        if wrenches.ndim < 2 or wrenches.shape[-2] != n:
+            raise ValueError(
+                f"'external_forces' has shape {wrenches.shape}, expected (..., {n}, 6)"
+            )
+        given["external_forces"] = wrenches.reshape((*wrenches.shape[:-2], 6 * n))
+    return given
+
+
 def common_batch_shape(arrays: dict[str, Array]) -> tuple[int, ...]:
     """Return what the leading dimensions of named arrays broadcast to.
 

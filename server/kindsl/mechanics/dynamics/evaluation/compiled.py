@@ -3,31 +3,35 @@
 # Signatures in `help` are as short as they are written here.
 from __future__ import annotations
 
-from functools import partial
+import math
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial, wraps
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.dynamics.constrained_forward_dynamics import WORST_CONDITION
 from kindsl.mechanics.dynamics.evaluation.arguments import JointVector
-from kindsl.mechanics.dynamics.evaluation.compiled_whole_body import CompiledWholeBody
-from kindsl.mechanics.dynamics.evaluation.extension import Extension, Method, not_direct
+from kindsl.mechanics.dynamics.evaluation.kernels import Extension, Method, signature_with_out
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
-from kindsl.mechanics.dynamics.evaluation.results import Poses
-from kindsl.mechanics.dynamics.evaluation.row_forms import RowForms
+from kindsl.mechanics.dynamics.evaluation.request import Request
+from kindsl.mechanics.dynamics.evaluation.results import ConstrainedMotion, Poses
 from kindsl.mechanics.dynamics.evaluation.singular import singular_inertia
-from kindsl.mechanics.dynamics.evaluation.whole_body import WholeBody
+from kindsl.mechanics.dynamics.generation.jacobians import feet
 from kindsl.mechanics.dynamics.generation.robot import robot_of
-from kindsl.mechanics.dynamics.quantities import SingularInertiaError
+from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY, SingularInertiaError
 from kindsl.mechanics.spatial.arrays import Array
 
-# Methods that answer by themselves for float64 arrays of the right shape.
-DIRECT = (
-    "joint_space_inertia", "inverse_dynamics", "forward_dynamics", "gravity_torque", "bias_torque",
-    "kinetic_energy", "potential_energy", "center_of_mass", "center_of_mass_jacobian",
-)  # fmt: skip
-# The methods that are compiled on their first use, by group.
-LATER = {
+# Methods that answer by themselves for float64 arrays of the right shape, by group.
+METHODS = {
+    "plain": (
+        "joint_space_inertia", "inverse_dynamics", "forward_dynamics", "gravity_torque",
+        "bias_torque", "kinetic_energy", "potential_energy", "center_of_mass",
+        "center_of_mass_jacobian",
+    ),
     "derivatives": (
         "inverse_dynamics_derivatives", "forward_dynamics_derivatives", "regressor",
     ),
@@ -36,19 +40,18 @@ LATER = {
         "coriolis_matrix",
     ),
 }  # fmt: skip
-LATER_METHODS = tuple(name for names in LATER.values() for name in names)
+# A thread is worth its start from about so many configurations on.
+ROWS_PER_THREAD = 500
 
 
-class CompiledMechanics(CompiledWholeBody):
+class CompiledMechanics(Mechanics):
     """Mechanics compiled for one mechanism.
 
     Methods take and return what those of `Mechanics` do; those of dynamics and masses also take
     `out`, an array (or a tuple of arrays for several results) that is filled and returned.
-    Derivatives, and what controllers of the whole body need, are compiled on their first use.
+    Jacobians, external forces, derivatives, and what controllers of the whole body need, are
+    compiled on their first use.
     """
-
-    __slots__ = ("_extension", "_jacobians", "_pose_entries",
-                 *DIRECT, *LATER_METHODS)  # fmt: skip
 
     def __init__(self, bodies: Bodies, threads: int = 1) -> None:
         """Compile, or find what was compiled before.
@@ -62,27 +65,32 @@ class CompiledMechanics(CompiledWholeBody):
             SingularInertiaError: If nothing resists a motion in any configuration.
         """
         super().__init__(bodies)
-        robot = robot_of(bodies)
+        self._extensions: dict[str, Extension] = {}
+        self._threads = threads
+        self._feet = [foot.name for foot in feet(robot_of(bodies))]
+        self._forms = self._generated = _Rows(self, threads)  # type: ignore[assignment]
         try:
-            self._extension = Extension(robot, "plain")
+            self._pose_entries = self._group("plain").bind("poses", _not_direct, True)
         except SingularInertiaError:
             raise singular_inertia(bodies, np.zeros(bodies.n_links)) from None
-        self._generated = RowForms(self._extension, bodies.is_floating, threads)  # type: ignore[assignment]
-        self._forms = self._generated  # type: ignore[assignment]
-        for name in DIRECT:
-            if name in self._extension.names:
-                general = partial(_general, getattr(Mechanics, name), self)
-                setattr(self, name, self._extension.bind(name, general, threads == 1))
-            else:
-                setattr(self, name, partial(getattr(Mechanics, name), self))
-        for group, names in LATER.items():
-            for name in names:
-                setattr(self, name, partial(_first_call, self, group, name))
-        self._pose_entries = self._extension.bind("poses", not_direct, True)
-        self._jacobians = {
-            name: self._extension.bind(f"jacobian_{number}", not_direct, True)
-            for number, name in enumerate(self._pose_indices)
-        }
+        self._bind("plain")
+
+    def _group(self, group: str) -> Extension:
+        """Return the functions of a group, compiled when it is asked for first."""
+        if group not in self._extensions:
+            # A robot of its own: what is compiled depends on nothing that was recorded before.
+            self._extensions[group] = Extension(robot_of(self.bodies), group)
+        return self._extensions[group]
+
+    def _bind(self, group: str) -> None:
+        """Let compiled functions answer instead of this class's methods."""
+        extension = self._group(group)
+        batches = group != "plain" or self._threads == 1
+        for name in METHODS[group]:
+            method: Method = partial(_general, getattr(Mechanics, name), self)
+            if name in extension.shapes:
+                method = extension.bind(name, method, batches)
+            setattr(self, name, method)
 
     def forward_kinematics(self, q: JointVector) -> Poses:
         """Return `base_T_x` (..., 4, 4) of each link and frame x by name, links first."""
@@ -93,11 +101,133 @@ class CompiledMechanics(CompiledWholeBody):
 
     def jacobian(self, q: JointVector, name: str) -> Array:
         """Return the geometric Jacobian (..., 6, nv) of a link or frame; see `Mechanics`."""
-        compiled = self._jacobians.get(name)
-        answer: Array | None = compiled(q) if compiled is not None else None
-        if answer is not None:
-            return answer
-        return super().jacobian(q, name)
+        answer = self._of_target("jacobians", "jacobian", name, (q,))
+        return super().jacobian(q, name) if answer is None else answer
+
+    def constrained_forward_dynamics(
+        self,
+        q: JointVector,
+        qd: JointVector,
+        tau: JointVector,
+        contacts: Sequence[str],
+        base_velocity: npt.ArrayLike | None = None,
+        gravity: npt.ArrayLike = STANDARD_GRAVITY,
+        *,
+        is_rigid: bool = False,
+    ) -> ConstrainedMotion:
+        """Return the accelerations while frames are held; compiled for feet, see `Mechanics`."""
+        if not is_rigid and contacts and {*contacts} <= {*self._feet}:
+            run = self._group("control").bind("contact_dynamics", _not_direct, True)
+            active = np.array([float(foot in contacts) for foot in self._feet])
+            given = gravity if gravity is not STANDARD_GRAVITY else None
+            found = run(q, qd, tau, active, base_velocity, given)
+            if found is not None and (motion := self._held(found, contacts)) is not None:
+                return motion
+        return super().constrained_forward_dynamics(
+            q, qd, tau, contacts, base_velocity, gravity, is_rigid=is_rigid
+        )
+
+    def _held(self, found: tuple[Array, ...], contacts: Sequence[str]) -> ConstrainedMotion | None:
+        """Return what concerns contacts of the answer for all feet, None if it is not sound."""
+        qdd, *base, forces, Lambda = found
+        places = [self._feet.index(name) for name in contacts]
+        rows = [3 * place + axis for place in places for axis in range(3)]
+        chosen = Lambda[..., rows, :][..., rows]
+        if not (np.linalg.cond(chosen) < WORST_CONDITION).all():
+            return None
+        a0 = base[0] if base else np.zeros((*qdd.shape[:-1], 6))
+        return ConstrainedMotion(qdd, a0, forces[..., places, :], chosen)
+
+    def _of_frame(
+        self,
+        kind: str,
+        name: str,
+        joints: Sequence[JointVector],
+        base: Sequence[npt.ArrayLike | None],
+    ) -> Array:
+        answer = self._of_target("frame_motions", kind, name, (*joints, *base))
+        return super()._of_frame(kind, name, joints, base) if answer is None else answer
+
+    def _of_target(
+        self, group: str, kind: str, name: str, arguments: Sequence[object]
+    ) -> Array | None:
+        """Return what a kernel of a link or frame answers, None where Python has to look."""
+        number = self._pose_indices.get(name)
+        if number is None:
+            return None
+        run = self._group(group).bind(f"{kind}_{number}", _not_direct, True)
+        answer: Array | None = run(*arguments)
+        return answer
+
+
+class _Rows:
+    """Answers questions of any shape: one row a configuration, shared by threads."""
+
+    def __init__(self, owner: CompiledMechanics, threads: int) -> None:
+        self.at_rest: dict[str, Method] = {}
+        self.pose_entries = None
+        self._owner = owner
+        self._threads = threads
+
+    def evaluate(self, request: Request) -> Array:
+        """Return a quantity's entries in one row per configuration, shape (..., entries)."""
+        has_load = request.external is not None or request.base_acceleration is not None
+        name = f"{request.function}_loaded" if has_load else request.function
+        extension = self._owner._group("loads" if has_load else "plain")
+        given = dict(zip(("q", "qd"), request.joint_vectors, strict=False))
+        if len(request.joint_vectors) > 2:
+            given |= dict.fromkeys(("qdd", "tau"), request.joint_vectors[2])
+        given |= {
+            "base_velocity": request.base_velocity,
+            "gravity": request.gravity,
+            "external_forces": np.zeros(6 * (self._owner.n_joints + 1)),
+        }
+        for key, vector in (
+            ("base_acceleration", request.base_acceleration),
+            ("external_forces", request.external),
+        ):
+            given |= {key: vector} if vector is not None else {}
+        size = math.prod(request.batch_shape)
+        rows = [
+            _in_rows(given[key], request.batch_shape, size) if length else None
+            for key, length in extension.arguments[name]
+        ]
+        q = np.broadcast_to(given["q"], (*request.batch_shape, given["q"].shape[-1]))
+        rows[0] = np.ascontiguousarray(q.reshape((size, q.shape[-1])))
+        outs = tuple(np.empty((size, *shape)) for shape in extension.shapes[name])
+        _run_in_threads(extension.bind(name, _refuse, True), rows, outs, self._threads)
+        entries = np.concatenate(
+            [out.reshape((size, math.prod(out.shape[1:]))) for out in outs], axis=1
+        )
+        return entries.reshape((*request.batch_shape, entries.shape[-1]))
+
+
+def _in_rows(vector: Array, batch_shape: tuple[int, ...], size: int) -> Array:
+    """Return one vector for all, or one row a configuration."""
+    if vector.ndim == 1:
+        return np.ascontiguousarray(vector)
+    full = np.broadcast_to(vector, (*batch_shape, vector.shape[-1]))
+    return np.ascontiguousarray(full.reshape((size, vector.shape[-1])))
+
+
+def _run_in_threads(
+    run: Method, rows: list[Array | None], outs: tuple[Array, ...], threads: int
+) -> None:
+    size = len(outs[0])
+    parts = max(1, min(threads, size // ROWS_PER_THREAD))
+    edges = [size * k // parts for k in range(parts + 1)]
+
+    def part(k: int) -> None:
+        chosen = slice(edges[k], edges[k + 1])
+        given = [row[chosen] if row is not None and row.ndim == 2 else row for row in rows]
+        results = tuple(out[chosen] for out in outs)
+        run(*given, out=results if len(results) > 1 else results[0])
+
+    if parts == 1:
+        part(0)
+        return
+    with ThreadPoolExecutor(parts) as pool:
+        list(pool.map(part, range(parts)))
 
 
 def _general(method: Method, owner: Mechanics, *arguments: Any, **named: Any) -> Any:
@@ -114,17 +244,28 @@ def _general(method: Method, owner: Mechanics, *arguments: Any, **named: Any) ->
     return out
 
 
-def _first_call(
-    owner: CompiledMechanics, group: str, name: str, *arguments: Any, **named: Any
-) -> Any:
-    """Answer by compiled code, which takes this function's place, and is made if it is not there.
+def _refuse(*_: object, **__: object) -> None:
+    # What Python has checked is only refused for results that are not finite.
+    raise ZeroDivisionError
 
-    Who asked for the method before that keeps this function.
-    """
-    extension = owner.compiled_later(group)
-    for each in LATER[group]:
-        method: Method = partial(_general, getattr(WholeBody, each), owner)
-        if each in extension.names:
-            method = extension.bind(each, method, True)
-        setattr(owner, each, method)
-    return getattr(owner, name)(*arguments, **named)
+
+def _not_direct(*_: object, **__: object) -> None:
+    """Return nothing: Python has to look at the arguments."""
+
+
+def _compiled_when_called(group: str, name: str) -> Method:
+    """Return a method that compiles its group on its first call, and asks what takes its place."""
+
+    @wraps(getattr(Mechanics, name))
+    def method(self: CompiledMechanics, *arguments: Any, **named: Any) -> Any:
+        if name not in vars(self):
+            self._bind(group)
+        return vars(self)[name](*arguments, **named)
+
+    method.__signature__ = signature_with_out(getattr(Mechanics, name))  # type: ignore[attr-defined]
+    return method
+
+
+for _group, _names in METHODS.items():
+    for _name in _names:
+        setattr(CompiledMechanics, _name, _compiled_when_called(_group, _name))

@@ -24,6 +24,7 @@ from kindsl.mechanics.dynamics.inverse_dynamics_derivatives import (
     InverseDynamicsDerivatives,
     inverse_dynamics_derivatives,
 )
+from kindsl.mechanics.dynamics.posture import posture
 from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY
 from kindsl.mechanics.dynamics.regressor import inertial_parameters, regressor
 from kindsl.mechanics.spatial.arrays import Array
@@ -66,7 +67,7 @@ class Differentiable:
         """
         base = {"base_velocity": base_velocity, "base_acceleration": base_acceleration}
         arrays = self._motion({"q": q, "qd": qd, "qdd": qdd}, base, gravity)
-        return inverse_dynamics_derivatives(self.bodies, *arrays)
+        return inverse_dynamics_derivatives(posture(self.bodies, arrays[0]), *arrays[1:])
 
     def forward_dynamics_derivatives(
         self,

@@ -1,28 +1,38 @@
 """The functions compiled for a mechanism, with the arguments of `Mechanics`' methods."""
 
-from collections.abc import Sequence
+import inspect
+from collections.abc import Callable, Sequence
+from typing import Any
 
+from kindsl.mechanics.dynamics.evaluation.compiling import compiled_module
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanics.dynamics.evaluation.results import FreeMotion, FreeMotionTorque
 from kindsl.mechanics.dynamics.forward_dynamics_derivatives import ForwardDynamicsDerivatives
 from kindsl.mechanics.dynamics.generation.emitters.extension import (
+    MODULE,
     Kernel,
     KernelArgument,
     KernelResult,
+    extension_source,
 )
-from kindsl.mechanics.dynamics.generation.function import Function, inputs_of
+from kindsl.mechanics.dynamics.generation.function import Function, argument, inputs_of
 from kindsl.mechanics.dynamics.generation.functions import QUANTITIES
 from kindsl.mechanics.dynamics.generation.masses import total_mass
 from kindsl.mechanics.dynamics.generation.robot import Robot
 from kindsl.mechanics.dynamics.generation.terms import Scalar
 from kindsl.mechanics.dynamics.inverse_dynamics_derivatives import InverseDynamicsDerivatives
-from kindsl.mechanics.dynamics.quantities import SingularInertiaError
+from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY, SingularInertiaError
 
-# The quantities that are compiled together.
+Method = Callable[..., Any]
+
+# The quantities that are compiled together: all but the first when they are asked for.
 GROUPS = {
     "plain": (
-        "poses", "jacobians", "joint_space_inertia", "inverse_dynamics", "forward_dynamics",
+        "poses", "joint_space_inertia", "inverse_dynamics", "forward_dynamics",
         "gravity_torque", "bias_torque", "energies", "center_of_mass",
     ),
+    "jacobians": ("jacobians",),
+    "loads": ("inverse_dynamics", "inverse_dynamics_actuated", "forward_dynamics"),
     "derivatives": ("inverse_dynamics_derivatives", "forward_dynamics_derivatives", "regressor"),
     "control": (
         "centroidal_momentum", "joint_space_inertia_inverse", "coriolis_matrix", "contact_dynamics",
@@ -38,6 +48,7 @@ RESULT_CLASSES = {
 # Keywords of methods, by the names of arguments in code, and what None stands for.
 KEYWORDS = {"v0": "base_velocity", "a0": "base_acceleration", "g": "gravity"}
 DEFAULTS = {"v0": "ZEROS", "a0": "ZEROS", "g": "GRAVITY"}
+# The motion of the base that methods take, also where it is fixed: then it has to be None.
 MOVING_BASE = {
     "inverse_dynamics": ("v0",), "forward_dynamics": ("v0",), "bias_torque": ("v0",),
     "kinetic_energy": ("v0",), "inverse_dynamics_derivatives": ("v0", "a0"),
@@ -47,10 +58,37 @@ MOVING_BASE = {
 }  # fmt: skip
 ACCELERATING = (
     "inverse_dynamics", "forward_dynamics", "forward_dynamics_derivatives",
-    "joint_space_inertia_inverse", "contact_dynamics",
+    "joint_space_inertia_inverse", "contact_dynamics", "inverse_dynamics_loaded",
+    "forward_dynamics_loaded",
 )  # fmt: skip
-# Functions of one frame each: what follows their names is a number.
-NUMBERED = ("jacobian", "velocity", "acceleration", "acceleration_drift")
+# Of each frame, a kernel of each kind, whose name ends in the frame's number.
+OF_FRAMES = {
+    "jacobians": ("jacobian", "jacobian_in_base"),
+    "frame_motions": ("velocity", "acceleration", "acceleration_drift"),
+}
+
+
+class Extension:
+    """The compiled functions of a group.
+
+    Attributes:
+        shapes: The shapes of their results, by name.
+        arguments: Keywords and lengths of their arguments, by name; 0 for what has to be None.
+    """
+
+    def __init__(self, robot: Robot, group: str) -> None:
+        kernels = kernels_of(robot, group)
+        self.shapes = {k.name: [result.shape for result in k.results] for k in kernels}
+        self.arguments = {k.name: [(a.name, a.length) for a in k.arguments] for k in kernels}
+        source = extension_source(robot.graph, kernels, STANDARD_GRAVITY)
+        # The function, not its module: a file that is loaded again fills one module of this name
+        # with whatever robot's functions were loaded last.
+        self._bind: Method = compiled_module(MODULE, source).bind
+
+    def bind(self, name: str, general: Method, batches: bool) -> Method:
+        """Return a compiled function that calls `general` for what it does not take."""
+        bound: Method = self._bind(name, general, RESULT_CLASSES.get(name), batches)
+        return bound
 
 
 def kernels_of(robot: Robot, group: str) -> list[Kernel]:
@@ -70,19 +108,25 @@ def kernels_of(robot: Robot, group: str) -> list[Kernel]:
             functions = quantity.build(robot, inputs)
         except ZeroDivisionError:
             raise SingularInertiaError from None
-        if name == "jacobians":
-            functions = [
-                function._replace(name=f"jacobian_{number}")
-                for number, function in enumerate(functions[::2])
-            ]
-        elif name == "frame_motions":
-            kinds = NUMBERED[1:]
+        if kinds := OF_FRAMES.get(name):
             functions = [
                 function._replace(name=f"{kinds[place % len(kinds)]}_{place // len(kinds)}")
                 for place, function in enumerate(functions)
+                if kinds[place % len(kinds)] != "jacobian_in_base"
             ]
-        is_wide = group in ("plain", "control")
-        kernels += [_kernel(function, robot, is_wide=is_wide) for function in functions]
+        if group == "loads":
+            load = argument("external_forces", [x for wrench in inputs.external for x in wrench])
+            functions = [
+                f._replace(
+                    name=f"{f.name}_loaded", results=f.loaded, arguments=(*f.arguments, load)
+                )
+                for f in functions
+                if f.loaded is not None
+            ]
+        kernels += [
+            _kernel(function, robot, is_wide=group in ("plain", "control"))
+            for function in functions
+        ]
     return kernels
 
 
@@ -93,18 +137,18 @@ def _kernel(function: Function, robot: Robot, *, is_wide: bool) -> Kernel:
         results = [_homogeneous(function.results[0].entries, len(robot.targets))]
     elif name in ("kinetic_energy", "potential_energy"):
         results = [KernelResult((), function.results[0].entries)]
-    # A jacobian's body may not depend on joints at all; lanes would be empty then.
-    wide = is_wide and not name.startswith("jacobian_")
-    accelerates = name in ACCELERATING and (robot.tree.is_floating or name != "inverse_dynamics")
-    return Kernel(name, _arguments(function), results, accelerates, wide)
+    accelerates = name in ACCELERATING and (
+        robot.tree.is_floating or not name.startswith("inverse_dynamics")
+    )
+    return Kernel(name, _arguments(function), results, accelerates, is_wide, documentation(name))
 
 
 def _arguments(function: Function) -> Sequence[KernelArgument]:
     given = {argument.name: argument.components for argument in function.arguments}
-    joints = [n for n in given if n not in KEYWORDS]
     kind, _, number = function.name.rpartition("_")
-    base = MOVING_BASE.get(kind if number.isdigit() and kind in NUMBERED else function.name, ())
-    gravity = ["g"] if "g" in given else []
+    base = MOVING_BASE.get(kind if number.isdigit() else function.name, ())
+    joints = [n for n in given if n not in KEYWORDS and n != "external_forces"]
+    others = [n for n in given if n not in (*joints, *base)]
     return [
         KernelArgument(
             KEYWORDS.get(name, name),
@@ -112,7 +156,7 @@ def _arguments(function: Function) -> Sequence[KernelArgument]:
             list(given.get(name, ())),
             DEFAULTS.get(name),
         )
-        for name in (*joints, *base, *gravity)
+        for name in (*joints, *base, *others)
     ]
 
 
@@ -122,3 +166,22 @@ def _homogeneous(entries: Sequence[Scalar], n_poses: int) -> KernelResult:
     for pose in range(n_poses):
         whole += [*entries[12 * pose : 12 * pose + 12], 0.0, 0.0, 0.0, 1.0]
     return KernelResult((n_poses, 4, 4), whole)
+
+
+def signature_with_out(method: Method) -> inspect.Signature:
+    """Return a method's signature with a further argument `out`, and without annotations."""
+    signature = inspect.signature(method)
+    parameters = [
+        p.replace(annotation=inspect.Parameter.empty) for p in signature.parameters.values()
+    ]
+    out = inspect.Parameter("out", inspect.Parameter.KEYWORD_ONLY, default=None)
+    return inspect.Signature([*parameters, out])
+
+
+def documentation(name: str) -> str | None:
+    """Return what `help` shows of a compiled method, as CPython reads it; None for others."""
+    method = getattr(Mechanics, name, None)
+    if method is None:
+        return None
+    signature = str(signature_with_out(method)).replace("(self", "($self", 1)
+    return f"{name}{signature}\n--\n\n{inspect.getdoc(method)}"

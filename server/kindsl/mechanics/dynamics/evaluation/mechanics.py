@@ -15,17 +15,24 @@ from kindsl.mechanics.dynamics.evaluation.arguments import (
     check_mass,
     common_batch_shape,
     joint_vector,
+    loads,
     placed_frame,
     vectors,
 )
-from kindsl.mechanics.dynamics.evaluation.choice_of_form import Forms
 from kindsl.mechanics.dynamics.evaluation.differentiable import AT_REST
+from kindsl.mechanics.dynamics.evaluation.forms import Forms
 from kindsl.mechanics.dynamics.evaluation.request import Request
-from kindsl.mechanics.dynamics.evaluation.results import FreeMotion, FreeMotionTorque, Poses
+from kindsl.mechanics.dynamics.evaluation.results import (
+    ActuatedTorque,
+    FloatingConfiguration,
+    FreeMotion,
+    FreeMotionTorque,
+    Poses,
+)
 from kindsl.mechanics.dynamics.evaluation.singular import not_finite, too_large
 from kindsl.mechanics.dynamics.evaluation.whole_body import WholeBody
 from kindsl.mechanics.dynamics.forward_kinematics import joint_poses
-from kindsl.mechanics.dynamics.jacobian import jacobian
+from kindsl.mechanics.dynamics.jacobian import jacobian, relative_jacobian
 from kindsl.mechanics.dynamics.quantities import (
     JOINT_VECTORS,
     STANDARD_GRAVITY,
@@ -33,6 +40,7 @@ from kindsl.mechanics.dynamics.quantities import (
     SingularInertiaError,
 )
 from kindsl.mechanics.spatial.arrays import Array
+from kindsl.mechanics.spatial.exponential import pose_of_motion
 
 GRAVITY = np.array(STANDARD_GRAVITY)
 # Quantities that divide by inertia.
@@ -100,7 +108,7 @@ class Mechanics(WholeBody):
         The joint turns about, or slides along, the z axis.
         """
         poses = joint_poses(self.bodies, self._body_poses(q))
-        return dict(zip(self.bodies.joint_names, poses, strict=True))
+        return dict(zip(self.bodies.joint_names, np.moveaxis(poses, -3, 0), strict=True))
 
     def jacobian(self, q: JointVector, name: str) -> Array:
         """Return the geometric Jacobian (..., 6, nv) of a link or frame.
@@ -112,7 +120,22 @@ class Mechanics(WholeBody):
         """
         body, body_T_frame = placed_frame(self.bodies, name)
         poses = self._body_poses(q)
-        return jacobian(self.bodies, poses, body, poses[body] @ body_T_frame)
+        return jacobian(self.bodies, poses, body, poses[..., body, :, :] @ body_T_frame)
+
+    def relative_jacobian(self, q: JointVector, base: str, target: str) -> Array:
+        """Return the Jacobian (..., 6, nv) of one link or frame relative to another.
+
+        It gives the velocity of the target's origin as the base sees it, in the base's coordinates;
+        only the joints between both have columns that are not zero.
+
+        Raises:
+            ValueError: If there is no such link or frame.
+        """
+        poses, placed = self._body_poses(q), []
+        for name in (base, target):
+            body, body_T_frame = placed_frame(self.bodies, name)
+            placed.append((body, poses[..., body, :, :] @ body_T_frame))
+        return relative_jacobian(self.bodies, poses, *placed)
 
     def center_of_mass(self, q: JointVector) -> Array:
         """Return the centre of mass of all that moves, shape (..., 3), metres.
@@ -156,7 +179,10 @@ class Mechanics(WholeBody):
         qdd: JointVector,
         base_velocity: npt.ArrayLike | None = None,
         gravity: npt.ArrayLike = STANDARD_GRAVITY,
-    ) -> Array | FreeMotionTorque:
+        *,
+        external_forces: npt.ArrayLike | None = None,
+        base_acceleration: npt.ArrayLike | None = None,
+    ) -> Array | FreeMotionTorque | ActuatedTorque:
         """Return the joint forces that a motion takes.
 
         Args:
@@ -165,18 +191,25 @@ class Mechanics(WholeBody):
             qdd: Joint accelerations, shape (..., n).
             base_velocity: Of a floating base, shape (..., 6); None is rest.
             gravity: Shape (..., 3), m/s^2.
+            external_forces: The wrench on each body, the base's first, moment then force about the
+                body's origin in its own coordinates, shape (..., n + 1, 6).
+            base_acceleration: Of a floating base, spatial, shape (..., 6); None where it moves
+                freely.
 
         Returns:
-            With a fixed base `tau` (..., n), N m and N; with a floating base always
-            `(tau, base_acceleration)`, at which no wrench acts on the base.
+            With a fixed base `tau` (..., n), N m and N; with a floating base
+            `(tau, base_acceleration)` of free motion, or `(tau, base_wrench)` for a given
+            acceleration.
 
         Raises:
-            SingularInertiaError: If nothing resists a floating base's motion.
+            SingularInertiaError: If nothing resists a freely floating base's motion.
         """
-        entries = self._evaluate("inverse_dynamics", (q, qd, qdd), base_velocity, gravity)
+        loads = base_acceleration, external_forces
+        entries = self._evaluate("inverse_dynamics", (q, qd, qdd), base_velocity, gravity, *loads)
         if not self.bodies.is_floating:
             return entries
-        return FreeMotionTorque(entries[..., :-6], entries[..., -6:])
+        kind = FreeMotionTorque if base_acceleration is None else ActuatedTorque
+        return kind(entries[..., :-6], entries[..., -6:])
 
     def forward_dynamics(
         self,
@@ -185,6 +218,8 @@ class Mechanics(WholeBody):
         tau: JointVector,
         base_velocity: npt.ArrayLike | None = None,
         gravity: npt.ArrayLike = STANDARD_GRAVITY,
+        *,
+        external_forces: npt.ArrayLike | None = None,
     ) -> Array | FreeMotion:
         """Return the accelerations under joint forces.
 
@@ -194,15 +229,18 @@ class Mechanics(WholeBody):
             tau: Joint forces, shape (..., n), N m and N.
             base_velocity: Of a floating base, shape (..., 6); None is rest.
             gravity: Shape (..., 3), m/s^2.
+            external_forces: The wrench on each body, see `inverse_dynamics`.
 
         Returns:
             With a fixed base `qdd` (..., n); with a floating base always
-            `(qdd, base_acceleration)`, at which no wrench acts on the base.
+            `(qdd, base_acceleration)`.
 
         Raises:
             SingularInertiaError: If nothing resists a motion.
         """
-        entries = self._evaluate("forward_dynamics", (q, qd, tau), base_velocity, gravity)
+        entries = self._evaluate(
+            "forward_dynamics", (q, qd, tau), base_velocity, gravity, None, external_forces
+        )
         if not self.bodies.is_floating:
             return entries
         return FreeMotion(entries[..., :-6], entries[..., -6:])
@@ -241,14 +279,49 @@ class Mechanics(WholeBody):
         common_batch_shape(arrays)
         return energy.potential_energy(self.bodies, self._body_poses(q), arrays["gravity"])
 
+    def integrate(
+        self,
+        q: JointVector,
+        qd: JointVector,
+        dt: float,
+        base_pose: npt.ArrayLike | None = None,
+        base_velocity: npt.ArrayLike | None = None,
+    ) -> Array | FloatingConfiguration:
+        """Return the configuration after moving at constant velocities for a time.
+
+        Args:
+            q: Joint positions, shape (..., n), radians and metres.
+            qd: Joint velocities, shape (..., n).
+            dt: The time, s.
+            base_pose: Of a floating base in the world, shape (..., 4, 4); None is the world's.
+            base_velocity: Of a floating base, in its moving coordinates, shape (..., 6).
+
+        Returns:
+            With a fixed base `q` (..., n); with a floating base always `(q, base_pose)`, so that
+            `kindsl.pose_error` of both base poses is `dt * base_velocity`.
+        """
+        arrays = {"q": joint_vector("q", q, self.joint_names)}
+        arrays["qd"] = joint_vector("qd", qd, self.joint_names)
+        conditions = base_conditions(self.bodies, base_velocity, STANDARD_GRAVITY)
+        common_batch_shape(arrays | conditions)
+        moved = arrays["q"] + dt * arrays["qd"]
+        if not self.bodies.is_floating:
+            return moved
+        pose = np.eye(4) if base_pose is None else np.asarray(base_pose, dtype=np.float64)
+        step = pose_of_motion(dt * conditions.get("base_velocity", AT_REST))
+        return FloatingConfiguration(moved, pose @ step)
+
     def _evaluate(
         self,
         quantity: Quantity,
         joint_vectors: tuple[JointVector, ...],
         base_velocity: npt.ArrayLike | None = None,
         gravity: npt.ArrayLike = STANDARD_GRAVITY,
+        base_acceleration: npt.ArrayLike | None = None,
+        external_forces: npt.ArrayLike | None = None,
     ) -> Array:
-        if base_velocity is None and gravity is STANDARD_GRAVITY:
+        is_plain = base_acceleration is None and external_forces is None
+        if base_velocity is None and gravity is STANDARD_GRAVITY and is_plain:
             # A single answer if code is ready and nothing is wrong, without a slow check.
             try:
                 return self._generated.at_rest[quantity](*joint_vectors)
@@ -259,6 +332,7 @@ class Mechanics(WholeBody):
             for name, values in zip(JOINT_VECTORS[quantity], joint_vectors, strict=True)
         }
         conditions = base_conditions(self.bodies, base_velocity, gravity)
+        conditions |= loads(self.bodies, base_acceleration, external_forces)
         entries = self._computed(quantity, arrays, conditions)
         if quantity in ACCELERATING and not np.isfinite(entries).all():
             raise not_finite(self.bodies, arrays)
@@ -273,6 +347,8 @@ class Mechanics(WholeBody):
             tuple(arrays.values()),
             base_velocity=conditions.get("base_velocity", AT_REST),
             gravity=conditions.get("gravity", GRAVITY),
+            base_acceleration=conditions.get("base_acceleration"),
+            external=conditions.get("external_forces"),
         )
         try:
             with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
@@ -282,10 +358,14 @@ class Mechanics(WholeBody):
         except OverflowError:
             raise too_large(arrays) from None
 
-    def _body_poses(self, q: JointVector) -> list[Array]:
-        poses = self._pose_by_pose(self._evaluate("poses", (q,)))
-        base = np.broadcast_to(np.eye(4), poses.shape[1:])
-        return [base, *poses[: self.bodies.n_links]]
+    def _body_poses(self, q: JointVector) -> Array:
+        """Return `base_T_body` (..., n + 1, 4, 4), the base first."""
+        entries = self._evaluate("poses", (q,))
+        named = entries.reshape((*entries.shape[:-1], entries.shape[-1] // 16, 4, 4))
+        poses = np.empty((*named.shape[:-3], self.bodies.n_links + 1, 4, 4))
+        poses[..., 0, :, :] = np.eye(4)
+        poses[..., 1:, :, :] = named[..., : self.bodies.n_links, :, :]
+        return poses
 
     def _pose_by_pose(self, entries: Array) -> Array:
         """Return rows of entries, one per configuration, as (poses, ..., 4, 4)."""

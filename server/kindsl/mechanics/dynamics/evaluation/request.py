@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from kindsl.mechanics.dynamics.quantities import Quantity
+from kindsl.mechanics.dynamics.quantities import JOINT_VECTORS, Quantity
 from kindsl.mechanics.spatial.arrays import Array
 
 
@@ -15,6 +15,8 @@ class Request(NamedTuple):
         joint_vectors: As `quantities.JOINT_VECTORS` lists them, each of shape (..., n).
         base_velocity: Shape (..., 6), zero for a fixed base.
         gravity: Shape (..., 3), m/s^2, base coordinates.
+        base_acceleration: Of inverse dynamics with a given one, shape (..., 6); None elsewhere.
+        external: The wrenches on all bodies, shape (..., 6 (n + 1)), None for none.
     """
 
     quantity: Quantity
@@ -22,3 +24,20 @@ class Request(NamedTuple):
     joint_vectors: tuple[Array, ...]
     base_velocity: Array
     gravity: Array
+    base_acceleration: Array | None = None
+    external: Array | None = None
+
+    @property
+    def function(self) -> str:
+        """The name of the generated function that computes it."""
+        is_actuated = self.base_acceleration is not None
+        return f"{self.quantity}_actuated" if is_actuated else self.quantity
+
+    def vectors(self) -> dict[str, Array]:
+        """Return all vectors that are there by the names that generated functions have for them."""
+        joints = zip(JOINT_VECTORS[self.quantity], self.joint_vectors, strict=True)
+        others = {
+            "v0": self.base_velocity, "a0": self.base_acceleration,
+            "g": self.gravity, "fext": self.external,
+        }  # fmt: skip
+        return {**dict(joints), **{k: x for k, x in others.items() if x is not None}}

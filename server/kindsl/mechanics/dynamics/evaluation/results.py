@@ -56,6 +56,31 @@ class FreeMotionTorque(NamedTuple):
     base_acceleration: Array
 
 
+class ActuatedTorque(NamedTuple):
+    """Inverse dynamics with a floating base whose acceleration is given.
+
+    Attributes:
+        tau: Joint forces, shape (..., n), N m and N.
+        base_wrench: What acts on the base besides gravity and external forces, shape (..., 6), base
+            coordinates, moment first.
+    """
+
+    tau: Array
+    base_wrench: Array
+
+
+class FloatingConfiguration(NamedTuple):
+    """A configuration of a floating base's mechanism.
+
+    Attributes:
+        q: Joint positions, shape (..., n), radians and metres.
+        base_pose: `world_T_base`, shape (..., 4, 4).
+    """
+
+    q: Array
+    base_pose: Array
+
+
 class FreeMotion(NamedTuple):
     """Forward dynamics with a floating base on which no wrench acts.
 

@@ -197,7 +197,7 @@ class WholeBody(Differentiable):
         jacobians, drifts = [], []
         for name in names:
             body, body_T_frame = placed_frame(self.bodies, name)
-            base_T_frame = poses[body] @ body_T_frame
+            base_T_frame = poses[..., body, :, :] @ body_T_frame
             motion = frame_motion(self.bodies, q, qd, rest, v, np.zeros(6), body, body_T_frame)
             turned = np.zeros((*q.shape[:-1], 6, 6))
             turned[..., :3, :3] = turned[..., 3:, 3:] = base_T_frame[..., :3, :3]

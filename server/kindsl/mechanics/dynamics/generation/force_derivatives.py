@@ -1,6 +1,6 @@
 """Derivatives of the forces of a motion, for tracing, in the links' own coordinates.
 
-The equations are those of the readable form (Singh, Russell, Wensing 2022) for points instead of
+The equations are the book's (Singh, Russell, Wensing 2022) for points instead of
 spatial vectors: a joint changes the accelerations of all that it carries by a field, which takes
 forces there; where it is carried itself, the forces that it passes on change and turn with it.
 """

@@ -144,7 +144,7 @@ def inverse(robot: Robot, inputs: Inputs) -> list[Function]:
     what = ", and the base's acceleration under no wrench" if robot.tree.is_floating else ""
     summary = f"the joint forces of a motion{what}"
     arguments = inputs.motion("qdd")
-    none, loaded = results([]), results(inputs.external)
+    none, loaded = results([]), results(inputs.external) if inputs.external else None
     return [Function("inverse_dynamics", summary, arguments, none, loaded)]
 
 
@@ -162,7 +162,7 @@ def actuated(robot: Robot, inputs: Inputs) -> list[Function]:
 
     summary = "the joint forces and the base's wrench of a motion"
     arguments = inputs.motion("qdd", "a0")
-    none, loaded = results([]), results(inputs.external)
+    none, loaded = results([]), results(inputs.external) if inputs.external else None
     return [Function("inverse_dynamics_actuated", summary, arguments, none, loaded)]
 
 
@@ -179,7 +179,7 @@ def forward(robot: Robot, inputs: Inputs) -> list[Function]:
 
     what = ", and the base's acceleration" if robot.tree.is_floating else ""
     summary = f"the joint accelerations under joint forces{what}"
-    none, loaded = results([]), results(inputs.external)
+    none, loaded = results([]), results(inputs.external) if inputs.external else None
     return [Function("forward_dynamics", summary, inputs.motion("tau"), none, loaded)]
 
 

@@ -1,6 +1,6 @@
 """Inverse dynamics, bias and gravity torque, for tracing.
 
-The equations are those of the readable form with accelerations of points instead of spatial
+The equations are the book's with accelerations of points instead of spatial
 ones: a body's point r accelerates by `a + W r`, which takes about a third fewer operations. Base
 accelerations are relative to gravity throughout.
 """

@@ -1,30 +1,17 @@
 """Runs an algorithm on expressions and keeps what it computed."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Literal, TypeAlias
 
-from kindsl.mechanics.dynamics.bodies import BodyFrame
-from kindsl.mechanics.dynamics.generation.composite_bodies import joint_space_inertia
-from kindsl.mechanics.dynamics.generation.forward_dynamics import forward_dynamics
-from kindsl.mechanics.dynamics.generation.forward_kinematics import poses
-from kindsl.mechanics.dynamics.generation.inverse_dynamics import (
-    bias_torque,
-    floating_base_inverse_dynamics,
-    inverse_dynamics,
-)
-from kindsl.mechanics.dynamics.generation.terms import (
-    Graph,
-    Scalar,
-    Term,
-    needed,
-    operand_nodes,
-)
-from kindsl.mechanics.dynamics.generation.tree import Tree
-from kindsl.mechanics.dynamics.generation.vectors import Vector
-from kindsl.mechanics.dynamics.quantities import JOINT_VECTORS, STANDARD_GRAVITY, Quantity
+from kindsl.mechanics.dynamics.generation.function import inputs_of
+from kindsl.mechanics.dynamics.generation.functions import QUANTITIES
+from kindsl.mechanics.dynamics.generation.robot import Robot
+from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar, Term, needed, operand_nodes
+from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY
 
 # At rest: the base does not move, gravity is the standard one; the code is shorter then.
-Conditions: TypeAlias = Literal["at_rest", "any"]
+Conditions: TypeAlias = Literal["at_rest", "any", "loaded"]
+_LAST_ROW = (0.0, 0.0, 0.0, 1.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,11 +22,13 @@ class Trace:
         graph: All operations, and more than the outputs need.
         arguments: Of each argument, its components.
         outputs: The results, expressions and constants.
+        names: The arguments' names.
     """
 
     graph: Graph
     arguments: list[list[Term]]
     outputs: list[Scalar]
+    names: list[str] = field(default_factory=list)
 
     def needed(self) -> list[int]:
         """Return the nodes that the outputs depend on, operands first."""
@@ -50,57 +39,28 @@ class Trace:
         return operand_nodes(self.graph, index)
 
 
-def trace(
-    tree: Tree, frames: tuple[BodyFrame, ...], quantity: Quantity, conditions: Conditions
-) -> Trace:
-    """Trace a quantity.
+def trace(robot: Robot, name: str, conditions: Conditions) -> Trace:
+    """Trace the one function of a quantity in `QUANTITIES`.
 
-    Args:
-        tree: The mechanism.
-        frames: The frames whose poses follow those of the links.
-        quantity: The quantity to compute.
-        conditions: Values known beforehand. Under any conditions the base's velocity, if it
-            floats, and gravity are arguments too.
+    Under load the wrenches on all bodies are an argument `fext`.
 
     Raises:
         SingularInertiaError: If an acceleration is asked for that nothing resists.
     """
-    graph = Graph()
-    arguments = [graph.vector(len(tree.links())) for _ in JOINT_VECTORS[quantity]]
-    joint_vectors: list[Vector] = [[*argument] for argument in arguments]
-    base_velocity: Vector = [0.0] * 6
-    gravity: Vector = [*STANDARD_GRAVITY]
-    if conditions == "any":
-        arguments += [graph.vector(6), graph.vector(3)]
-        gravity = [*arguments[-1]]
-        if tree.is_floating:
-            base_velocity = [*arguments[-2]]
-    outputs = _outputs(tree, frames, quantity, joint_vectors, base_velocity, gravity)
-    return Trace(graph, arguments, outputs)
-
-
-def _outputs(
-    tree: Tree,
-    frames: tuple[BodyFrame, ...],
-    quantity: Quantity,
-    joint_vectors: list[Vector],
-    base_velocity: Vector,
-    gravity: Vector,
-) -> list[Scalar]:
-    q = joint_vectors[0]
-    rest: Vector = [0.0] * len(q)
-    if quantity == "poses":
-        return poses(tree, frames, q)
-    if quantity == "joint_space_inertia":
-        return [entry for row in joint_space_inertia(tree, q) for entry in row]
-    if quantity == "gravity_torque":
-        return bias_torque(tree, q, rest, [0.0] * 6, gravity)
-    qd = joint_vectors[1]
-    if quantity == "bias_torque":
-        return bias_torque(tree, q, qd, base_velocity, gravity)
-    if quantity == "forward_dynamics":
-        return forward_dynamics(tree, q, qd, joint_vectors[2], base_velocity, gravity)
-    qdd = joint_vectors[2]
-    if tree.is_floating:
-        return floating_base_inverse_dynamics(tree, q, qd, qdd, base_velocity, gravity)
-    return inverse_dynamics(tree, q, qd, qdd, gravity)
+    robot = replace(robot, graph=Graph())
+    inputs = inputs_of(robot)
+    if conditions != "loaded":
+        inputs = replace(inputs, external=[])
+    if conditions == "at_rest":
+        inputs = replace(inputs, v0=[0.0] * 6, a0=[0.0] * 6, g=[*STANDARD_GRAVITY])
+    (function,) = QUANTITIES[name].build(robot, inputs)
+    results = function.results if conditions != "loaded" else function.loaded or ()
+    outputs = [entry for result in results for entry in result.entries]
+    if name == "poses":
+        rows = range(0, len(outputs), 12)
+        outputs = [entry for row in rows for entry in (*outputs[row : row + 12], *_LAST_ROW)]
+    arguments = {a.name: a.components for a in function.arguments if a.components}
+    if conditions == "loaded":
+        loads = [x for wrench in inputs.external for x in wrench if isinstance(x, Term)]
+        arguments["fext"] = loads
+    return Trace(robot.graph, [*arguments.values()], outputs, [*arguments])

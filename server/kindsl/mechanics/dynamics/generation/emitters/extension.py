@@ -1,5 +1,6 @@
 """Writes functions as a CPython extension that reads and fills NumPy arrays."""
 
+import json
 import re
 from collections.abc import Sequence
 from pathlib import Path
@@ -47,6 +48,7 @@ class Kernel(NamedTuple):
         results: Its results.
         accelerates: Whether a result that is not finite means that nothing resists a motion.
         is_wide: Whether batches are computed in lanes.
+        documentation: What `help` shows, as CPython reads it.
     """
 
     name: str
@@ -54,6 +56,7 @@ class Kernel(NamedTuple):
     results: Sequence[KernelResult]
     accelerates: bool
     is_wide: bool
+    documentation: str | None = None
 
 
 def extension_source(graph: Graph, kernels: Sequence[Kernel], gravity: Sequence[float]) -> str:
@@ -151,7 +154,11 @@ def _const(name: str) -> str:
 
 def _tables(kernels: Sequence[Kernel]) -> str:
     rows = ",\n".join(_row(number, kernel) for number, kernel in enumerate(kernels))
-    names = "".join(f'#define KERNELS_NAME_{i} "{k.name}"\n' for i, k in enumerate(kernels))
+    names = "".join(
+        f'#define KERNELS_NAME_{i} "{k.name}"\n'
+        f"#define KERNELS_HELP_{i} {json.dumps(k.documentation) if k.documentation else 'NULL'}\n"
+        for i, k in enumerate(kernels)
+    )
     entries = "".join(f"ENTRY({i})\n" for i in range(len(kernels)))
     methods = ",\n    ".join(f"METHOD({i})" for i in range(len(kernels)))
     texts = {

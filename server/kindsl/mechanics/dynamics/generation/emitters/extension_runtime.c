@@ -270,7 +270,7 @@ python:
     }
 #define METHOD(number)                                                                            \
     {KERNELS_NAME_##number, (PyCFunction)(void (*)(void))entry_##number,                          \
-     METH_FASTCALL | METH_KEYWORDS, NULL}
+     METH_FASTCALL | METH_KEYWORDS, KERNELS_HELP_##number}
 
 @LANES@
 #if defined(LANES)
