@@ -1,5 +1,6 @@
 """The verdict of each generator, whatever is decided."""
 
+import pytest
 from tests.analysis.test_verdicts_of_targets import ARM
 
 from kindsl.judgement.analysis.analysis import analyse
@@ -13,6 +14,13 @@ def told(text: str, settings: Settings | None = None) -> list[str]:
 
 def test_both_read_a_sound_document() -> None:
     assert told(ARM % "") == ["robcogen reads it", "robcogen2 reads it"]
+
+
+@pytest.mark.parametrize("value", ["pi/2.5e1", "0.1e1*pi", "PI/2.5e1"])
+def test_robcogen_refuses_an_exponent_beside_pi(value: str) -> None:
+    text = (ARM % "").replace("0.1)", f"{value})", 1)
+    assert value in text
+    assert told(text) == ["robcogen refuses it, 1 place", "robcogen2 reads it"]
 
 
 def test_no_decision_changes_a_verdict() -> None:

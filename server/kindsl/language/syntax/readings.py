@@ -13,10 +13,11 @@ from kindsl.language.syntax.document import Chunk, SyntaxDocument
 from kindsl.language.syntax.portability import ROBCOGEN, ROBCOGEN2
 from kindsl.language.syntax.tree import Island, Node, Token
 from kindsl.language.syntax.value_forms import formed_values, is_signed_product
+from kindsl.language.syntax.vocabulary import VALUE_HOLDERS
 from kindsl.language.text.facts import Fact, kept
 
 _POWER = re.compile(r"([-+]?[0-9]*\.[0-9]+)([eE][0-9]+)")
-_Rewrite = Callable[[Node], Node | None]
+_Rewrite = Callable[[Node, bool], Node | None]
 _AS_READ: "Fact[dict[_Rewrite, Island]]" = Fact("as read")
 
 
@@ -102,29 +103,32 @@ def _rewritten_island(island: Island, rewrite: _Rewrite) -> Island:
     )
 
 
-def _rewritten(node: Node, rewrite: _Rewrite) -> Node:
-    new = rewrite(node)
+def _rewritten(node: Node, rewrite: _Rewrite, is_value: bool = False) -> Node:
+    new = rewrite(node, is_value)
     if new is not None:
         return new
+    holds = node.kind in VALUE_HOLDERS
     children = [
-        _rewritten(child, rewrite) if isinstance(child, Node) else child for child in node.children
+        _rewritten(child, rewrite, holds) if isinstance(child, Node) else child
+        for child in node.children
     ]
     if all(new is old for new, old in zip(children, node.children, strict=True)):
         return node
     return Node(node.kind, children)
 
 
-def _undecided(node: Node) -> Node | None:
-    return Node("undecided", node.children) if _power(node) else None
+def _undecided(node: Node, is_value: bool) -> Node | None:
+    return Node("undecided", node.children) if is_value and _power(node) else None
 
 
-def _for_robcogen(node: Node) -> Node | None:
+def _for_robcogen(node: Node, is_value: bool) -> Node | None:
     token = node.children[0]
     if not isinstance(token, Token):
         return None
     if node.kind == "pi" and token.kind == "LOWER_PI":
         return Node("parameter", [Token("NAME", token.text, token.lead, token.start, token.end)])
-    power = _power(node)
+    # Within an expression robcogen refuses `1.0e3`.
+    power = _power(node) if is_value else None
     if node.kind == "juxtaposed_pi" and isinstance(node.children[1], Token):
         second = node.children[1]
         if second.kind == "LOWER_PI":
