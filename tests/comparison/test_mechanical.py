@@ -67,7 +67,7 @@ def test_what_the_digits_leave_open_is_equal(written: str, other: str) -> None:
     ("written", "other", "owner", "quantity", "values"),
     [
         ("1.3", "1.313", "upper", "mass", (1.3, 1.313)),
-        ("PI/2.0", "1.57", "shoulder", "rx", (math.pi / 2.0, 1.57)),
+        ("PI/2.0", "1.56", "shoulder", "rx", (math.pi / 2.0, 1.56)),
         ("(0.2, 0.01", "(0.2, 0.0101", "lower", "CoM y", (0.01, 0.0101)),
         ("Ixz = 0.002", "Ixz = -0.002", "upper", "Ixz", (0.002, -0.002)),
         ("(0.35, 0.0", "(0.35, 0.001", "elbow", "y", (0.0, 0.001)),
@@ -197,3 +197,50 @@ def test_a_scara_has_few_base_parameters() -> None:
     at = "translation = ({}, 0.0, 0.0) rotation = (0.0, 0.0, 0.0)"
     placements = [at.format(x) for x in ("0.0", "0.4", "0.3", "0.0")]
     assert base_parameters(chain("rrpr", placements)) == (8, 40)
+
+
+@pytest.mark.parametrize(
+    ("here", "there", "is_equal"),
+    [
+        ("0.0931", "0.093138", True),
+        ("2.04", "2.0371", True),
+        ("2.0371", "2.04", True),
+        ("2.04", "2.0471", False),  # not rounded
+        ("2.0", "2.02", False),  # a digit more may be a correction
+        ("2.0", "2.1", False),
+        ("2.0", "2.0213", False),  # two digits may be a guess
+        ("2", "2.3712", False),
+        ("0.0", "0.0371", False),
+    ],
+)
+def test_a_number_rounded_to_fewer_digits_is_a_convention(
+    here: str, there: str, is_equal: bool
+) -> None:
+    ours, _ = described_text(_with_mass(here))
+    theirs, _ = described_text(_with_mass(there))
+    found = compared_mechanics(ours, theirs)
+    assert found.is_equal == is_equal
+    assert len(found.rounded) == is_equal
+    if is_equal:
+        assert found.conventions == ("1 number with other digits in a.kindsl: mass of 'upper'",)
+        assert torques(ours, theirs, found).is_confirmed
+
+
+def _with_mass(text: str) -> str:
+    assert "mass = 1.3" in ARM
+    return ARM.replace("mass = 1.3", f"mass = {text}")
+
+
+@pytest.mark.parametrize(("angle", "is_equal"), [("8e-7", True), ("0.00001", False)])
+def test_a_millionth_of_a_radian_is_no_difference(angle: str, is_equal: bool) -> None:
+    text = ARM.replace("rotation = (0.0, 0.0, 0.0)", f"rotation = (0.0, {angle}, 0.0)", 1)
+    assert text != ARM
+    assert (differences(ARM, text) == []) == is_equal
+
+
+def test_a_quarter_turn_of_three_digits_is_one() -> None:
+    ours, theirs = described_text(ARM)[0], described_text(ARM.replace("PI/2.0", "1.57"))[0]
+    found = compared_mechanics(ours, theirs)
+    assert found.is_equal
+    assert "1 number with other digits in a.kindsl: rx of 'shoulder'" in found.conventions
+    assert torques(ours, theirs, found).is_confirmed

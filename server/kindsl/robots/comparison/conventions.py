@@ -1,6 +1,6 @@
 """Differences of two robots without any meaning for the mechanics, one sentence each."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import degrees, hypot
 
 from kindsl.language.semantics.parameters import UNTOLD, JointProperties
@@ -8,6 +8,7 @@ from kindsl.language.text.phrases import counted, listed
 from kindsl.mechanics.rigid.pose import RigidPose
 from kindsl.robots.comparison.alignment import AlignedJoint
 from kindsl.robots.comparison.matching import writable
+from kindsl.robots.comparison.number_differences import NumberDifference
 from kindsl.robots.comparison.pair import Pair
 from kindsl.robots.comparison.written import Described
 
@@ -75,6 +76,14 @@ def _link_frames(pair: Pair) -> Iterator[str]:
     if moved:
         number = counted(len(moved), "link frame")
         yield f"{number} elsewhere in {pair.theirs.label}: {_some(moved)}"
+
+
+def rounded_numbers(pair: Pair, rounded: Sequence[NumberDifference]) -> Iterator[str]:
+    """Yield the numbers that one file has with fewer digits than the other, as one sentence."""
+    if rounded:
+        names = [f"{number.quantity} of '{number.owner}'" for number in rounded]
+        some = ", ".join(names[:_SHOWN]) + (", ..." if names[_SHOWN:] else "")
+        yield f"{counted(len(names), 'number')} with other digits in {pair.theirs.label}: {some}"
 
 
 def _limits(pair: Pair) -> Iterator[str]:

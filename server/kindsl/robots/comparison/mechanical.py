@@ -15,13 +15,14 @@ from kindsl.robots.comparison.alignment import (
     likely_base_frames,
     size_of,
 )
-from kindsl.robots.comparison.conventions import conventions
+from kindsl.robots.comparison.conventions import conventions, rounded_numbers
 from kindsl.robots.comparison.matching import MatchedJoints, matched, matching_frames
 from kindsl.robots.comparison.number_differences import (
     NumberDifference,
     Tolerances,
     frame_differences,
     inertia_differences,
+    is_rounded,
     joint_differences,
 )
 from kindsl.robots.comparison.pair import Pair
@@ -49,6 +50,7 @@ class MechanicalComparison:
         numbers: The numbers that differ.
         structure: Other differences, one sentence each: joints without a match, other kinds.
         conventions: Differences that do not affect the mechanics, one sentence each.
+        rounded: Numbers that one file has with fewer digits, which are conventions, too.
     """
 
     matching: MatchedJoints
@@ -56,6 +58,7 @@ class MechanicalComparison:
     numbers: tuple[NumberDifference, ...]
     structure: tuple[str, ...]
     conventions: tuple[str, ...]
+    rounded: tuple[NumberDifference, ...] = ()
 
     @property
     def is_equal(self) -> bool:
@@ -168,8 +171,11 @@ def _under(pair: Pair, bounds: Tolerances) -> MechanicalComparison:
     structure = tuple(_structure(pair))
     if not _is_one_robot(pair):
         return MechanicalComparison(matching, alignment, (), structure[:1], ())
-    numbers = tuple(_numbers(pair, bounds))
-    return MechanicalComparison(matching, alignment, numbers, structure, tuple(conventions(pair)))
+    found = list(_numbers(pair, bounds))
+    rounded = tuple(number for number in found if is_rounded(number))
+    numbers = tuple(number for number in found if number not in rounded)
+    only = (*conventions(pair), *rounded_numbers(pair, rounded))
+    return MechanicalComparison(matching, alignment, numbers, structure, only, rounded)
 
 
 def _n_differences(found: MechanicalComparison) -> int:

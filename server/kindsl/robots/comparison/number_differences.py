@@ -19,6 +19,13 @@ from kindsl.robots.comparison.written import (
 
 _ROUNDING = 1e-11
 _FLOAT = 2e-7
+# An angle less than this is what a program leaves of zero, radians.
+_NO_ANGLE = 1e-6
+# Beside half a unit of the last of three digits: rounding to fewer moves a number by over 0.5 %,
+# as much as somebody who changes it.
+_THREE_DIGITS = 200.0
+# Of the halves of last digits: nobody who corrects a number by hand adds two digits to it.
+_FINER = 99.0
 # Of a frame whose digits in the other file are not known, beside the robot and in radians.
 _FRAME = 1e-5
 # Zero in an MJCF, kg m^2: MuJoCo takes nothing less.
@@ -152,6 +159,22 @@ def inertia_differences(pair: Pair, body: int, bounds: Tolerances) -> list[Numbe
     return [each._replace(our_changes=(), their_changes=()) for each in left]
 
 
+def is_rounded(difference: NumberDifference) -> bool:
+    """Return whether one file has the other's number, rounded to fewer digits."""
+    numbers = difference.here_number, difference.there_number
+    if numbers[0] is None or numbers[1] is None:
+        return False
+    coarse, fine = sorted((numbers[0], numbers[1]), key=lambda number: -number.half)
+    is_finer = fine.half > 0.0 or difference.unit == "rad"
+    return (
+        is_finer
+        and not coarse.is_implied
+        and coarse.half >= _FINER * fine.half
+        and abs(coarse.value) >= _THREE_DIGITS * coarse.half
+        and abs(coarse.value - fine.value) <= coarse.half * (1.0 + _FLOAT)
+    )
+
+
 def _wanted_pose(
     form: WrittenPose,
     other: WrittenPose,
@@ -266,7 +289,7 @@ def _unlike(
 
 
 def _scales_of_pose(bounds: Tolerances) -> tuple[float, ...]:
-    return (bounds.size,) * 3 + (1.0,) * 3
+    return (bounds.size,) * 3 + (_NO_ANGLE / _ROUNDING,) * 3
 
 
 def _scales_of_inertia(

@@ -64,6 +64,8 @@ def torques(ours: Described, theirs: Described, found: MechanicalComparison) -> 
     states = _states(ours.skeleton)
     own = _forces(ours.skeleton, states)
     if found.is_equal:
+        rounded = replace(found, numbers=found.rounded)
+        own = _forces(_carried(ours, theirs, rounded), states) if found.rounded else own
         other = _counted_as_ours(ours.skeleton, theirs.skeleton, found, states)
         return Torques(False, _gap(own, other) <= _DIGITS, ())
     carried = _forces(_carried(ours, theirs, found), states)
