@@ -10,7 +10,11 @@ from tests.cli.conftest import Runner
 from tests.cli.samples import arm
 from tests.codegen.compiling import COMPILERS, build, needs_compiler, run_tests
 
+import kindsl
 from kindsl.language.syntax.transforms_text import read_transforms
+from kindsl.mechanics.dynamics.generation.robot import robot_of
+from kindsl.products.codegen.wanted import wanted_pairs
+from kindsl.robots.mechanism.bodies import bodies_of
 
 GRAMMAR = (Path(__file__).parents[2] / "grammar" / "dtdsl.lark").read_text(encoding="utf-8")
 GOOD = """\
@@ -40,6 +44,21 @@ def test_nothing_is_wrong(kdsl_lint: Runner, beside: Path) -> None:
     beside.write_text(GOOD)
     told = kdsl_lint("arm.dtdsl")
     assert (told.status, told.out) == (0, "")
+
+
+def test_a_link_with_the_name_of_a_joints_frame_does_not_hide_it() -> None:
+    text = arm().replace("lower via", "fr_elbow via").replace("link lower", "link fr_elbow")
+    document = kindsl.parse(text)
+    robot = robot_of(bodies_of(document.skeleton()))
+    listed = "Robot arm Frames { fr_base, fr_elbow, fr_fr_elbow } Transforms { %s }"
+    pairs = "base=fr_base, target=fr_elbow base=fr_base, target=fr_fr_elbow"
+    joint, link = (
+        pair[1] for pair in wanted_pairs(listed % pairs, document.model, robot).transforms
+    )
+    assert (joint.name, joint.body, joint.r) == ("fr_elbow", 1, robot.joint_frame(2).r)
+    assert (link.name, link.body, link.r) == ("fr_fr_elbow", 2, [0.0, 0.0, 0.0])
+    told = [finding.message for finding in document.findings if finding.code == "KD113"]
+    assert told == ["'fr_elbow' is already the name of the frame of joint 'elbow'"]
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,6 @@ from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.transforms import (
     LINK_PREFIX,
     frame_names,
-    joint_frame_names,
     unknown_frames,
 )
 from kindsl.language.syntax.transforms_text import Pair, read_transforms
@@ -28,17 +27,19 @@ def wanted_pairs(text: str, model: Model, robot: Robot) -> Wanted:
     for wrong in (*document.defects, *unknown_frames(document, model)):
         line, column = LineIndex(text).position(wrong.start)
         raise GenerationError(f"--transforms, {line + 1}:{column + 1}: {wrong.message}")
-    names = {**{name: name for name in joint_frame_names(model)}, **frame_names(model)}
-    placed = {target.name: target for target in robot.placed}
-    placed[robot.base_name] = PlacedFrame(robot.base_name, 0, EYE, [0.0, 0.0, 0.0])
-    for joint in robot.tree.links():
-        frame = robot.joint_frame(joint)
-        placed.setdefault(frame.name, frame)
+    base = PlacedFrame(robot.base_name, 0, EYE, [0.0, 0.0, 0.0])
+    by_name = {target.name: target for target in (*robot.placed, base)}
+    joint_frames = (robot.joint_frame(joint) for joint in robot.tree.links())
+    placed = {frame.name: frame for frame in joint_frames}
+    # A link may have the name of a joint's frame: its own is `fr_` and its name.
+    placed |= {
+        name: by_name[there] for name, there in frame_names(model).items() if there in by_name
+    }
 
     def pairs(listed: tuple[Pair, ...]) -> tuple[tuple[PlacedFrame, PlacedFrame], ...]:
         texts = dict.fromkeys((base.text, target.text) for base, target in listed)
         return tuple(
-            (replace(placed[names[base]], name=base), replace(placed[names[target]], name=target))
+            (replace(placed[base], name=base), replace(placed[target], name=target))
             for base, target in texts
         )
 

@@ -3,7 +3,8 @@
 ## What it does
 Reports a link, joint or frame with the name of something else, or a name that differs by case only.
 A link with a joint's name is an error: RobCoGen cannot generate it, and RobCoGen2 crashes, unless
-the joint moves that very link.
+the joint moves that very link. A frame with a joint's name takes the joint's pose in
+robot-model-tools.
 
 ## Why is this bad?
 The generators turn names into files, classes and constants. On a file system that ignores case
@@ -59,6 +60,8 @@ def _finding(what: str, name: Name, other: str, known: Name, is_fatal: bool) -> 
     message = f"{what} '{name}' has the name of the {other} '{known}'"
     if name != known:
         message = f"{what} '{name}' differs by case only from the {other} '{known}'"
+    elif (what, other) == ("frame", "joint"):
+        message += ", whose pose robot-model-tools gives it"
     return Finding(name, message, (Related(known, f"{other} '{known}'"),), severity=severity)
 
 

@@ -1,8 +1,9 @@
 """A name that generated code uses for something else.
 
 ## What it does
-Reports names that are keywords of C++ or of Octave, and frames called `fr_<link>`, as the
-generators call the frame of a link.
+Reports names that are keywords of C++ or of Octave, frames called `fr_<link>`, as the generators
+call the frame of a link, and links and frames called `fr_<joint>`, as transforms documents call the
+frame of a joint.
 
 ## Why is this bad?
 The names of links, joints, frames and parameters become identifiers of the generated code, which
@@ -18,7 +19,7 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import link
+from kindsl.judgement.rules.examples import joint, link
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Name
@@ -30,10 +31,13 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
     for name in _names(model):
         if name in RESERVED_BY:
             yield Finding(name, f"'{name}' is a keyword of {RESERVED_BY[name]}")
-    for frame in model.frames:
-        if frame.name.startswith("fr_") and frame.name[3:] in model.body_named:
-            message = f"'{frame.name}' is already the name of the frame of link '{frame.name[3:]}'"
-            yield Finding(frame.name, message)
+    joints = {str(joint.name) for joint in model.joints}
+    for name in (thing.name for thing in (*model.links, *model.frames)):
+        owner = name.removeprefix("fr_")
+        is_frame_of_link = owner in model.body_named and name not in model.body_named
+        if owner != name and (is_frame_of_link or owner in joints):
+            kind = "link" if is_frame_of_link else "joint"
+            yield Finding(name, f"'{name}' is already the name of the frame of {kind} '{owner}'")
 
 
 def _names(model: Model) -> Iterator[Name | None]:
@@ -57,5 +61,11 @@ RULE = Rule(
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
     good=(link("gripper", 1), _FRAMED % "fr_eye"),
-    bad=(link("union", 1), link("until", 1), _FRAMED % "fr_head"),
+    bad=(
+        link("union", 1),
+        link("until", 1),
+        _FRAMED % "fr_head",
+        f"{_FRAMED % 'fr_neck'}\n{joint('neck')}",
+        f"{link('fr_neck', 1)}\n{joint('neck')}",
+    ),
 )
