@@ -8,6 +8,7 @@ import pytest
 from tests.interchange.round_trips import read
 
 import kindsl
+from kindsl.frontends.cli.main import main
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.language.semantics.parameters import JointProperties
 from kindsl.robots.interchange.format import ORDINARY, FormatError, WritingChoices
@@ -52,6 +53,33 @@ def test_limits_that_a_urdf_must_give() -> None:
     }
     limits = {"slide": JointProperties(0.0, 1.0)}
     assert notes(TEXT, "urdf", WritingChoices(joints=limits)) == [TURN]
+
+
+BASE = "mass and inertia of the fixed base 'base' (2.5 kg) dropped: they move nothing"
+
+
+@pytest.mark.parametrize("format", ["urdf", "sdf", "mjcf"])
+def test_the_mass_of_a_fixed_base_is_dropped_once(format: str) -> None:
+    assert notes(TEXT, format, WritingChoices(fixed_base_mass=2.5)).count(BASE) == 1
+    assert not any("fixed base" in note for note in notes(TEXT, format))
+
+
+@pytest.mark.parametrize(("format", "title"), [("urdf", "URDF"), ("sdf", "SDF")])
+def test_armature_is_dropped_once(format: str, title: str) -> None:
+    joints = {name: JointProperties(0.0, 1.0, armature=0.5) for name in ("turn", "slide")}
+    dropped = f"armature of 2 joints dropped: not supported by {title}"
+    found = notes(TEXT, format, WritingChoices(joints=joints))
+    assert found.count(dropped) == 1
+    assert not any("armature" in note for note in notes(TEXT, format))
+
+
+def test_the_command_says_what_it_drops(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "r.kindsl").write_text(TEXT)
+    (tmp_path / "kindsl.toml").write_text("[joints.turn]\narmature = 0.5\n")
+    assert main(["convert", str(tmp_path / "r.kindsl"), str(tmp_path / "r.urdf")]) == 0
+    printed = capsys.readouterr().err
+    assert printed.count("mass and inertia of the fixed base 'base' (2 kg) dropped") == 1
+    assert printed.count("armature of 1 joint dropped") == 1
 
 
 def test_a_floating_base_that_a_urdf_cannot_tell() -> None:

@@ -6,8 +6,10 @@ import pytest
 from tests.interchange.round_trips import read
 
 import kindsl
+from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.kindsl_writing import written_kindsl
 from kindsl.robots.interchange.registry import format_named
+from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
 
 MJCF = """<mujoco model="m"><option/><worldbody><body name="torso"><!---->
 <inertial pos="0 0 0" mass="2" diaginertia="0.1 0.2 0.2"/>
@@ -142,3 +144,15 @@ def test_what_an_sdf_says_of_mechanics(old, new, told, tmp_path: Path) -> None:
 )
 def test_what_a_urdf_says_of_mechanics(text, told, tmp_path: Path) -> None:
     assert list(notes(text, "urdf", tmp_path)) == told
+
+
+WORLD = """<robot name="r"><link name="arm"/><joint name="turn" type="continuous">
+<parent link="{}"/><child link="arm"/><axis xyz="0 0 1"/></joint></robot>"""
+
+
+def test_world_needs_no_link_of_its_own_as_in_drake() -> None:
+    read = robot_of_urdf(WORLD.format("world"), "r")
+    assert [link.name for link in read.robot.links] == ["world", "arm"]
+    assert read.tells_base and not read.robot.is_floating
+    with pytest.raises(FormatError, match="names a link 'wrld' that does not exist"):
+        robot_of_urdf(WORLD.format("wrld"), "r")

@@ -117,6 +117,30 @@ def test_what_cannot_be_expanded_is_one_sentence(text: str, message: str, tmp_pa
     assert "\n" not in str(caught.value)
 
 
+PACKAGE = f'{HEAD}<xacro:include filename="$(find nopkg)/a.xacro"/></robot>'
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (PACKAGE, "the package 'nopkg' is in none of {folder}: --package-path DIR"),
+        (f'{HEAD}<link name="$(env NO_VALUE)"/></robot>',
+         "environment variable 'NO_VALUE' is not set"),
+        (f'{HEAD}<xacro:include filename="non.xacro"/></robot>',
+         "No such file or directory: {folder}/non.xacro"),
+        (f"""{HEAD}<link name="${{dict(a=1)['b']}}"/></robot>""",
+         "there is no 'b' when evaluating expression 'dict(a=1)['b']'"),
+    ],
+    ids=["package", "environment", "include", "key"],
+)  # fmt: skip
+def test_xacro_says_its_sentence_once(text: str, message: str, tmp_path: Path) -> None:
+    path = tmp_path / "robot.xacro"
+    path.write_text(text)
+    with pytest.raises(FormatError) as caught:
+        format_named("xacro").read(path, AS_WRITTEN)
+    assert str(caught.value) == f"xacro cannot expand it: {message.format(folder=tmp_path)}"
+
+
 def test_what_never_ends_is_given_up(tmp_path: Path) -> None:
     path = tmp_path / "robot.xacro"
     path.write_text(FOREVER)

@@ -47,6 +47,7 @@ from kindsl.robots.interchange.format import (
 )
 from kindsl.robots.interchange.registry import all_formats, format_named, format_of_suffix
 from kindsl.robots.interchange.repairing import repaired
+from kindsl.robots.mechanism.total_mass import fixed_base_mass
 
 if TYPE_CHECKING:
     from kindsl.judgement.analysis.analysis import Analysis
@@ -254,7 +255,8 @@ def _argument(text: str) -> tuple[str, str]:
 def _written(args: argparse.Namespace, target: Format, analysis: "Analysis") -> WrittenRobot:
     assert target.write is not None
     skeleton = skeleton_of_document(args.input, analysis)
-    choices = WritingChoices(args.continuous, analysis.settings.joints)
+    mass = fixed_base_mass(analysis.model, analysis.context.values)
+    choices = WritingChoices(args.continuous, analysis.settings.joints, mass)
     skeleton, notes = repaired(skeleton) if args.repair_inertia else (skeleton, ())
     try:
         written = target.write(analysis.model.name or "robot", skeleton, choices)

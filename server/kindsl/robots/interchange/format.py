@@ -1,6 +1,6 @@
 """A format of other tools: its name, its reader, its writer."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
@@ -77,10 +77,12 @@ class WritingChoices(NamedTuple):
         endless_joints: Whether revolute joints are written as endless ones where a format has
             these, or as ordinary ones.
         joints: Properties in the configuration, by joint name.
+        fixed_base_mass: Of the document's base, if it is fixed, kg.
     """
 
     endless_joints: bool = False
     joints: "Joints" = MappingProxyType({})
+    fixed_base_mass: float = 0.0
 
 
 _INDEPENDENT = ": it is now independent"
@@ -97,6 +99,21 @@ def joints_dropped(joints: "Joints") -> str:
     """Return the note on limits and friction of joints, which the language does not support."""
     where = "kindsl.toml takes them, as [joints.NAME]"
     return f"limits, friction and armature of {counted(len(joints), 'joint')} dropped: {where}"
+
+
+def fixed_base_dropped(base: str, choices: WritingChoices) -> Iterator[str]:
+    """Yield the note on a fixed base's mass, which a file does not get."""
+    if choices.fixed_base_mass:
+        mass = f"{choices.fixed_base_mass:.6g} kg"
+        yield f"mass and inertia of the fixed base '{base}' ({mass}) dropped: they move nothing"
+
+
+def armature_dropped(title: str, names: Iterable[str], joints: "Joints") -> Iterator[str]:
+    """Yield the note on the armature of joints of these names, which a format does not support."""
+    known = (joints[name].armature for name in names if name in joints)
+    number = sum(armature is not None for armature in known)
+    if number:
+        yield f"armature of {counted(number, 'joint')} dropped: not supported by {title}"
 
 
 def suffix_unknown(suffix: str, known: Iterable[str], otherwise: str = "") -> str:

@@ -117,6 +117,13 @@ def body_mass(body: Link, values: Mapping[str, float]) -> Weight:
     return Weight(mass)
 
 
+def fixed_base_mass(model: Model, values: Mapping[str, float]) -> float:
+    """Return the mass that is written for a fixed base, which moves nothing; kg, zero if none."""
+    base = model.base
+    mass = 0.0 if base is None or base.is_floating else own_mass(base, values)
+    return 0.0 if isinstance(mass, Unknown) else mass
+
+
 def edge_mass(edge: Edge) -> Weight:
     """Return the missing mass of children that no block defines."""
     if edge.link is not None:

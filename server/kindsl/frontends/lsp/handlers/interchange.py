@@ -43,13 +43,15 @@ async def import_robot(
 def _urdf(view: View) -> tuple[str, tuple[str, ...]]:
     from kindsl.robots.interchange.format import WritingChoices
     from kindsl.robots.interchange.urdf.writing import written_urdf
+    from kindsl.robots.mechanism.total_mass import fixed_base_mass
 
     analysis = view.analysis
     try:
         skeleton = analysis.skeleton()
     except ValueError as error:
         raise RequestFailed(str(error)) from None
-    choices = WritingChoices(joints=analysis.settings.joints)
+    mass = fixed_base_mass(analysis.model, analysis.context.values)
+    choices = WritingChoices(joints=analysis.settings.joints, fixed_base_mass=mass)
     written = written_urdf(analysis.model.name or "robot", skeleton, choices)
     return written.text, written.remarks
 

@@ -14,7 +14,12 @@ from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.rigid.body import ROUNDING_OF_MOMENTS
 from kindsl.mechanics.spatial.arrays import Array
 from kindsl.mechanics.spatial.inertia import point_inertia
-from kindsl.robots.interchange.format import ORDINARY, WritingChoices, WrittenRobot
+from kindsl.robots.interchange.format import (
+    ORDINARY,
+    WritingChoices,
+    WrittenRobot,
+    fixed_base_dropped,
+)
 from kindsl.robots.interchange.mjcf.compiling import checked_text
 from kindsl.robots.interchange.xml_writing import added, document_text, numbers
 from kindsl.robots.mechanism.bodies import bodies_of
@@ -64,7 +69,8 @@ def written_mjcf(name: str, skeleton: Linkage, choices: WritingChoices = ORDINAR
     refused = [_impossible(bodies, body) for body in impossible]
     if not refused:
         checked_text(text)
-    return WrittenRobot(text, (*_remarks(bodies), *_mass_remarks(bodies), *refused))
+    dropped = fixed_base_dropped(bodies.base_name, choices)
+    return WrittenRobot(text, (*_remarks(bodies), *dropped, *_mass_remarks(bodies), *refused))
 
 
 def _base(world: Element, bodies: Bodies) -> Element:

@@ -14,7 +14,13 @@ from kindsl.mechanics.rigid.body import (
     shifted,
 )
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Rotation
-from kindsl.robots.interchange.format import ORDINARY, WritingChoices, WrittenRobot
+from kindsl.robots.interchange.format import (
+    ORDINARY,
+    WritingChoices,
+    WrittenRobot,
+    armature_dropped,
+    fixed_base_dropped,
+)
 from kindsl.robots.interchange.sdf.frame_graph import WORLD
 from kindsl.robots.interchange.sdf.joint_properties import add_properties
 from kindsl.robots.interchange.xml_writing import added, document_text, numbers
@@ -54,7 +60,11 @@ def written_sdf(name: str, skeleton: Linkage, choices: WritingChoices = ORDINARY
         for (kind, old), new in names.items()
         if old != new and (kind, old) != _WELD
     )
-    return WrittenRobot(document_text(root), (*renamed, *_refused_elsewhere(skeleton)))
+    dropped = (
+        *armature_dropped("SDF", skeleton.joint_names, choices.joints),
+        *fixed_base_dropped(skeleton.base_name, choices),
+    )
+    return WrittenRobot(document_text(root), (*renamed, *dropped, *_refused_elsewhere(skeleton)))
 
 
 def _names(skeleton: Linkage) -> dict[tuple[str, str], str]:

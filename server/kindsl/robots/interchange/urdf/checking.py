@@ -12,6 +12,7 @@ from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.rigid_links import TENSOR
 from kindsl.robots.interchange.xml_reading import XmlElement, XmlError, finite_number, parsed_xml
 
+WORLD = "world"
 _TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
 _ELSEWHERE = (("transmission", "transmission"), ("gazebo", "Gazebo extension"))
 
@@ -47,7 +48,9 @@ def checked(content: bytes | str) -> tuple[XmlElement, Remarkable]:
     if robot.tag != "robot":
         raise UrdfError(f"not a URDF: its root element is <{_name_of(robot)}>, not <robot>")
     _required(robot, "name")
-    links, joints = robot.findall("link"), robot.findall("joint")
+    joints = robot.findall("joint")
+    _add_world(robot, joints)
+    links = robot.findall("link")
     _check_names(links)
     _check_names(joints)
     if not links:
@@ -58,6 +61,16 @@ def checked(content: bytes | str) -> tuple[XmlElement, Remarkable]:
         _check_joint(joint)
     _check_tree(links, joints)
     return robot, _remarkable(robot, links, joints)
+
+
+def _add_world(robot: XmlElement, joints: list[Any]) -> None:
+    """Add the link 'world', which Drake does not require where it is a joint's parent."""
+    names = {link.get("name") for link in robot.findall("link")}
+    parents = {parent.get("link") for joint in joints for parent in joint.findall("parent")}
+    if WORLD in parents - names:
+        world = XmlElement("link", name=WORLD)
+        world.sourceline, world.offset, world.comments = robot.sourceline, robot.offset, ()
+        robot.insert(0, world)
 
 
 def _check_names(elements: list[Any]) -> None:

@@ -28,6 +28,7 @@ from kindsl.robots.interchange.rigid_links import (
     root_remarks,
 )
 from kindsl.robots.interchange.urdf.checking import (
+    WORLD,
     Remarkable,
     UrdfError,
     checked,
@@ -39,7 +40,6 @@ from kindsl.robots.mechanism.linkage import Linkage
 
 __all__ = ["UrdfError", "read_urdf", "robot_of_urdf"]
 
-_WORLD = "world"
 _OF_LEGS = re.compile(r"(?<![a-z])(foot|feet|leg|ankle|knee|thigh|calf|shank|toe)(?![a-z])", re.I)
 _USUAL_AXIS = (1.0, 0.0, 0.0)
 
@@ -75,7 +75,7 @@ def robot_of_urdf(text: bytes | str, name: str, *, floating: bool = False) -> Re
     root = next(link for link in bodies if link not in carried)
     first = RigidLink(root, body=bodies[root])
     lost: tuple[str, ...] = ()
-    tells_base = root == _WORLD
+    tells_base = root == WORLD
     below = children.get(root, [])
     if len(below) == 1 and below[0].get("type") == "floating":
         first, floating = _floating(below[0], bodies), True
@@ -86,7 +86,7 @@ def robot_of_urdf(text: bytes | str, name: str, *, floating: bool = False) -> Re
     base: BaseKind = "floating" if floating else "fixed"
     read = linkage_of_links(robot.get("name") or name, base, links)
     roots = (*lost, *root_remarks(links[0], base))
-    legs = _legged_remarks(read) if base == "fixed" and root != _WORLD else ()
+    legs = _legged_remarks(read) if base == "fixed" and root != WORLD else ()
     remarks = (*_remarks(remarkable), *roots, *legs, *fixed_remarks(links, "link", read))
     moving = (joint for joint in joints if joint.get("type") not in ("fixed", "floating"))
     told = told_joints((str(joint.get("name")), _properties(joint)) for joint in moving)

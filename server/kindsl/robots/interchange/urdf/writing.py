@@ -8,7 +8,13 @@ from kindsl.language.semantics.parameters import UNTOLD, JointProperties
 from kindsl.language.text.phrases import counted
 from kindsl.mechanics.rigid.body import MassDistribution, shifted
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, fixed_axis_angles
-from kindsl.robots.interchange.format import ORDINARY, WritingChoices, WrittenRobot
+from kindsl.robots.interchange.format import (
+    ORDINARY,
+    WritingChoices,
+    WrittenRobot,
+    armature_dropped,
+    fixed_base_dropped,
+)
 from kindsl.robots.interchange.xml_writing import added, document_text
 from kindsl.robots.mechanism.linkage import Linkage
 
@@ -63,6 +69,8 @@ def _remarks(skeleton: Linkage, choices: WritingChoices) -> Iterator[str]:
     for name, kind in unlimited:
         if kind == "prismatic":
             yield f"the joint '{name}' got limits of -1 m and 1 m, which a URDF must give"
+    yield from armature_dropped("URDF", skeleton.joint_names, choices.joints)
+    yield from fixed_base_dropped(skeleton.base_name, choices)
     if skeleton.is_floating:
         yield f"the floating base '{skeleton.base_name}' became the root link, which some tools fix"
 

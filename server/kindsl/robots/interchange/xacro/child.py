@@ -8,10 +8,13 @@ with 1 after one sentence on stdout where the file cannot be expanded.
 import contextlib
 import io
 import json
+import re
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
 
+_TYPE_OF_ERROR = re.compile(r"<class '[^']*'>: ")
 _MEMORY = 4 * 2**30
 
 
@@ -78,7 +81,30 @@ def _reason(error: Exception) -> str:
     """Return one sentence; xacro wraps what an expression raised."""
     if isinstance(getattr(error, "exc", error), MemoryError):
         return f"it needs more than {_MEMORY // 2**30} GB of memory"
-    return " ".join(str(error).split()) or type(error).__name__
+    parts: list[str] = []
+    for part in _parts(error):
+        plain = " ".join(_TYPE_OF_ERROR.sub("", part).split())
+        if plain and not any(_plain(plain) in _plain(known) for known in parts):
+            parts.append(plain)
+    return " ".join(parts) or type(error).__name__
+
+
+def _parts(error: BaseException) -> Iterator[str]:
+    """Yield the sentence of an error, of the error that it wraps, and what xacro says behind it."""
+    wrapped = getattr(error, "exc", None)
+    if isinstance(error, KeyError):
+        yield f"there is no {error}"
+    elif wrapped is None and not hasattr(error, "suffix"):
+        yield str(error)
+    else:
+        yield str(error.args[0] or "") if error.args else ""
+        yield from _parts(wrapped) if isinstance(wrapped, BaseException) else [str(wrapped or "")]
+        yield str(getattr(error, "suffix", None) or "")
+
+
+def _plain(sentence: str) -> str:
+    """Return a sentence without what two ways of saying it differ in."""
+    return re.sub(r"\[Errno \d+\] |['\"]", "", sentence)
 
 
 def _bound_memory() -> None:
