@@ -8,11 +8,11 @@ from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.judgement.rules.base import Severity
 from kindsl.language.semantics.parameters import Binding
-from kindsl.products.reports.card import branches, card_page
+from kindsl.products.reports.card import card_page
 from kindsl.products.reports.columns import aligned, number
 from kindsl.products.reports.difference_text import change_rows
 from kindsl.products.reports.page.blocks import Figure, Heading, Page, Paragraph, Table
-from kindsl.products.reports.robot_facts import robot_facts
+from kindsl.products.reports.robot_facts import branches, robot_facts
 from kindsl.products.reports.robot_health import health_facts, health_text
 from kindsl.products.reports.robot_text import robot_text
 from kindsl.robots.comparison.difference import Difference, difference
@@ -325,7 +325,7 @@ def test_the_card_of_nothing_has_no_name_and_no_picture() -> None:
 def test_links_that_nothing_carries_come_last_and_start_anew() -> None:
     loose = GOOD.replace("children { lower via elbow }", "children {}").replace("id = 2", "")
     facts = robot_facts(document(loose))
-    found = [(level, body["name"]) for level, body in branches(facts)]
+    found = [(len(are_last), body["name"]) for are_last, body in branches(facts)]
     assert found == [(0, "base"), (1, "upper"), (0, "lower")]
     assert ("lower", "", "", "", "1", "tip") in table(card_page(document(loose)), "Tree").rows
     loop = GOOD.replace("children {}", "children { upper via shoulder }")

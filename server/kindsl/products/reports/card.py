@@ -22,7 +22,7 @@ from kindsl.products.reports.page.blocks import (
     Paragraph,
     Table,
 )
-from kindsl.products.reports.robot_facts import mass_text, robot_facts
+from kindsl.products.reports.robot_facts import branches, mass_text, robot_facts
 from kindsl.robots.mechanism.linkage import Linkage
 from kindsl.robots.mechanism.total_mass import unknown_bodies
 from kindsl.robots.scene.picture import Picture, picture
@@ -80,34 +80,16 @@ def _tree(facts: dict[str, Any]) -> Iterator[Block]:
     header = ("link", "id", "joint", "kind", "mass / kg", "frames")
     rows = tuple(
         (
-            "  " * level + (body["name"] or "(unnamed)"),
+            "  " * len(are_last) + (body["name"] or "(unnamed)"),
             "" if body["id"] is None else str(body["id"]),
             body["joint"] or "",
             body["joint_type"] or "",
             number(body["mass"]),
             ", ".join(body["frames"]),
         )
-        for level, body in branches(facts)
+        for are_last, body in branches(facts)
     )
     yield Table(header, rows, frozenset((1, 4)))
-
-
-def branches(facts: dict[str, Any]) -> Iterator[tuple[int, dict[str, Any]]]:
-    """Yield the bodies, each before what it carries, and how many carry it; the lost ones last."""
-    children: dict[str | None, list[dict[str, Any]]] = {}
-    for link in facts["links"]:
-        children.setdefault(link["parent"], []).append(link)
-    starts = [facts["base"], *facts["links"]] if facts["base"] else facts["links"]
-    seen: set[int] = set()
-    for start in starts:
-        pending = [(0, start)]
-        while pending:
-            level, body = pending.pop()
-            if id(body) not in seen:
-                seen.add(id(body))
-                yield level, body
-                below = children.get(body["name"], [])
-                pending += [(level + 1, child) for child in reversed(below)]
 
 
 def _joints(skeleton: Linkage) -> Iterator[Block]:

@@ -97,6 +97,26 @@ def _body(model: Model, body: Link, values: Mapping[str, float], places: _Places
     }
 
 
+def branches(facts: Mapping[str, Any]) -> Iterator[tuple[tuple[bool, ...], dict[str, Any]]]:
+    """Yield the bodies, each before those it carries, unconnected ones last.
+
+    With each comes, for itself and its ancestors below the root, whether it is the last child.
+    """
+    children: dict[str | None, list[dict[str, Any]]] = {}
+    for link in facts["links"]:
+        children.setdefault(link["parent"], []).append(link)
+    seen: set[int] = set()
+    for start in [facts["base"], *facts["links"]] if facts["base"] else facts["links"]:
+        pending: list[tuple[tuple[bool, ...], dict[str, Any]]] = [((), start)]
+        while pending:
+            are_last, body = pending.pop()
+            if id(body) not in seen:
+                seen.add(id(body))
+                yield are_last, body
+                below = children.get(body["name"], [])
+                pending += [((*are_last, c is below[-1]), c) for c in reversed(below)]
+
+
 def mass_text(facts: Mapping[str, Any]) -> str:
     """Return the mass of a robot for people; a partial mass is marked as such."""
     missing = [Unknown(one["reason"]) for one in facts["missing_masses"]]

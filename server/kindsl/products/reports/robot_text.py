@@ -6,7 +6,7 @@ from typing import Any
 from kindsl.language.text.phrases import counted
 from kindsl.language.text.printable import printable
 from kindsl.products.reports.columns import PARAMETER_UNITS, aligned, number
-from kindsl.products.reports.robot_facts import mass_text
+from kindsl.products.reports.robot_facts import branches, mass_text
 from kindsl.products.reports.robot_health import health_text
 from kindsl.robots.mechanism.total_mass import UNKNOWN
 
@@ -51,50 +51,21 @@ def _verdict(target: str, verdict: dict[str, Any]) -> str:
 
 def _tree_rows(facts: dict[str, Any]) -> Iterator[tuple[str, ...]]:
     yield "link", "id", "joint", "", "mass", "frames"
-    bodies = [facts["base"], *facts["links"]] if facts["base"] else facts["links"]
-    children: dict[str | None, list[dict[str, Any]]] = {}
-    for link in facts["links"]:
-        children.setdefault(link["parent"], []).append(link)
-    drawn: set[str] = set()
-    if facts["base"]:
-        yield from _branch(facts["base"], "", "", children, drawn)
-    for body in bodies:
-        yield from _branch(body, "? ", "  ", children, drawn)
-
-
-def _branch(
-    body: dict[str, Any],
-    first: str,
-    rest: str,
-    children: dict[str | None, list[dict[str, Any]]],
-    drawn: set[str],
-) -> Iterator[tuple[str, ...]]:
-    """Yield the row of a body and those of all that it carries."""
-    stack = [(body, first, rest)]
-    while stack:
-        body, first, rest = stack.pop()
-        if body["name"] in drawn:
-            continue
-        drawn.add(body["name"])
-        yield _row(body, first)
-        below = children.get(body["name"], [])
-        last = below[-1] if below else None
-        stack += [
-            (child, rest + ("└─ " if child is last else "├─ "),
-             rest + ("   " if child is last else "│  "))
-            for child in reversed(below)
-        ]  # fmt: skip
-
-
-def _row(body: dict[str, Any], branch: str) -> tuple[str, ...]:
-    return (
-        branch + (body["name"] or "(unnamed)"),
-        "-" if body["id"] is None else str(body["id"]),
-        body["joint"] or "",
-        body["joint_type"] or "",
-        number(body["mass"], "kg"),
-        " ".join(body["frames"]),
-    )
+    is_of_base = False
+    for are_last, body in branches(facts):
+        is_of_base = body is facts["base"] or (is_of_base and bool(are_last))
+        branch = "".join("   " if is_last else "│  " for is_last in are_last[:-1])
+        branch += ("└─ " if are_last[-1] else "├─ ") if are_last else ""
+        yield (
+            ("" if is_of_base else "  " if are_last else "? ")
+            + branch
+            + (body["name"] or "(unnamed)"),
+            "-" if body["id"] is None else str(body["id"]),
+            body["joint"] or "",
+            body["joint_type"] or "",
+            number(body["mass"], "kg"),
+            " ".join(body["frames"]),
+        )
 
 
 def _parameters(parameters: list[dict[str, Any]]) -> str:

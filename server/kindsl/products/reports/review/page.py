@@ -4,10 +4,12 @@ from collections.abc import Iterator, Mapping
 from math import dist, isclose
 
 from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.rules.base import Severity
+from kindsl.language.text.lines import LineIndex
 from kindsl.language.text.phrases import counted
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
-from kindsl.products.reports.card import branches, shown_skeleton, triple
+from kindsl.products.reports.card import shown_skeleton, triple
 from kindsl.products.reports.columns import number
 from kindsl.products.reports.comparison import Comparison, compared
 from kindsl.products.reports.difference_text import ChangeRow, change_rows
@@ -22,9 +24,9 @@ from kindsl.products.reports.page.blocks import (
     SideBySide,
     Table,
 )
-from kindsl.products.reports.review.finding_changes import ToldFinding, finding_changes
+from kindsl.products.reports.review.finding_changes import finding_changes
 from kindsl.products.reports.review.written_numbers import Side, WrittenChange, written_changes
-from kindsl.products.reports.robot_facts import robot_facts
+from kindsl.products.reports.robot_facts import branches, robot_facts
 from kindsl.robots.comparison.difference import Difference
 
 MOVED, HEAVIER, ADDED, REMOVED = "d9730d", "8e44ad", "2e8b57", "c0392b"
@@ -164,9 +166,9 @@ def _tree(old: Analysis, new: Analysis, found: Difference | None) -> Iterator[Bl
     before = {links.get(name, name): text for name, text in _hangs_on(old, links).items()}
     after = _hangs_on(new, {})
     rows = []
-    for level, body in branches(robot_facts(new)):
+    for are_last, body in branches(robot_facts(new)):
         name = body["name"]
-        rows.append(("  " * level + name, before.pop(name, "-"), after.get(name, "-")))
+        rows.append(("  " * len(are_last) + name, before.pop(name, "-"), after.get(name, "-")))
     rows += [(name, text, "-") for name, text in before.items()]
     if all(row[1] == row[2] for row in rows):
         return
@@ -259,12 +261,18 @@ def _findings(old: Analysis, new: Analysis) -> Iterator[Block]:
     found = finding_changes(old, new)
     told = (f"{len(found.new)} new", f"{len(found.gone)} gone", f"{len(found.kept)} kept")
     yield Paragraph(", ".join(told))
-    for title, findings in (("New", found.new), ("Gone", found.gone), ("Kept", found.kept)):
+    before, after = LineIndex(old.text), LineIndex(new.text)
+    for title, findings, lines in (
+        ("New", found.new, after),
+        ("Gone", found.gone, before),
+        ("Kept", found.kept, after),
+    ):
         if findings:
             yield Heading(title, 3)
-            header = ("place", "severity", "rule", "finding")
-            yield Table(header, tuple(map(_finding_row, findings)))
+            rows = tuple((_place(lines, f), f.severity.value, f.code, f.message) for f in findings)
+            yield Table(("place", "severity", "rule", "finding"), rows)
 
 
-def _finding_row(finding: ToldFinding) -> tuple[str, ...]:
-    return f"{finding.line}:{finding.column}", finding.severity, finding.code, finding.message
+def _place(lines: LineIndex, finding: Diagnostic) -> str:
+    line, column = lines.position(finding.start)
+    return f"{line + 1}:{column + 1}"
