@@ -17,9 +17,8 @@ from tests.cli.samples import GOOD, INTEGER, UNBOUND
 from tests.comparison.trials import ARM, described_text
 from tests.comparison.variants import links_of, urdf_of
 
-from kindsl.frontends.mcp.errors import ToolError
 from kindsl.frontends.mcp.examples import examples
-from kindsl.frontends.mcp.folder import Folder
+from kindsl.frontends.mcp.folder import Folder, ToolError
 from kindsl.frontends.mcp.server import server_for
 from kindsl.frontends.mcp.tool import all_tools, answer
 from mcp import Client, StdioServerParameters

@@ -2,7 +2,6 @@
 
 from pathlib import Path
 
-from kindsl.frontends.mcp.errors import ToolError
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.judgement.config.discovery import Configurations, nearest_configuration
 from kindsl.judgement.config.errors import ConfigurationError
@@ -12,12 +11,12 @@ from kindsl.language.text.writing import encoded, write_file
 _LARGEST = 10_000_000  # bytes: larger than any robot, smaller than what stops a machine
 
 
-class Folder:
-    """A folder and what is below it.
+class ToolError(Exception):
+    """A tool cannot do what it was asked; one sentence that says what is right."""
 
-    Attributes:
-        root: The folder, absolute, links resolved.
-    """
+
+class Folder:
+    """A folder and all below it; `root` is absolute, links resolved."""
 
     def __init__(self, root: Path) -> None:
         self.root = root.resolve()

@@ -5,24 +5,16 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
-from kindsl.frontends.mcp.documents import BoundArguments, document
-from kindsl.frontends.mcp.errors import ToolError
-from kindsl.frontends.mcp.folder import Folder
-from kindsl.frontends.mcp.mechanics import skeleton_of
+from kindsl.frontends.mcp.documents import BoundArguments, built, document
+from kindsl.frontends.mcp.folder import Folder, ToolError
 from kindsl.judgement.analysis.compared_document import compared_document
 from kindsl.robots.comparison.compared_robot import ComparedRobot
 from kindsl.robots.interchange.descriptions import ReadDescription, read_description, read_robot
 from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.registry import format_of_suffix
 
-_DOCUMENT = ".kindsl"
 _EVALUATED = "xacro"
 _OTHER_FILES = re.compile(r"<include\b|\bfile\s*=")
-
-
-def is_document(given: str) -> bool:
-    """Return whether a path is a document's of ours."""
-    return given.endswith(_DOCUMENT)
 
 
 def compared_robot(given: str, folder: Folder, parameters: Mapping[str, float]) -> ComparedRobot:
@@ -33,16 +25,15 @@ def compared_robot(given: str, folder: Folder, parameters: Mapping[str, float]) 
     """
     arguments = BoundArguments(path=given, text=None, parameters=dict(parameters))
     path, analysis = document(arguments, folder)
-    return compared_document(path, analysis, analysis.context.values, skeleton_of(analysis))
+    return compared_document(
+        path, analysis, analysis.context.values, built(analysis, analysis.skeleton)
+    )
 
 
 def read_other(folder: Folder, given: str, floating: bool | None) -> ReadDescription:
     """Return the robot of another format, or of a folder of generated code.
 
-    Args:
-        folder: Where the path counts from.
-        given: The path.
-        floating: Whether the root floats where the file leaves that open; None if nobody says.
+    The root floats as `floating` says where the file leaves that open; None if nobody says.
 
     Raises:
         ToolError: It cannot be read, or needs other files.

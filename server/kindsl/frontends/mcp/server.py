@@ -17,9 +17,8 @@ from mcp.types import (
 )
 
 import kindsl
-from kindsl.frontends.mcp.errors import ToolError
 from kindsl.frontends.mcp.examples import examples
-from kindsl.frontends.mcp.folder import Folder
+from kindsl.frontends.mcp.folder import Folder, ToolError
 from kindsl.frontends.mcp.tool import all_tools, answer, text
 from kindsl.language.text.nearest import hint, nearest_name
 
@@ -37,15 +36,9 @@ def server_for(root: Path) -> Server:
     async def list_tools(
         _context: object, _params: PaginatedRequestParams | None
     ) -> ListToolsResult:
+        listed = ((tool, tool.arguments.model_json_schema()) for tool in tools.values())
         return ListToolsResult(
-            tools=[
-                Tool(
-                    name=tool.name,
-                    description=tool.description,
-                    input_schema=tool.arguments.model_json_schema(),
-                )
-                for tool in tools.values()
-            ]
+            tools=[Tool(name=t.name, description=t.description, input_schema=s) for t, s in listed]
         )
 
     async def call_tool(_context: object, params: CallToolRequestParams) -> CallToolResult:
@@ -60,7 +53,7 @@ def server_for(root: Path) -> Server:
                 return CallToolResult(content=[text(str(error))], is_error=True)
             except Exception:
                 _log.exception("%s failed", params.name)
-                told = f"{params.name} failed by a defect of kindsl; stderr has the details"
+                told = f"{params.name} failed by an internal error; stderr has the details"
                 return CallToolResult(content=[text(told)], is_error=True)
 
         return await anyio.to_thread.run_sync(run)

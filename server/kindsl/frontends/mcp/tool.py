@@ -11,8 +11,7 @@ from mcp.types import ImageContent, TextContent
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from kindsl.frontends.mcp import tools
-from kindsl.frontends.mcp.errors import ToolError
-from kindsl.frontends.mcp.folder import Folder
+from kindsl.frontends.mcp.folder import Folder, ToolError
 from kindsl.language.text.modules import module_names
 from kindsl.language.text.nearest import hint, nearest_name
 
@@ -26,14 +25,7 @@ class Arguments(BaseModel):
 
 
 class Tool(NamedTuple):
-    """A tool.
-
-    Attributes:
-        name: As an assistant calls it.
-        description: When to use it and what it answers.
-        arguments: Its arguments.
-        run: Takes these and the folder; returns what an assistant is shown. Raises ToolError.
-    """
+    """A tool; `run` takes its arguments and the folder, and raises ToolError."""
 
     name: str
     description: str

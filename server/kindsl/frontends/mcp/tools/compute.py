@@ -7,10 +7,8 @@ mass, joint-space inertia, torques of gravity, bias and inverse dynamics, Jacobi
 
 import json
 
-from kindsl.frontends.mcp.documents import BoundArguments, document
-from kindsl.frontends.mcp.errors import ToolError
-from kindsl.frontends.mcp.folder import Folder
-from kindsl.frontends.mcp.mechanics import mechanism_of
+from kindsl.frontends.mcp.documents import BoundArguments, built, document
+from kindsl.frontends.mcp.folder import Folder, ToolError
 from kindsl.frontends.mcp.tool import Content, Field, text
 from kindsl.products.reports.motions import ConfigurationSpace, MotionError, motions_from
 
@@ -34,7 +32,7 @@ class ConfigurationArguments(BoundArguments):
 def run(arguments: ConfigurationArguments, folder: Folder) -> list[Content]:
     """Return the numbers."""
     _, analysis = document(arguments, folder)
-    mechanism = mechanism_of(analysis)
+    mechanism = built(analysis, analysis.mechanism)
     keys = ("q", "qd", "qdd", "tau", "base_velocity")
     given = {key: getattr(arguments, key) for key in keys if getattr(arguments, key) is not None}
     if len(arguments.gravity) != 3:

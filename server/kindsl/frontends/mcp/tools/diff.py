@@ -9,7 +9,7 @@ import json
 from functools import partial
 
 from kindsl.frontends.mcp.folder import Folder
-from kindsl.frontends.mcp.robots import compared_robot, is_document, read_other
+from kindsl.frontends.mcp.robots import compared_robot, read_other
 from kindsl.frontends.mcp.tool import Arguments, Content, Field, text
 from kindsl.products.reports.mechanics import facts, lines, report_of
 from kindsl.robots.comparison.compared_robot import ComparedRobot
@@ -27,9 +27,8 @@ class DiffArguments(Arguments):
 
 def run(arguments: DiffArguments, folder: Folder) -> list[Content]:
     """Return what differs."""
-    both = arguments.a, arguments.b
-    values = arguments.parameters
-    sides = {p: compared_robot(p, folder, values) for p in both if is_document(p)}
+    both, values = (arguments.a, arguments.b), arguments.parameters
+    sides = {p: compared_robot(p, folder, values) for p in both if p.endswith(".kindsl")}
     others = [path for path in both if path not in sides]
     robots = [side.robot for side in sides.values()]
     foreign = read_foreign(others, robots, partial(read_other, folder))

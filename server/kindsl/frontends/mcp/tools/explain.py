@@ -1,7 +1,6 @@
 """Explain a finding's code, such as KD301: what it means, why it matters, how to repair it."""
 
-from kindsl.frontends.mcp.errors import ToolError
-from kindsl.frontends.mcp.folder import Folder
+from kindsl.frontends.mcp.folder import Folder, ToolError
 from kindsl.frontends.mcp.tool import Arguments, Content, Field, text
 from kindsl.judgement.rules.registry import all_rules, page_of
 from kindsl.language.text.nearest import hint, nearest_name

@@ -5,8 +5,7 @@ at each. A file is written only with `apply`.
 """
 
 from kindsl.frontends.mcp.documents import DocumentArguments, document
-from kindsl.frontends.mcp.errors import ToolError
-from kindsl.frontends.mcp.folder import Folder
+from kindsl.frontends.mcp.folder import Folder, ToolError
 from kindsl.frontends.mcp.tool import Content, Field, text
 from kindsl.judgement.analysis.fixing import fixed, is_fixable, is_safe
 from kindsl.language.text.phrases import counted

@@ -7,8 +7,7 @@ Shapes are centred at the origin, a cylinder's and a capsule's axis along z.
 
 from decimal import Decimal
 
-from kindsl.frontends.mcp.errors import ToolError
-from kindsl.frontends.mcp.folder import Folder
+from kindsl.frontends.mcp.folder import Folder, ToolError
 from kindsl.frontends.mcp.tool import Arguments, Content, Field, text
 from kindsl.robots.cad.properties import MassProperties
 from kindsl.robots.cad.report import ReportError
@@ -53,13 +52,9 @@ def _found(arguments: InertiaArguments, folder: Folder) -> MassProperties:
     if (arguments.mass is None) == (arguments.density is None):
         raise ToolError("give either 'mass' or 'density'")
     sizes = [_decimal(size) for size in arguments.sizes]
-    mass, density = arguments.mass, arguments.density
-    return shape_properties(
-        kind,
-        sizes,
-        None if mass is None else _decimal(mass),
-        None if density is None else _decimal(density),
-    )
+    amounts = (arguments.mass, arguments.density)
+    mass, density = (None if amount is None else _decimal(amount) for amount in amounts)
+    return shape_properties(kind, sizes, mass, density)
 
 
 def _decimal(value: float) -> Decimal:

@@ -6,9 +6,8 @@ read it; what only the other one takes is left out.
 
 import re
 
-from kindsl.frontends.mcp.errors import ToolError
 from kindsl.frontends.mcp.examples import examples
-from kindsl.frontends.mcp.folder import Folder
+from kindsl.frontends.mcp.folder import Folder, ToolError
 from kindsl.frontends.mcp.tool import Arguments, Content, Field, text
 from kindsl.judgement.rules.context import TARGETS
 from kindsl.language.syntax.grammars import grammar_text
@@ -35,12 +34,6 @@ def run(arguments: TargetArguments, _folder: Folder) -> list[Content]:
     target = arguments.target
     if target is not None and target not in TARGETS:
         raise ToolError(f"there is no target '{target}': {' or '.join(sorted(TARGETS))}")
-    lines = grammar_text("kindsl.lark").splitlines()
-    grammar = "\n".join(line for line in lines if _is_for(line, target))
+    lines = [(line, _ONLY.search(line)) for line in grammar_text("kindsl.lark").splitlines()]
+    grammar = "\n".join(line for line, only in lines if only is None or only[1] == target)
     return [text(_CONVENTIONS), text(grammar), *map(text, examples())]
-
-
-def _is_for(line: str, target: str | None) -> bool:
-    """Return whether a line of the grammar is for a generator, or for both where none is named."""
-    only = _ONLY.search(line)
-    return only is None or only.group(1) == target

@@ -10,8 +10,7 @@ from typing import Literal
 from mcp.types import ImageContent
 
 from kindsl.frontends.mcp.documents import BoundArguments, document
-from kindsl.frontends.mcp.errors import ToolError
-from kindsl.frontends.mcp.folder import Folder
+from kindsl.frontends.mcp.folder import Folder, ToolError
 from kindsl.frontends.mcp.tool import Content, Field, text
 from kindsl.products.reports.drawing.robot import robot_drawing
 from kindsl.products.reports.drawing.shapes import Drawing
