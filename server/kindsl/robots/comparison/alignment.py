@@ -13,7 +13,6 @@ from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from
 from kindsl.mechanics.rigid.pose import (
     IDENTITY,
     RigidPose,
-    Vector3,
     pose_from,
     product,
     rotation_from_z,
@@ -23,6 +22,7 @@ from kindsl.robots.comparison.features import (
     HALF_TURNS,
     AxisLine,
     Features,
+    axis_of,
     frames_of,
     lines_apart,
     second_moment_gap,
@@ -46,24 +46,14 @@ _LIKELY = 0.5
 
 
 class AlignedJoint(NamedTuple):
-    """The sign and zero of a joint of the other robot.
-
-    Attributes:
-        sign: Minus one where it turns or slides the other way.
-        offset: Our value where the other's is zero, rad or m; zero if it is only drift.
-    """
+    """The other's joint: its sign, and our value at its zero, rad or m; no drift."""
 
     sign: float
     offset: float
 
 
 class Alignment(NamedTuple):
-    """The conventions of another robot beside ours.
-
-    Attributes:
-        frames: Where the other's link frames are in ours, by our body.
-        joints: How the joints are counted, by our body.
-    """
+    """The other's link frames in ours, and its joints' signs and zeros, by our body."""
 
     frames: dict[int, RigidPose]
     joints: dict[int, AlignedJoint]
@@ -73,7 +63,7 @@ Cost = Callable[[int, Alignment], int]
 
 
 class _BodyPair(NamedTuple):
-    """Two bodies that are one, while the frame of the second in the first is looked for."""
+    """Two matching bodies whose relative frame is sought."""
 
     ours: Features
     theirs: Features
@@ -104,14 +94,14 @@ def likely_base_frames(
 def aligned(
     ours: Linkage, theirs: Linkage, matching: MatchedJoints, root: RigidPose, cost: Cost
 ) -> Alignment:
-    """Return the conventions under which most of two robots agrees.
+    """Return the conventions under which two robots agree most.
 
     Args:
         ours: A robot.
         theirs: Another.
-        matching: Which bodies are one.
+        matching: Their matching bodies.
         root: The other's base frame in ours.
-        cost: Returns in how many numbers a body and its joint differ.
+        cost: Returns the number of differences of a body and its joint.
     """
     size = size_of(ours)
     frames, joints = {0: root}, dict[int, AlignedJoint]()
@@ -163,57 +153,44 @@ def moved_by(value: float, slides: bool) -> RigidPose:
 
 
 def _whole(skeleton: Linkage) -> MassDistribution:
-    """Return all that moves as one body, at zero in the base's frame."""
     first = 0 if skeleton.is_floating else 1
     pairs = list(zip(skeleton.masses, skeleton.zero_poses(), strict=True))[first:]
     return lumped([seen_from(body, pose) for body, pose in pairs])
 
 
-def _axes_at_zero(skeleton: Linkage, bodies: list[int]) -> tuple[AxisLine, ...]:
-    poses = skeleton.zero_poses()
-    return tuple(_axis(skeleton, body, poses[body]) for body in bodies)
-
-
-def _axis(skeleton: Linkage, body: int, pose: RigidPose) -> AxisLine:
-    x, y, z = (row[2] for row in pose.rotation)
-    return AxisLine(pose.translation, (x, y, z), skeleton.joint_kinds[body - 1] == "prismatic")
-
-
 def _root_pair(ours: Linkage, theirs: Linkage, matching: MatchedJoints, size: float) -> _BodyPair:
-    bodies = sorted(matching.theirs)[1 : 1 + _AXES_OF_ROOT]
-    lines = _axes_at_zero(ours, bodies)
-    others = _axes_at_zero(theirs, [matching.theirs[body] for body in bodies])
-    if not (ours.is_floating or theirs.is_floating):
-        lines, others = (*lines, _VERTICAL), (*others, _VERTICAL)
-    masses = [ours.masses[0], theirs.masses[0]]
-    if not (ours.is_floating and masses[0].mass and masses[1].mass):
-        masses = [_whole(ours), _whole(theirs)]
-    pairs = [(body, matching.theirs[body]) for body in bodies]
-    heavy = [(b, its) for b, its in pairs if ours.masses[b].mass and theirs.masses[its].mass]
-    points = _coms_at_zero(ours, [body for body, _ in heavy])
-    its_points = _coms_at_zero(theirs, [its for _, its in heavy])
-    mine, its = Features(lines, masses[0], points), Features(others, masses[1], its_points)
-    return _BodyPair(mine, its, size)
+    pairs = sorted(matching.theirs.items())[1 : 1 + _AXES_OF_ROOT]
+    heavy = [(a, b) for a, b in pairs if ours.masses[a].mass and theirs.masses[b].mass]
+    is_base_heavy = ours.is_floating and ours.masses[0].mass and theirs.masses[0].mass
+    vertical = () if ours.is_floating or theirs.is_floating else (_VERTICAL,)
 
+    def features(robot: Linkage, side: int) -> Features:
+        poses = robot.zero_poses()
+        bodies = [pair[side] for pair in pairs]
+        lines = (axis_of(robot.joint_kinds[body - 1], poses[body]) for body in bodies)
+        points = (poses[pair[side]].point(robot.masses[pair[side]].com) for pair in heavy)
+        mass = robot.masses[0] if is_base_heavy else _whole(robot)
+        return Features((*lines, *vertical), mass, tuple(points))
 
-def _coms_at_zero(skeleton: Linkage, bodies: list[int]) -> tuple[Vector3, ...]:
-    poses = skeleton.zero_poses()
-    return tuple(poses[body].point(skeleton.masses[body].com) for body in bodies)
+    return _BodyPair(features(ours, 0), features(theirs, 1), size)
 
 
 def _pair(
     ours: Linkage, theirs: Linkage, matching: MatchedJoints, body: int, size: float
 ) -> _BodyPair:
-    carried = [i for i in matching.theirs if i and ours.parents[i - 1] == body]
-    others = [matching.theirs[i] for i in carried]
-    is_same = [theirs.parents[o - 1] == matching.theirs[body] for o in others]
-    kept = [i for i, same in zip(carried, is_same, strict=True) if same]
-    own = _axis(ours, body, IDENTITY)
-    lines = (own, *(_axis(ours, i, ours.placements[i - 1]) for i in kept))
-    found = [matching.theirs[i] for i in kept]
-    other_lines = (own, *(_axis(theirs, o, theirs.placements[o - 1]) for o in found))
-    other_mass = theirs.masses[matching.theirs[body]]
-    return _BodyPair(Features(lines, ours.masses[body]), Features(other_lines, other_mass), size)
+    own, its = axis_of(ours.joint_kinds[body - 1], IDENTITY), matching.theirs[body]
+    carried = [
+        (child, other)
+        for child, other in matching.theirs.items()
+        if child and ours.parents[child - 1] == body and theirs.parents[other - 1] == its
+    ]
+
+    def features(robot: Linkage, side: int) -> Features:
+        children = [pair[side] - 1 for pair in carried]
+        lines = (axis_of(robot.joint_kinds[i], robot.placements[i]) for i in children)
+        return Features((own, *lines), robot.masses[(body, its)[side]])
+
+    return _BodyPair(features(ours, 0), features(theirs, 1), size)
 
 
 def _candidates(ours: Features, theirs: Features) -> Iterator[RigidPose]:
@@ -242,7 +219,6 @@ def _options(pair: _BodyPair, D: RigidPose, slides: bool) -> list[RigidPose]:
 
 
 def _n_apart(pair: _BodyPair, frame: RigidPose) -> int:
-    """Return how many axes of what a body carries are elsewhere under a frame."""
     others = seen_features(pair.theirs, frame).lines
     gaps = (lines_apart(a, b) for a, b in zip(pair.ours.lines, others, strict=True))
     return sum(max(sine, distance / pair.size) > _APART for sine, distance in gaps)
@@ -259,7 +235,7 @@ def _on_axis(frame: RigidPose, slides: bool) -> RigidPose:
 
 
 def _agreement(pair: _BodyPair, frame: RigidPose, theirs: Features | None = None) -> float:
-    """Return how much of the features agrees, one for each that agrees exactly."""
+    """Return the number of features that agree, partly if they agree roughly."""
     other = seen_features(pair.theirs, frame) if theirs is None else theirs
     total = 0.0
     for line, carried in zip(pair.ours.lines, other.lines, strict=True):
@@ -284,7 +260,7 @@ def _grade(gap: float) -> float:
 
 
 def _placed(D: RigidPose, frame: RigidPose, slides: bool, size: float) -> float:
-    """Return how well the parent's side puts a frame there: at zero, or at another joint value."""
+    """Return how well the parent places a frame: at zero, or at another joint value."""
     E = D.then(frame.inverse())
     x, y, z = E.translation
     across = max(abs(E.rotation[0][2]), abs(E.rotation[1][2]), abs(x) / size, abs(y) / size)

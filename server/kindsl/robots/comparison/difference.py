@@ -17,7 +17,7 @@ _TENSOR_ROUNDING = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class Renamed:
-    """A link that is the same but for its name."""
+    """A link with another name."""
 
     old: str
     new: str

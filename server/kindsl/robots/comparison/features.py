@@ -33,13 +33,7 @@ HALF_TURNS = (
 
 
 class AxisLine(NamedTuple):
-    """An axis in some frame.
-
-    Attributes:
-        point: On it.
-        direction: Of unit length; which of the two does not matter.
-        is_free: Whether only the direction counts, as of a joint that slides.
-    """
+    """An axis through a point; of a sliding joint (`is_free`) only the direction counts."""
 
     point: Vector3
     direction: Vector3
@@ -50,14 +44,14 @@ class AxisLine(NamedTuple):
         return AxisLine(pose.point(self.point), pose.turn(self.direction), self.is_free)
 
 
-class Features(NamedTuple):
-    """The vectors fixed to a body, in its frame, in an order that two robots share.
+def axis_of(joint_kind: str, pose: RigidPose) -> AxisLine:
+    """Return the axis of a joint whose frame is at a pose."""
+    x, y, z = (row[2] for row in pose.rotation)
+    return AxisLine(pose.translation, (x, y, z), joint_kind == "prismatic")
 
-    Attributes:
-        lines: Axes of joints.
-        mass: Its own.
-        points: Centres of mass of what it carries, at zero.
-    """
+
+class Features(NamedTuple):
+    """A body's joint axes, mass, and centres of mass that it carries, in a shared order."""
 
     lines: tuple[AxisLine, ...]
     mass: MassDistribution

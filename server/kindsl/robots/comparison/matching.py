@@ -2,11 +2,12 @@
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from math import dist, hypot
+from math import dist
 from typing import NamedTuple
 
 from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
+from kindsl.robots.comparison.features import axis_of, lines_apart
 from kindsl.robots.mechanism.linkage import AttachedFrame, Linkage
 
 # Of a mismatch of shape, beside one of mass or place: anything else is better.
@@ -36,14 +37,11 @@ class MatchedJoints(NamedTuple):
 
 
 class _ViewAtZero(NamedTuple):
-    """A robot as matching looks at it, at zero in a frame that both share.
+    """A robot at zero in a frame that both share.
 
     Attributes:
-        skeleton: Its bodies.
-        children: Of each body.
-        poses: Of the bodies.
         subtrees: The mass of each body with all that it carries.
-        shapes: Form of each body's subtree, whatever the order.
+        shapes: Each body's subtree in brackets, the same in whatever order.
     """
 
     skeleton: Linkage
@@ -146,11 +144,10 @@ def _paired(ours: _ViewAtZero, theirs: _ViewAtZero, named: Mapping[str, str]) ->
     pending = [(0, 0)]
     while pending:
         body, other = pending.pop()
-        for pair in _child_pairs(
-            ours, theirs, (ours.children[body], theirs.children[other]), named
-        ):
-            found[pair[0]] = pair[1]
-            pending.append(pair)
+        children = ours.children[body], theirs.children[other]
+        pairs = list(_child_pairs(ours, theirs, children, named))
+        found.update(pairs)
+        pending += pairs
     taken = set(found.values())
     return MatchedJoints(
         found,
@@ -165,14 +162,11 @@ def _child_pairs(
     children: tuple[list[int], list[int]],
     named: Mapping[str, str],
 ) -> Iterator[tuple[int, int]]:
-    """Yield the children that are one: those that are named, then the most alike."""
     left, right = list(children[0]), list(children[1])
     names = {theirs.skeleton.joint_names[child - 1]: child for child in right}
     for child in children[0]:
         other = names.get(named.get(ours.skeleton.joint_names[child - 1], ""))
         if other is not None:
-            left.remove(child)
-            right.remove(other)
             yield child, other
     right = [r for r in right if theirs.skeleton.joint_names[r - 1] not in named.values()]
     left = [x for x in left if ours.skeleton.joint_names[x - 1] not in named]
@@ -191,21 +185,11 @@ def _badness(option: MatchedJoints, ours: _ViewAtZero, theirs: _ViewAtZero) -> t
 
 
 def _cost(ours: _ViewAtZero, a: int, theirs: _ViewAtZero, b: int) -> float:
-    """Return how unlike two joints with what they carry are: shape, then mass, then place."""
+    """Return the difference of two joints with their subtrees: shape, then mass, then place."""
     one, other = ours.subtrees[a], theirs.subtrees[b]
     shape = 0.0 if ours.shapes[a] == theirs.shapes[b] else _OTHER_SHAPE
     mass = _MASS * abs(one.mass - other.mass) / max(abs(one.mass), abs(other.mass), _TINY)
     apart = dist(one.com, other.com) if one.mass and other.mass else 0.0
-    is_free = ours.skeleton.joint_kinds[a - 1] == "prismatic"
-    return shape + mass + apart + _axes_apart(ours.poses[a], theirs.poses[b], is_free)
-
-
-def _axes_apart(one: RigidPose, other: RigidPose, is_free: bool) -> float:
-    """Return how much an axis is turned beside another, and how far it is if that matters."""
-    u, v = (tuple(row[2] for row in pose.rotation) for pose in (one, other))
-    between = [b - a for a, b in zip(one.translation, other.translation, strict=True)]
-    turned = hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
-    if is_free:
-        return turned
-    along = sum(a * b for a, b in zip(between, u, strict=True))
-    return turned + hypot(*(d - along * a for d, a in zip(between, u, strict=True)))
+    kind = ours.skeleton.joint_kinds[a - 1]
+    axes = lines_apart(axis_of(kind, ours.poses[a]), axis_of(kind, theirs.poses[b]))
+    return shape + mass + apart + sum(axes)

@@ -40,10 +40,9 @@ class Torques(NamedTuple):
     """The result of comparing torques.
 
     Attributes:
-        is_seen: Whether some torque differs by what differs in the numbers.
-        is_confirmed: Whether inertia matrix and bias forces are equal where numbers are; None if
-            these differ.
-        effects: The greatest change of a joint force or torque by each differing number, N and N m.
+        is_seen: Whether the differing numbers change any torque.
+        is_confirmed: Whether inertia matrix and bias forces are equal; None if numbers differ.
+        effects: The greatest change of a joint torque or force by each number, N m or N.
     """
 
     is_seen: bool
@@ -52,7 +51,7 @@ class Torques(NamedTuple):
 
 
 class _States(NamedTuple):
-    """Motions at random: positions, velocities, accelerations, the base's acceleration at rest."""
+    """Random motions."""
 
     q: Array
     qd: Array

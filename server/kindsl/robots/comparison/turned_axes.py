@@ -1,7 +1,7 @@
 """Joints whose axis alone has another direction: one number of a file that moves many of ours.
 
-A URDF, an MJCF and an SDF write the axis apart from the frame. Where it is another, our joint frame
-and all that it carries would have to be turned; that is told as what it is.
+URDF, MJCF and SDF write the axis apart from the frame. Where it differs, our joint frame and all
+that it carries would have to be turned: that is reported as one difference.
 """
 
 from collections.abc import Iterator
@@ -58,12 +58,9 @@ def _axis_difference(
 
 
 def with_axis(skeleton: Linkage, body: int, turn: RigidPose) -> Linkage:
-    """Return a robot one of whose joints has another axis, while at zero nothing has moved.
+    """Return a robot with another axis of a body's joint, all bodies in place at zero.
 
-    Args:
-        skeleton: Its bodies.
-        body: The one that the joint carries.
-        turn: The joint's new frame in the one that it has, whose z is the new axis.
+    `turn` is the joint's new frame in its old one.
     """
     back = turn.inverse()
     bodies = [
