@@ -10,7 +10,7 @@ from tests.support.amount import usually
 
 from kindsl.robots.comparison.mechanical import compared_mechanics
 from kindsl.robots.comparison.quantities import INERTIA
-from kindsl.robots.comparison.sentences import told
+from kindsl.robots.comparison.sentences import sentence_of
 from kindsl.robots.comparison.torques import n_base_parameters, torques
 from kindsl.robots.mechanism.bodies import bodies_of
 
@@ -134,7 +134,7 @@ def test_a_link_without_inertia_is_told_as_that() -> None:
     ):
         found = compared_mechanics(one, other)
         (number,) = found.numbers
-        assert told(number, "here", "there") == f"link 'upper' has {here} and {there}"
+        assert sentence_of(number, "here", "there") == f"link 'upper' has {here} and {there}"
         assert number.our_changes == number.their_changes == ()
         (effect,) = torques(one, other, found).effects
         assert effect > 0.1

@@ -55,7 +55,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default=[],
         type=_joint_pair,
         metavar="OLD=NEW",
-        help="which joint of NEW is which of OLD, where names and axes do not tell",
+        help="which joint of NEW is which of OLD, where neither names nor axes show it",
     )
     add("--output-format", choices=("text", "json", "markdown"), default="text")
     add("--exit-zero", action="store_true", help="exit with 0 despite changes")

@@ -52,10 +52,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("report", metavar="REPORT", nargs="?", help="a file with the report, or '-' for stdin")
     shapes = parser.add_argument_group("shapes")
     for name, sizes in _SIZES.items():
-        told = "its sides" if name == "box" else "R: its radius"
-        told += ", L: its length" if "L" in sizes else ""
-        told += " without the caps" if name == "capsule" else ""
-        shapes.add_argument(f"--{name}", metavar=sizes, type=_sizes(sizes), help=told)
+        sides = "its sides" if name == "box" else "R: its radius"
+        sides += ", L: its length" if "L" in sizes else ""
+        sides += " without the caps" if name == "capsule" else ""
+        shapes.add_argument(f"--{name}", metavar=sizes, type=_sizes(sizes), help=sides)
     shapes.add_argument("--stl", metavar="FILE", help="a closed mesh, in its own frame")
     shapes.add_argument(
         "--scale",
@@ -90,7 +90,7 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _check(args: argparse.Namespace) -> None:
-    """Raise CommandError unless there is one body to tell of, with what it needs."""
+    """Raise CommandError unless there is one body, with what it needs."""
     sources = [name for name in ("report", "stl", *map(_attribute, _SIZES)) if _given(args, name)]
     if len(sources) != 1:
         options = alternatives(("REPORT", *(f"--{name}" for name in _SIZES), "--stl"))

@@ -23,8 +23,8 @@ from kindsl.frontends.mcp.tool import all_tools, answer, text
 from kindsl.language.text.nearest import hint, nearest_name
 
 _INSTRUCTIONS = (
-    "Robots in the Kinematics-DSL (.kindsl). 'language' tells how to write one; 'check' each text "
-    "that you write, 'view' it, and repair what is found before you go on."
+    "Robots in the Kinematics-DSL (.kindsl). 'language' explains how to write one; 'check' each "
+    "text that you write, 'view' it, and repair what is found before you go on."
 )
 _log = logging.getLogger(__name__)
 
@@ -53,8 +53,8 @@ def server_for(root: Path) -> Server:
                 return CallToolResult(content=[text(str(error))], is_error=True)
             except Exception:
                 _log.exception("%s failed", params.name)
-                told = f"{params.name} failed by an internal error; stderr has the details"
-                return CallToolResult(content=[text(told)], is_error=True)
+                failure = f"{params.name} failed by an internal error; stderr has the details"
+                return CallToolResult(content=[text(failure)], is_error=True)
 
         return await anyio.to_thread.run_sync(run)
 

@@ -11,7 +11,7 @@ from kindsl.robots.comparison.compared_robot import ComparedRobot
 from kindsl.robots.comparison.mechanical import compared_mechanics
 from kindsl.robots.comparison.number_differences import NumberDifference
 from kindsl.robots.comparison.restated import restated
-from kindsl.robots.comparison.sentences import told, verdict
+from kindsl.robots.comparison.sentences import sentence_of, verdict
 from kindsl.robots.comparison.twins import TwinFile
 from kindsl.robots.comparison.written import Described
 from kindsl.robots.mechanism.errors import ModelError, UnboundParameterError
@@ -156,7 +156,7 @@ def _row(ours: ComparedRobot, theirs: ComparedRobot, number: NumberDifference) -
         unit=number.unit,
         here=number.here,
         there=number.there,
-        message=told(number, ours.place(here), theirs.place(there)),
+        message=sentence_of(number, ours.place(here), theirs.place(there)),
         line=ours.line(here) or 0,
     )
 

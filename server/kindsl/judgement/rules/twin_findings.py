@@ -8,7 +8,7 @@ from kindsl.language.semantics.expressions import Expression, symbols
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Located
 from kindsl.language.text.decimals import plain_decimal, significant_decimal
-from kindsl.robots.comparison.sentences import told
+from kindsl.robots.comparison.sentences import sentence_of
 
 if TYPE_CHECKING:
     from kindsl.robots.comparison.mechanical import ComparedTwin
@@ -32,7 +32,7 @@ def of_number(model: Model, twin: "TwinFile", number: "NumberDifference") -> Fin
     at = place_of(model, number)
     if at is None:
         return None
-    message = told(number, "here", f"in {where(twin, there)}")
+    message = sentence_of(number, "here", f"in {where(twin, there)}")
     return Finding(at, message, fix=_fix(twin, number))
 
 

@@ -101,12 +101,12 @@ class Results(NamedTuple):
                 **{name: values[k].tolist() for name, values in self.inputs.items()},
                 "link_poses": {name: pose for name, pose in poses.items() if name in links},
                 "frame_poses": {name: pose for name, pose in poses.items() if name not in links},
-                **{name: _plain(values[k]) for name, values in self.quantities.items()},
+                **{name: _listed(values[k]) for name, values in self.quantities.items()},
                 "jacobians": {name: J[k].tolist() for name, J in self.jacobians.items()},
             }
 
 
-def _plain(values: Array) -> Any:
+def _listed(values: Array) -> Any:
     """Return numbers as lists, None for what is not defined."""
     return None if np.isnan(values).any() else values.tolist()
 

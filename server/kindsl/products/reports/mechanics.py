@@ -1,48 +1,33 @@
 """The comparison of two robots of any files, in text, Markdown and JSON."""
 
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from kindsl.robots.comparison.compared_robot import ComparedRobot
 from kindsl.robots.comparison.mechanical import MechanicalComparison
 from kindsl.robots.comparison.number_differences import NumberDifference
-from kindsl.robots.comparison.sentences import told, verdict, without_inertia
+from kindsl.robots.comparison.sentences import sentence_of, verdict, without_inertia
 
+if TYPE_CHECKING:
+    from kindsl.robots.comparison.torques import Torques
+
+# Of a torque that is nothing but rounding, N m or N.
 _DUST = 1e-9
 
 
-class TorqueFacts(NamedTuple):
-    """The result of comparing the dynamics.
-
-    Attributes:
-        is_seen: Whether a torque tells the robots apart.
-        is_confirmed: Whether torques are equal where numbers are, None where these differ.
-        effects: By each differing number, N m and N.
-        base_parameters: How many combinations of inertial parameters motions can tell.
-        parameters: How many inertial parameters there are.
-    """
-
-    is_seen: bool
-    is_confirmed: bool | None
-    effects: tuple[float, ...]
-    base_parameters: int
-    parameters: int
-
-
 class MechanicsReport(NamedTuple):
-    """Two robots, and what was found.
+    """Two robots and their differences.
 
     Attributes:
-        old: A robot.
-        new: Another.
-        found: The differences.
-        torques: Torques of both, None where they were not asked.
+        torques: Of both, None if not computed.
+        base_parameters: The number of base parameters, and of all inertial parameters.
     """
 
     old: ComparedRobot
     new: ComparedRobot
     found: MechanicalComparison
-    torques: TorqueFacts | None
+    torques: "Torques | None" = None
+    base_parameters: tuple[int, int] = (0, 0)
 
 
 def report_of(
@@ -51,24 +36,19 @@ def report_of(
     """Return the report; the dynamics are asked where all joints match and NumPy is there."""
     matching = found.matching
     if matching.only_ours or matching.only_theirs or old.robot.unknown or new.robot.unknown:
-        return MechanicsReport(old, new, found, None)
+        return MechanicsReport(old, new, found)
     try:
-        return MechanicsReport(old, new, found, _torques(old, new, found))
+        from kindsl.robots.comparison.torques import n_base_parameters, torques
+        from kindsl.robots.mechanism.bodies import bodies_of
     except ModuleNotFoundError:
-        return MechanicsReport(old, new, found, None)
-
-
-def _torques(old: ComparedRobot, new: ComparedRobot, found: MechanicalComparison) -> TorqueFacts:
-    from kindsl.robots.comparison.torques import n_base_parameters, torques
-    from kindsl.robots.mechanism.bodies import bodies_of
-
-    of_torques = torques(old.robot, new.robot, found)
-    return TorqueFacts(*of_torques, *n_base_parameters(bodies_of(old.robot.skeleton)))
+        return MechanicsReport(old, new, found)
+    parameters = n_base_parameters(bodies_of(old.robot.skeleton))
+    return MechanicsReport(old, new, found, torques(old.robot, new.robot, found), parameters)
 
 
 def facts(report: MechanicsReport) -> dict[str, object]:
     """Return the report as plain data."""
-    old, new, found, dynamics = report
+    old, new, found, dynamics, parameters = report
     return {
         "old": old.name,
         "new": new.name,
@@ -85,7 +65,7 @@ def facts(report: MechanicsReport) -> dict[str, object]:
         "confirmed": None if dynamics is None else dynamics.is_confirmed,
         "base_parameters": None
         if dynamics is None
-        else {"identifiable": dynamics.base_parameters, "total": dynamics.parameters},
+        else {"identifiable": parameters[0], "total": parameters[1]},
     }
 
 
@@ -158,15 +138,12 @@ def _sorted(report: MechanicsReport) -> list[tuple[NumberDifference, float | Non
 
 
 def _sentence(report: MechanicsReport, number: NumberDifference) -> str:
-    old, new = report.old, report.new
-    here, there = number.here_number or number.here_near, number.there_number or number.there_near
-    return told(number, old.place(here), new.place(there))
+    here, there = number.places
+    return sentence_of(number, report.old.place(here), report.new.place(there))
 
 
 def _lines(report: MechanicsReport, number: NumberDifference) -> tuple[int | None, int | None]:
-    """Return the lines of both values, or of what stands in their place."""
-    here = number.here_number or number.here_near
-    there = number.there_number or number.there_near
+    here, there = number.places
     return report.old.line(here), report.new.line(there)
 
 

@@ -21,9 +21,8 @@ from kindsl.robots.mechanism.total_mass import Weight, missing_masses, own_mass,
 def robot_facts(analysis: Analysis) -> dict[str, Any]:
     """Return tree, masses and parameters, of a broken document the rest.
 
-    Masses are in kilograms, None where they cannot be read; the robot's is that of what moves, None
-    unless all of it is known: then `known_mass` is the sum of the others, and `missing_masses` says
-    what it lacks.
+    Masses are in kilograms, None where they cannot be read. The robot's counts what moves, and is
+    None unless all of it is known; `known_mass` is the sum of the rest, `missing_masses` the gaps.
     """
     model, values = analysis.model, analysis.context.values
     places = _Places(analysis)

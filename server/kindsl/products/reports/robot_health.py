@@ -55,8 +55,8 @@ def health_text(health: dict[str, Any]) -> str:
     rows = [("health", health["verdict"])]
     for name, counts in health["subjects"].items():
         if counts["error"] or counts["warning"]:
-            told = (counted(counts[kind], kind) for kind in ("error", "warning") if counts[kind])
-            rows.append((f"  {name}", ", ".join(told)))
+            parts = (counted(counts[kind], kind) for kind in ("error", "warning") if counts[kind])
+            rows.append((f"  {name}", ", ".join(parts)))
     gravest = health["findings"][:_MOST_TOLD]
     lines = [f"  {f['line']}:{f['column']}  [{f['code']}] {f['message']}\n" for f in gravest]
     left = len(health["findings"]) - len(gravest)

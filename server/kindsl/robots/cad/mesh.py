@@ -13,7 +13,7 @@ from itertools import product
 from math import frexp, isfinite
 
 from kindsl.robots.cad.properties import MassProperties
-from kindsl.robots.cad.shape import ShapeError, implausible, rounded
+from kindsl.robots.cad.shape import ShapeError, implausible, require_positive, rounded
 
 _DIGITS = 15
 _HEADER, _RECORD = 84, 50
@@ -44,9 +44,7 @@ def mesh_properties(
     Raises:
         ShapeError: It is no STL file, the mesh is not closed, or the mass is not positive.
     """
-    for name, value in (("mass", mass), ("density", density), ("scale", scale)):
-        if value is not None and not (value.is_finite() and value > 0):
-            raise ShapeError(f"the {name} is {value}, which is not positive")
+    require_positive({"mass": mass, "density": density, "scale": scale})
     triangles, unit = _triangles(content)
     unit *= Fraction(scale)
     notes: tuple[str, ...] = ()
@@ -55,15 +53,9 @@ def mesh_properties(
         _check_closed(_open_edges(welded), unit)
         triangles = welded
         notes = (f"corners less than {float(reach * unit):.1g} m apart are taken for one",)
-    notes += implausible("the mesh", _extent(triangles) * unit)
+    axes = zip(*(point for triangle in triangles for point in triangle), strict=True)
+    notes += implausible("the mesh", max(max(axis) - min(axis) for axis in axes) * unit)
     return _properties(_integrals(triangles), unit, mass, density, notes)
-
-
-def _extent(triangles: Sequence[Triangle]) -> int:
-    """Return the longest side of the box around a mesh."""
-    points = [point for triangle in triangles for point in triangle]
-    sides = ([point[axis] for point in points] for axis in range(3))
-    return max(max(side) - min(side) for side in sides)
 
 
 def _triangles(content: bytes) -> tuple[list[Triangle], Fraction]:
@@ -101,16 +93,9 @@ def _text_points(content: bytes) -> tuple[list[Point], Fraction]:
         raise ShapeError("the STL file has a coordinate that is not a number") from None
     if not all(number.is_finite() for number in numbers):
         raise ShapeError("the STL file has a coordinate that is not finite")
-    least = min((_exponent(number) for number in numbers if number), default=0)
-    return _points([int(Fraction(number) / Fraction(10) ** least) for number in numbers]), Fraction(
-        10
-    ) ** least
-
-
-def _exponent(number: Decimal) -> int:
-    exponent = number.as_tuple().exponent
-    assert isinstance(exponent, int)
-    return exponent
+    least = min((int(number.as_tuple().exponent) for number in numbers if number), default=0)
+    unit = Fraction(10) ** least
+    return _points([int(Fraction(number) / unit) for number in numbers]), unit
 
 
 def _points(numbers: Sequence[int]) -> list[Point]:

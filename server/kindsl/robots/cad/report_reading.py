@@ -111,16 +111,18 @@ class _ReportReader:
         scalar = _SCALAR.match(line)
         if scalar is not None:
             self._scalar(line, scalar)
-        elif _MASS.match(line) and not _INERTIA.search(line):
-            self._mass(line)
+        elif (mass := _MASS.match(line)) and not _INERTIA.search(line):
+            self._mass(line, mass)
         elif _TAKEN.match(line) and self.section in ("tensor", "principal"):
             self._place(line)
         elif _OTHER.match(line) and not _ENTRY.search(line):
             self.section = ""
         elif _INERTIA.search(line) and not (_BODY.match(line) or _SYSTEM.search(line[:20])):
             self._inertia(line)
-        elif _CENTER.search(line) and not _NAME.match(line):
-            self._center(line)
+        elif (center := _CENTER.search(line)) and not _NAME.match(line):
+            self.section = "center"
+            self.unit_text = _last_unit(line, LENGTH)
+            self._values(line, center.end())
         elif self.section and not _NAME.match(line):
             self._values(line, 0)
         if _SEVERAL.search(line) and _NAME.match(line) and line.strip() not in report.bodies:
@@ -146,9 +148,7 @@ class _ReportReader:
             setattr(self.report, name, found._replace(name=name))
         self.section = ""
 
-    def _mass(self, line: str) -> None:
-        match = _MASS.match(line)
-        assert match is not None
+    def _mass(self, line: str, match: re.Match[str]) -> None:
         found = self._first(line, match, MASS)
         if found is not None:
             self.report.masses.append(found._replace(name="mass"))
@@ -158,7 +158,8 @@ class _ReportReader:
         """Return the first number behind a word, its unit behind it or in the remark between."""
         for start, end, number in self.style.numbers(line):
             if start >= match.end():
-                factor = _factor(line[end:], dimension) or _bracketed(match["remark"], dimension)
+                remark = _last_unit(match["remark"], dimension)
+                factor = _factor(line[end:], dimension) or _factor(remark, dimension)
                 return number._replace(factor=factor or Fraction(0))
         return None
 
@@ -184,13 +185,6 @@ class _ReportReader:
         begin = end if entry else _end_of_heading(line)
         self._values(line, begin)
 
-    def _center(self, line: str) -> None:
-        self.section = "center"
-        self.unit_text = _last_unit(line, LENGTH)
-        match = _CENTER.search(line)
-        assert match is not None
-        self._values(line, match.end())
-
     def _values(self, line: str, begin: int) -> None:
         if self.section == "center":
             self._coordinates(line, begin)
@@ -201,15 +195,12 @@ class _ReportReader:
 
     def _coordinates(self, line: str, begin: int) -> None:
         labelled = list(self._labelled(line, begin, _PLACE, LENGTH))
-        for label, number in labelled:
-            index = _INDEX[label[1].casefold()]
-            self.report.center.setdefault(index, []).append(number._replace(name=label[0]))
-        if not labelled:
-            numbers = list(self._bare(line, begin, LENGTH))
-            if len(numbers) == 3:
-                for index, number in enumerate(numbers):
-                    name = "XYZ"[index]
-                    self.report.center.setdefault(index, []).append(number._replace(name=name))
+        found = [(label[0], _INDEX[label[1].casefold()], number) for label, number in labelled]
+        bare = [] if labelled else list(self._bare(line, begin, LENGTH))
+        if len(bare) == 3:
+            found = [("XYZ"[index], index, number) for index, number in enumerate(bare)]
+        for name, index, number in found:
+            self.report.center.setdefault(index, []).append(number._replace(name=name))
         counts = [len(numbers) for numbers in self.report.center.values()]
         if len(counts) == 3 and min(counts) == max(counts):
             self.section = ""
@@ -320,10 +311,6 @@ def _factor(text: str, dimension: Dimension) -> Fraction | None:
             return found.factor
         words = words.rpartition(" ")[0].rstrip(" ()[].*·")
     return None
-
-
-def _bracketed(text: str, dimension: Dimension) -> Fraction | None:
-    return _factor(_last_unit(text, dimension), dimension)
 
 
 def _last_unit(heading: str, dimension: Dimension) -> str:

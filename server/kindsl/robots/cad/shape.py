@@ -1,6 +1,6 @@
 """Homogeneous shapes about their centre, `z` along their axis: mass and moments, exactly."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from decimal import Context, Decimal, InvalidOperation, localcontext
 from fractions import Fraction
 from typing import NamedTuple
@@ -19,12 +19,7 @@ class ShapeError(ValueError):
 
 
 class Kind(NamedTuple):
-    """A kind of shape.
-
-    Attributes:
-        name: Its name.
-        sizes: Names of its sizes, metres.
-    """
+    """A kind of shape with the names of its sizes, metres."""
 
     name: str
     sizes: tuple[str, ...]
@@ -78,8 +73,8 @@ def shape_properties(
 
 def implausible(noun: str, size: Fraction) -> tuple[str, ...]:
     """Return the note on a body that is larger than links of robots are, in metres."""
-    told = f"{noun} is {float(size):.3g} m in size: is that in millimetres?"
-    return (told,) if size > _LARGEST else ()
+    note = f"{noun} is {float(size):.3g} m in size: is that in millimetres?"
+    return (note,) if size > _LARGEST else ()
 
 
 def shape_called(text: str) -> MassProperties:
@@ -114,13 +109,18 @@ def rounded(value: Fraction, digits: int) -> str:
     return text if "." in text else f"{text}.0"
 
 
+def require_positive(given: Mapping[str, Decimal | None]) -> None:
+    """Raise ShapeError for the first value that is given and not positive."""
+    for name, value in given.items():
+        if value is not None and not (value.is_finite() and value > 0):
+            raise ShapeError(f"the {name} is {value}, which is not positive")
+
+
 def _check(
     kind: Kind, sizes: Sequence[Decimal], mass: Decimal | None, density: Decimal | None
 ) -> None:
     given = {**dict(zip(kind.sizes, sizes, strict=True)), "mass": mass, "density": density}
-    for name, value in given.items():
-        if value is not None and not (value.is_finite() and value > 0):
-            raise ShapeError(f"the {name} of the {kind.name} is {value}, which is not positive")
+    require_positive({f"{name} of the {kind.name}": value for name, value in given.items()})
     if kind is HOLLOW_CYLINDER and sizes[1] >= sizes[0]:
         radii = f"the inner radius {sizes[1]} is not less than the outer {sizes[0]}"
         raise ShapeError(f"{radii}: this is no {kind.name}")

@@ -40,7 +40,7 @@ class AxisLine(NamedTuple):
     is_free: bool = False
 
     def seen_from(self, pose: RigidPose) -> "AxisLine":
-        """Return the line in frame A, `pose` being that of its own frame in A."""
+        """Return the line in frame A, `pose` being its own frame in A."""
         return AxisLine(pose.point(self.point), pose.turn(self.direction), self.is_free)
 
 
@@ -89,7 +89,7 @@ def frames_of(features: Features) -> Iterator[RigidPose | None]:
 
 
 def seen_features(features: Features, pose: RigidPose) -> Features:
-    """Return features in frame A, `pose` being that of their own frame in A."""
+    """Return features in frame A, `pose` being their own frame in A."""
     lines = tuple(line.seen_from(pose) for line in features.lines)
     return Features(lines, seen_from(features.mass, pose), tuple(map(pose.point, features.points)))
 

@@ -87,6 +87,11 @@ class NumberDifference(NamedTuple):
     their_changes: tuple[NumberChange, ...] = ()
     turn: RigidPose | None = None
 
+    @property
+    def places(self) -> tuple[WrittenNumber | None, WrittenNumber | None]:
+        """Both numbers, or the text in their places."""
+        return self.here_number or self.here_near, self.there_number or self.there_near
+
 
 class _WantedNumbers(NamedTuple):
     """The numbers of one part of a file that would agree with the other file."""

@@ -101,7 +101,7 @@ def _known(found: Difference, sides: Sequence[Document]) -> tuple[Difference, li
 
 
 def _of_one(same: Difference, skeleton: Linkage, change: str) -> Difference:
-    """Return the difference of nothing to a robot, or the reverse, from that of it to itself."""
+    """Return the difference from or to nothing, given the robot's difference from itself."""
     weight, reach = same.total_mass[0], same.reach[0]
     names: dict[str, Any] = {
         f"{change}_links": skeleton.link_names,

@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from kindsl.robots.comparison.written import WrittenNumber
 
 
-def told(number: "NumberDifference", here: str, there: str) -> str:
+def sentence_of(number: "NumberDifference", here: str, there: str) -> str:
     """Return the sentence for a number that differs, without final period.
 
     Args:
@@ -29,9 +29,9 @@ def told(number: "NumberDifference", here: str, there: str) -> str:
         values = f"{number.here:.15g}", f"{number.there:.15g}"
     subject = f"{number.quantity} of {_subject(number)}"
     left, right = (f"{value} {number.unit}" for value in values)
-    if not _stands(number.here_number or number.here_near, number.here):
+    if not _stands(number.places[0], number.here):
         return f"{subject} is {right} {there} and would be {left} to match what is {here}"
-    if not _stands(number.there_number or number.there_near, number.there):
+    if not _stands(number.places[1], number.there):
         return f"{subject} is {left} {here} and would be {right} to match what is {there}"
     return f"{subject} is {left} {here} and {right} {there}"
 
@@ -42,24 +42,24 @@ def _subject(number: "NumberDifference") -> str:
 
 
 def without_inertia(number: "NumberDifference") -> tuple[bool, bool]:
-    """Return whether our link has no inertia, and whether the other has none."""
-    is_mass = number.quantity == INERTIA[0]
-    here = is_mass and not number.here and (number.here_number or number.here_near) is None
-    there = is_mass and not number.there and (number.there_number or number.there_near) is None
-    return here, there
+    """Return whether our link, and whether the other's, has no inertia."""
+    is_mass, (here, there) = number.quantity == INERTIA[0], number.places
+    return is_mass and not number.here and here is None, (
+        is_mass and not number.there and there is None
+    )
 
 
 def _stands(written: "WrittenNumber | None", value: float) -> bool:
-    """Return whether a value stands as it is at its place: it may be about another point there."""
+    """Return whether the file holds this value verbatim, possibly about another point."""
     return written is None or abs(written.value - value) <= max(written.slack, 1e-12)
 
 
 def verdict(is_equal: bool, is_seen: bool | None) -> str:
-    """Return what a comparison comes to.
+    """Return the verdict in words.
 
     Args:
         is_equal: Whether the mechanics are equal.
-        is_seen: Whether a torque tells them apart, None where that is not known.
+        is_seen: Whether a torque differs, None if unknown.
     """
     if is_equal:
         return "the mechanics are equal"

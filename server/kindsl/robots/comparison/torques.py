@@ -198,7 +198,7 @@ def n_base_parameters(bodies: Bodies) -> tuple[int, int]:
     joint torque, and the wrench on a floating base, as it is.
 
     Source: Wensing, Niemeyer, Slotine 2017, Observability in inertial parameter identification;
-    the rank is that of random motions.
+    the rank is taken of random motions.
     """
     random = np.random.default_rng(_SEED)
     n = bodies.n_links

@@ -9,7 +9,7 @@ class TwinFile(NamedTuple):
     Attributes:
         path: Where it is.
         label: As the configuration writes it.
-        joints: Pairs of our joints and its, where names and axes do not tell.
+        joints: Pairs of our joints and its, where neither names nor axes show them.
         tolerance: Relative, of what counts as equal besides what the digits leave open.
         version: Another one after each change of the file, where somebody watches it.
     """

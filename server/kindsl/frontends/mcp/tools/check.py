@@ -2,7 +2,7 @@
 
 Answers a JSON object: `summary`, and `findings`, the most severe first, each with code, message
 (the likely cause with the number), place (line and column from 1), related places and the fix
-that there is. Call it after each change of a document; `explain` tells more of a code.
+that there is. Call it after each change of a document; `explain` has the page of a code.
 """
 
 import json

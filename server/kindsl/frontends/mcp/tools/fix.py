@@ -31,5 +31,5 @@ def run(arguments: FixArguments, folder: Folder) -> list[Content]:
     if arguments.apply:
         folder.write(path, new)
     done = "written" if arguments.apply else "not written: call again with 'apply' to write it"
-    told = f"{counted(found.n_findings, 'finding')} fixed, {done}."
-    return [text(told), text(unified_diff(path, analysis.text, new))]
+    done = f"{counted(found.n_findings, 'finding')} fixed, {done}."
+    return [text(done), text(unified_diff(path, analysis.text, new))]

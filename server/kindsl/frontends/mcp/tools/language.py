@@ -1,4 +1,4 @@
-"""Tell how to write a robot in the Kinematics-DSL: its grammar, its units, two whole examples.
+"""Explain how to write a robot in the Kinematics-DSL: its grammar, its units, two whole examples.
 
 Ask this before you write a document. A target, robcogen or robcogen2, is the generator that shall
 read it; what only the other one takes is left out.

@@ -32,7 +32,8 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         if name in RESERVED_BY:
             yield Finding(name, f"'{name}' is a keyword of {RESERVED_BY[name]}")
     joints = {str(joint.name) for joint in model.joints}
-    for name in (thing.name for thing in (*model.links, *model.frames)):
+    links, frames = ([thing.name for thing in things] for things in (model.links, model.frames))
+    for name in (*links, *frames):
         owner = name.removeprefix("fr_")
         is_frame_of_link = owner in model.body_named and name not in model.body_named
         if owner != name and (is_frame_of_link or owner in joints):

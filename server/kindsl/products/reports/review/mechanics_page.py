@@ -25,7 +25,7 @@ _LEGEND = (
 
 def mechanics_page(report: MechanicsReport, notes: tuple[str, ...] = ()) -> Page:
     """Return the page; notes are sentences on what of a robot cannot be shown."""
-    old, new, found, _ = report
+    old, new, found = report[:3]
     verdict = verdict_of(report)
     return (
         Heading(f"{old.name} and {new.name}", 1),

@@ -240,13 +240,8 @@ def _com(mechanics: Mechanics) -> tuple[float, ...] | None:
 
 
 def _gravity_torques(mechanics: Mechanics) -> dict[str, float]:
-    torques = mechanics.gravity_torque([0.0] * mechanics.n_joints)[-mechanics.n_joints :]
-    return {n: _plain(t) for n, t in zip(mechanics.joint_names, torques.tolist(), strict=True)}
-
-
-def _plain(value: float) -> float:
-    """Return a force without the dust of rounding."""
-    return round(value, 12)
+    torques = mechanics.gravity_torque([0.0] * mechanics.n_joints)[-mechanics.n_joints :].tolist()
+    return {name: round(t, 12) for name, t in zip(mechanics.joint_names, torques, strict=True)}
 
 
 def _shift(old: Mapping[str, float], new: Mapping[str, float], name: str) -> str:
@@ -259,8 +254,8 @@ def _shift(old: Mapping[str, float], new: Mapping[str, float], name: str) -> str
 def _findings(old: Analysis, new: Analysis) -> Iterator[Block]:
     yield Heading("Findings")
     found = finding_changes(old, new)
-    told = (f"{len(found.new)} new", f"{len(found.gone)} gone", f"{len(found.kept)} kept")
-    yield Paragraph(", ".join(told))
+    counts = (f"{len(found.new)} new", f"{len(found.gone)} gone", f"{len(found.kept)} kept")
+    yield Paragraph(", ".join(counts))
     before, after = LineIndex(old.text), LineIndex(new.text)
     for title, findings, lines in (
         ("New", found.new, after),

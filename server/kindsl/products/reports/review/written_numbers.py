@@ -140,5 +140,5 @@ def _remark(pair: _Pair, old: _GIVEN, new: _GIVEN) -> str:
         return ""
     if isclose(a, -b, rel_tol=_ROUNDING):
         return "sign swapped"
-    near = (told for factor, told in _FACTORS if isclose(b, a * factor, rel_tol=_NEAR))
+    near = (cause for factor, cause in _FACTORS if isclose(b, a * factor, rel_tol=_NEAR))
     return next(near, "")
