@@ -48,8 +48,8 @@ class Fix(NamedTuple):
     Attributes:
         title: Its title, in the imperative.
         changes: Disjoint replacements.
-        is_safe: Whether it keeps what the document means. The claim is put to the proof: a fix
-            that changes a number, or of which that cannot be known, is not safe.
+        is_safe: Whether it keeps what the document means. The claim is tested: a fix that
+            changes a number, or may change one, is not safe.
         is_within_digits: Whether it may give a number a value that has the digits written.
     """
 
@@ -112,8 +112,8 @@ class Rule(NamedTuple):
     """A rule; its module's docstring is its page.
 
     A rule has one of three checks. `check_island` sees what one island declares and its result is
-    kept until that island, or a value that it uses, changes; so whatever can be said of a link
-    alone belongs there. `check_body` sees a body and the joints by which it carries others: its
+    kept until that island, or a value that it uses, changes; so a check of a link alone belongs
+    there. `check_body` sees a body and the joints by which it carries others: its
     result is kept until the island of one of them changes. `check_document` sees the whole model;
     its result is kept until what `reads` names changes, or an island to which a finding points. The
     rules of the syntax have none: the parser finds them.

@@ -1,4 +1,4 @@
-"""Places with broken syntax, of which nothing is to be concluded."""
+"""Places with broken syntax, from which nothing can be concluded."""
 
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.parameters import Parameter

@@ -1,4 +1,4 @@
-"""Things that share what should tell them apart."""
+"""Things with the same name or number."""
 
 from collections.abc import Callable, Hashable, Iterable
 from typing import Protocol, TypeVar
@@ -21,7 +21,7 @@ _NamedThing = TypeVar("_NamedThing", bound=Named)
 def repeats(
     things: Iterable[_Thing], key: Callable[[_Thing], Hashable]
 ) -> list[tuple[_Thing, _Thing]]:
-    """Return each thing whose key an earlier one has, behind the first such.
+    """Return each thing that repeats the key of an earlier one, as (first, repeat).
 
     Empty keys are left out.
     """
@@ -37,5 +37,5 @@ def repeats(
 
 
 def repeated_names(things: Iterable[_NamedThing]) -> list[tuple[_NamedThing, _NamedThing]]:
-    """Return each thing whose name an earlier one has, behind the first such."""
+    """Return each thing that repeats the name of an earlier one, as (first, repeat)."""
     return repeats(things, lambda thing: str(thing.name))

@@ -61,7 +61,7 @@ def four_legs(**thighs: str) -> str:
     """Return a robot with four legs of three links.
 
     Args:
-        thighs: Translation of a leg's second joint where it is not that of the others, by the leg.
+        thighs: Translation of a leg's second joint where it differs from the others, by the leg.
     """
     corners = {"LF": "0.4, 0.2", "RF": "0.4, -0.2", "LH": "-0.4, 0.2", "RH": "-0.4, -0.2"}
     poses = {

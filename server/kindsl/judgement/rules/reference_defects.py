@@ -136,9 +136,9 @@ def _collect_repetitions(model: Model, found: ReferenceDefects) -> None:
 
 
 def _collect_reuses(model: Model, found: ReferenceDefects) -> None:
-    told = {id(edge.child) for _, edge in (*found.repeated, *found.extra_parents)}
-    told |= {id(loop[-1].child) for loop in found.loops}
-    told |= {id(edge.child) for edge in found.bases}
+    reported = {id(edge.child) for _, edge in (*found.repeated, *found.extra_parents)}
+    reported |= {id(loop[-1].child) for loop in found.loops}
+    reported |= {id(edge.child) for edge in found.bases}
     twins = {again for _, again in repeated_names(model.bodies)}
     ambiguous = {str(again.name) for _, again in repeated_names(model.joints)}
     for edges in model.tree.joint_uses.values():
@@ -146,7 +146,7 @@ def _collect_reuses(model: Model, found: ReferenceDefects) -> None:
             found.reused_joints.extend(
                 (edges[0], edge)
                 for edge in edges[1:]
-                if id(edge.child) not in told and edge.predecessor not in twins
+                if id(edge.child) not in reported and edge.predecessor not in twins
             )
 
 

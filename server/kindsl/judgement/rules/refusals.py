@@ -12,7 +12,7 @@ from kindsl.language.syntax.tree import Island
 from kindsl.language.text.facts import kept
 
 _BLANKS = " \t\r\n"
-# The rules that tell best why a generator stops.
+# The rules that explain best why a generator stops.
 _STOPPING = {
     ROBCOGEN: ("KD206",),
     ROBCOGEN2: (
@@ -27,7 +27,7 @@ _REFERENCES = ("KD105", "KD106", "KD107")
 def refused_by(target: str, model: Model, context: Context) -> Iterator[Finding]:
     """Yield what a generator refuses: errors if the document is for it, else hints.
 
-    Of what it dies of while it loads the document it tells no more than one, and neither do these.
+    It reports only the first defect that stops it while it loads a document, and so do these.
     """
     severity = Severity.ERROR if target in context.targets else Severity.HINT
     for finding in _constructs(target, model):

@@ -8,7 +8,7 @@ from kindsl.judgement.rules import checks
 from kindsl.judgement.rules.base import Rule
 from kindsl.language.text.modules import module_names
 
-# Rules that parsers, the configuration or comments tell of.
+# Rules that parsers, the configuration or comments report.
 _WITHOUT_CHECK = ("kd0", "kd404", "kd704", "kd706", "kd8", "kd902")
 
 
@@ -20,7 +20,7 @@ def all_rules() -> tuple[Rule, ...]:
 
 @cache
 def checking_rules() -> tuple[Rule, ...]:
-    """Return the rules that look at a model, without loading those that others tell of."""
+    """Return the rules that look at a model, without loading those that others report."""
     names = (name for name in _module_names() if not name.startswith(_WITHOUT_CHECK))
     return tuple(rule_module(name).RULE for name in names)
 

@@ -65,8 +65,8 @@ class CopiedId(NamedTuple):
 def copied_id(model: Model) -> CopiedId | None:
     """Return what a single copied number of a link is to be, None where others must change too.
 
-    Which of the two links has the copy is told by the tree, by the joints' numbers and by the order
-    in which all is written; the later one has it where nothing tells.
+    The tree, the joints' numbers and the order of the document decide which of the two links has
+    the copy; if none of them does, the later one.
     """
     doubled = repeats(model.links, lambda link: link.id)
     missing = set(range(1, len(model.links) + 1)).difference(link.id or 0 for link in model.links)
@@ -85,7 +85,7 @@ def copied_id(model: Model) -> CopiedId | None:
 
 
 def _oddities(model: Model, copied: CopiedId) -> tuple[int, int, int]:
-    """Return how much would be odd if a number were what it is said to be, the worst first.
+    """Return the penalty of assigning this number, the worst part first.
 
     These are children numbered before their parents, joints that have not their link's number, and
     links that do not follow on each other as they, or their joints, are written.

@@ -1,7 +1,7 @@
 """The loading of a parsed document by robcogen2, step by step, up to the failing one.
 
 The steps are those of robot-model-tools 0.3.0: references, connectivity, numbering, joint frames,
-numbers. It tells no place; the findings here do.
+numbers. It names no place; the findings here do.
 """
 
 from collections import Counter

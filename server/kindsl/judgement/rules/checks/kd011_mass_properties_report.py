@@ -3,7 +3,7 @@
 ## What it does
 Reports the text that SolidWorks, Onshape, Fusion 360, Inventor, Creo or FreeCAD shows for the mass
 properties of a body, pasted into a document, as one thing. A report that contradicts itself, that
-lacks a unit, or that is of several bodies is told as such, with its numbers. Also reports a shape
+lacks a unit, or that is of several bodies is reported with its numbers. Also reports a shape
 on a line of a link, as completion offers it: `box(0.04, 0.04, 0.3, density = 2700)`, with `mass`
 or `density`; `cylinder` and `capsule` (radius, length), `hollow_cylinder` (outer and inner radius,
 length), `sphere` (radius).

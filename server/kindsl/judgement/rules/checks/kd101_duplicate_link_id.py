@@ -57,11 +57,11 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
 
 def _finding(owner: Link, again: Link, fix: Fix | None) -> Finding:
     if not again.name:
-        # Its missing name is told there already.
+        # Its missing name is reported there already.
         owner, again = again, owner
-    told = f"link '{owner.name}'" if owner.name else "a link without a name"
-    message = f"link '{again.name}' reuses id {again.id} of {told}"
-    related = Related(owner.id_place or owner.name, f"id {owner.id} of {told}")
+    named = f"link '{owner.name}'" if owner.name else "a link without a name"
+    message = f"link '{again.name}' reuses id {again.id} of {named}"
+    related = Related(owner.id_place or owner.name, f"id {owner.id} of {named}")
     return Finding(again.id_place or again.name, message, (related,), fix)
 
 

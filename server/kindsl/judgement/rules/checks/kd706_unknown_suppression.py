@@ -36,7 +36,7 @@ _LETTERS_FOR_DIGITS = str.maketrans("OoIlSB", "001158")
 def unknown_suppressions(
     directives: Iterable[tuple[Directive, Sequence[str]]],
 ) -> Iterator[Finding]:
-    """Yield what is wrong with comments that speak to us.
+    """Yield the mistakes in comments addressed to the linter.
 
     Args:
         directives: Each with the codes of the findings that it would suppress without any codes.
@@ -80,7 +80,7 @@ def _of_codes(directive: Directive, codes: Sequence[tuple[str, Place]]) -> Itera
 
 
 def _meant(code: str) -> str | None:
-    """Return the code or codes that were meant, None where it cannot be told."""
+    """Return the code or codes that were meant, None if unclear."""
     rule = rule_named(code)
     if rule is not None:
         return rule.code

@@ -16,7 +16,7 @@ the one that moves.
 [[twins]]
 document = "hya.kindsl"
 file = "../urdf/hya.urdf"
-joints = { SAA = "hya_saa" } # only where names and axes do not tell
+joints = { SAA = "hya_saa" } # only where names and axes do not decide
 tolerance = 0.001            # only where digits are not enough
 ```
 

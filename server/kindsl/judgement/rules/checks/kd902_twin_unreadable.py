@@ -7,7 +7,7 @@ since that evaluates expressions in it: name the URDF that it makes. In a worksp
 trusted only files in its folders are read, and this is an information.
 
 ## Why is this bad?
-Nothing is compared, and nobody is told when the files drift apart.
+Nothing is compared, and the files drift apart unnoticed.
 
 ## Example
 ```toml
