@@ -3,7 +3,7 @@
 import pytest
 from tests.features.samples import ARM
 
-from kindsl.frontends.features.folding import folds
+from kindsl.frontends.features.ranges import folds
 from kindsl.judgement.analysis.analysis import analyse
 
 

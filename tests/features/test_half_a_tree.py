@@ -1,7 +1,6 @@
 """What of a robot is in its tree and in the search, when the text is not whole."""
 
-from kindsl.frontends.features.kinematic_outline import kinematic_outline
-from kindsl.frontends.features.workspace_symbols import workspace_symbols
+from kindsl.frontends.features.outline import kinematic_outline, workspace_symbols
 from kindsl.judgement.analysis.analysis import analyse
 
 

@@ -6,10 +6,9 @@ import pytest
 from tests.support.cursor import at_cursor
 
 from kindsl.frontends.features.completion.completion import completions
-from kindsl.frontends.features.document_symbols import DocumentSymbol
 from kindsl.frontends.features.hover.hover import hover
-from kindsl.frontends.features.kinematic_outline import kinematic_outline
 from kindsl.frontends.features.manipulation.value_text import fraction_of_pi
+from kindsl.frontends.features.outline import DocumentSymbol, kinematic_outline
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 
 

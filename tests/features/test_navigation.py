@@ -2,9 +2,13 @@ import pytest
 from tests.features.samples import ARM, PARAMETRIC
 from tests.support.cursor import at_cursor
 
-from kindsl.frontends.features.definition import bound_parameter, definitions
-from kindsl.frontends.features.highlight import highlights
-from kindsl.frontends.features.references import references, uses
+from kindsl.frontends.features.navigation import (
+    bound_parameter,
+    definitions,
+    highlights,
+    references,
+    uses,
+)
 from kindsl.frontends.features.symbol_at import Entity, EntityKind, Role, symbol_at
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.language.semantics.parameters import Binding

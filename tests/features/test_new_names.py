@@ -4,9 +4,14 @@ import pytest
 from tests.features.samples import ARM, PARAMETRIC
 from tests.support.cursor import at_cursor
 
-from kindsl.frontends.features.definition import bound_parameter, definitions
-from kindsl.frontends.features.linked_editing import linked_ranges
-from kindsl.frontends.features.references import references, uses
+from kindsl.frontends.features.navigation import (
+    bound_parameter,
+    definitions,
+    linked_ranges,
+    references,
+    uses,
+)
+from kindsl.frontends.features.outline import is_match, workspace_symbols
 from kindsl.frontends.features.rename import (
     RenameRefusal,
     Renaming,
@@ -15,7 +20,6 @@ from kindsl.frontends.features.rename import (
     rename_range,
 )
 from kindsl.frontends.features.symbol_at import EntityKind
-from kindsl.frontends.features.workspace_symbols import is_match, workspace_symbols
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.language.semantics.parameters import Binding

@@ -3,11 +3,8 @@ from tests.support.cursor import at_cursor
 
 from kindsl.frontends.features.call_hierarchy import hierarchy_items, predecessors, successors
 from kindsl.frontends.features.document_links import document_links, links_in_text
-from kindsl.frontends.features.document_symbols import document_symbols
-from kindsl.frontends.features.folding import folds
-from kindsl.frontends.features.kinematic_outline import kinematic_outline
-from kindsl.frontends.features.selection_range import selection_ranges
-from kindsl.frontends.features.workspace_symbols import workspace_symbols
+from kindsl.frontends.features.outline import document_symbols, kinematic_outline, workspace_symbols
+from kindsl.frontends.features.ranges import folds, selection_ranges
 from kindsl.judgement.analysis.analysis import analyse
 
 

@@ -4,9 +4,8 @@ import pytest
 from tests.features.samples import ARM
 from tests.support.cursor import at_cursor
 
-from kindsl.frontends.features.highlight import highlights
 from kindsl.frontends.features.inlay_hints import InlayHintOptions, inlay_hints
-from kindsl.frontends.features.linked_editing import linked_ranges
+from kindsl.frontends.features.navigation import highlights, linked_ranges
 from kindsl.frontends.features.semantic_tokens import island_tokens, semantic_tokens
 from kindsl.frontends.features.symbol_at import named_places
 from kindsl.judgement.analysis.analysis import analyse

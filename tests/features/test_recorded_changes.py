@@ -20,9 +20,11 @@ from kindsl.frontends.features.manipulation.mirror_leg import mirror_leg
 from kindsl.frontends.features.manipulation.pose_as_zero import pose_as_zero
 from kindsl.frontends.features.manipulation.set_component import ComponentChange, set_component
 from kindsl.frontends.features.manipulation.things import Thing, carrying_frame
-from kindsl.frontends.features.transforms_actions import transforms_actions
-from kindsl.frontends.features.transforms_completion import transforms_completions
-from kindsl.frontends.features.transforms_names import renamed_transforms
+from kindsl.frontends.features.transforms import (
+    renamed_transforms,
+    transforms_actions,
+    transforms_completions,
+)
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.language.semantics.parameters import Binding

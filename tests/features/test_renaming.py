@@ -2,7 +2,7 @@ import pytest
 from tests.features.samples import ARM, PARAMETRIC
 from tests.support.cursor import at_cursor
 
-from kindsl.frontends.features.linked_editing import linked_ranges
+from kindsl.frontends.features.navigation import linked_ranges
 from kindsl.frontends.features.rename import RenameRefusal, Renaming, rename, rename_range
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.language.semantics.parameters import Binding

@@ -4,7 +4,7 @@ import pytest
 from tests.support.cursor import at_cursor
 
 from kindsl.frontends.features.document_links import document_links, links_in_text
-from kindsl.frontends.features.selection_range import selection_ranges
+from kindsl.frontends.features.ranges import selection_ranges
 from kindsl.frontends.features.tree_path import is_word, token_at
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.language.syntax.tree import Token

@@ -11,23 +11,28 @@ from kindsl.frontends.features.actions.code_actions import code_actions, fix_all
 from kindsl.frontends.features.call_hierarchy import hierarchy_items, predecessors, successors
 from kindsl.frontends.features.code_lenses import code_lenses
 from kindsl.frontends.features.completion.completion import completions
-from kindsl.frontends.features.definition import bound_parameter, definitions
 from kindsl.frontends.features.document_links import document_links
-from kindsl.frontends.features.document_symbols import document_symbols, flat_symbols
-from kindsl.frontends.features.folding import folds
-from kindsl.frontends.features.highlight import highlights
 from kindsl.frontends.features.hover.hover import hover
 from kindsl.frontends.features.inlay_hints import ALL_HINTS, inlay_hints
-from kindsl.frontends.features.kinematic_outline import kinematic_outline
-from kindsl.frontends.features.linked_editing import linked_ranges
-from kindsl.frontends.features.references import references
+from kindsl.frontends.features.navigation import (
+    bound_parameter,
+    definitions,
+    highlights,
+    linked_ranges,
+    references,
+)
+from kindsl.frontends.features.outline import (
+    document_symbols,
+    flat_symbols,
+    kinematic_outline,
+    workspace_symbols,
+)
+from kindsl.frontends.features.ranges import folds, selection_ranges
 from kindsl.frontends.features.rename import Renaming, rename, rename_range
-from kindsl.frontends.features.selection_range import selection_ranges
 from kindsl.frontends.features.semantic_tokens import semantic_tokens
 from kindsl.frontends.features.signature_help import signature_help
 from kindsl.frontends.features.symbol_at import symbol_at
 from kindsl.frontends.features.tree_path import path_at, token_at
-from kindsl.frontends.features.workspace_symbols import workspace_symbols
 from kindsl.frontends.lsp.handlers.highlighting import MODIFIERS, TYPES
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.language.text.edits import apply_edits

@@ -5,8 +5,7 @@ from tests.features.samples import ARM, PARAMETRIC
 from tests.support.cursor import at_cursor
 
 from kindsl.frontends.features.actions.action import CodeAction
-from kindsl.frontends.features.actions.extract_parameter import extract_parameter
-from kindsl.frontends.features.actions.inline_parameter import inline_parameter
+from kindsl.frontends.features.actions.named_numbers import extract_parameter, inline_parameter
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.language.semantics.parameters import Binding
 

@@ -4,7 +4,7 @@ import pytest
 from tests.support.cursor import at_cursor
 
 from kindsl.frontends.features.completion.completion import completions, suggestions
-from kindsl.frontends.features.workspace_symbols import is_match
+from kindsl.frontends.features.outline import is_match
 
 HEAD = "Robot R {\nRobotBase b { children { l via j } }\n"
 

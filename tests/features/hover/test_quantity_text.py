@@ -2,7 +2,7 @@ from math import pi
 
 import pytest
 
-from kindsl.frontends.features.quantity_text import angle, number, quantity, vector
+from kindsl.frontends.features.wording import angle, number, quantity, vector
 from kindsl.language.semantics.declarations import ValueKind
 
 

@@ -3,8 +3,7 @@
 import pytest
 from tests.cli.samples import arm
 
-from kindsl.frontends.features.transforms_actions import transforms_actions
-from kindsl.frontends.features.transforms_completion import transforms_completions
+from kindsl.frontends.features.transforms import transforms_actions, transforms_completions
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.judgement.analysis.transforms_findings import transforms_findings

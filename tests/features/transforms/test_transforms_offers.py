@@ -2,7 +2,7 @@
 
 import pytest
 
-from kindsl.frontends.features.transforms_actions import transforms_actions
+from kindsl.frontends.features.transforms import transforms_actions
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.language.semantics.transforms import transforms_document
 from kindsl.language.text.edits import apply_edits

@@ -3,8 +3,7 @@
 import pytest
 from tests.cli.samples import arm
 
-from kindsl.frontends.features.transforms_completion import transforms_completions
-from kindsl.frontends.features.transforms_names import renamed_transforms
+from kindsl.frontends.features.transforms import renamed_transforms, transforms_completions
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.language.text.edits import apply_edits
 

@@ -6,7 +6,7 @@ links that it carries, each with the place where `link via joint` is written.
 
 from typing import NamedTuple
 
-from kindsl.frontends.features.document_symbols import DocumentSymbol, body_symbol
+from kindsl.frontends.features.outline import DocumentSymbol, body_symbol
 from kindsl.frontends.features.symbol_at import EntityKind, symbol_at
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.declarations import Link

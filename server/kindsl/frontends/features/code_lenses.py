@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from kindsl.frontends.features.quantity_text import KILOGRAMS, number
 from kindsl.frontends.features.subtree import Subtree, subtree_of
+from kindsl.frontends.features.wording import KILOGRAMS, number
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.declarations import Joint, Link
 from kindsl.language.semantics.places import Name

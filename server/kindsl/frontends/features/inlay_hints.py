@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from kindsl.frontends.features.quantity_text import INERTIA, angle, number
+from kindsl.frontends.features.wording import INERTIA, angle, number
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.declarations import Declarations, Link
 from kindsl.language.semantics.expressions import Expression

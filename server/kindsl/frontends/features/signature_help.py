@@ -2,9 +2,9 @@
 
 from typing import NamedTuple
 
-from kindsl.frontends.features.quantity_text import METRES, RADIANS
 from kindsl.frontends.features.tree_path import index_after
 from kindsl.frontends.features.value_place import component_name
+from kindsl.frontends.features.wording import METRES, RADIANS
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.syntax.tables import KINDS, VALUES, WORDS, ValueKind
 from kindsl.language.syntax.tree import Island

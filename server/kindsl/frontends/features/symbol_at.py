@@ -12,6 +12,7 @@ from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.blocks import Block, Reference
 from kindsl.language.semantics.expressions import ConstantUse, Expression, symbols
 from kindsl.language.semantics.lowering import declarations
+from kindsl.language.semantics.parameters import Parameter
 from kindsl.language.semantics.places import Name
 from kindsl.language.syntax.tables import DECLARES, REFERS
 from kindsl.language.syntax.tree import Island
@@ -76,6 +77,19 @@ def symbol_at(analysis: Analysis, offset: int) -> Symbol | None:
     if index and local <= symbols[index - 1].end:
         return _moved(symbols[index - 1], place.start)
     return None
+
+
+def parameter_at(analysis: Analysis, start: int, end: int) -> Parameter | None:
+    """Return the parameter whose name holds a range."""
+    symbol = symbol_at(analysis, start)
+    if symbol is None or symbol.entity.kind is not EntityKind.PARAMETER or end > symbol.end:
+        return None
+    return parameter_named(analysis, symbol.entity.name)
+
+
+def parameter_named(analysis: Analysis, name: str) -> Parameter | None:
+    """Return the parameter of a name."""
+    return next((p for p in analysis.model.parameters if p.name == name), None)
 
 
 def occurrences(analysis: Analysis, entity: Entity) -> tuple[Symbol, ...]:

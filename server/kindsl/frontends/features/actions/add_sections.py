@@ -6,8 +6,8 @@ from typing import NamedTuple
 from kindsl.frontends.features.actions.action import CodeAction
 from kindsl.frontends.features.actions.layout_edits import inserted_section
 from kindsl.frontends.features.completion import snippets
-from kindsl.frontends.features.completion.fresh_names import next_id
 from kindsl.frontends.features.completion.item import without_placeholders
+from kindsl.frontends.features.completion.names import next_id
 from kindsl.frontends.features.tree_path import path_at
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.syntax.document import PlacedIsland

@@ -7,14 +7,13 @@ from weakref import WeakKeyDictionary
 from kindsl.frontends.features.actions.action import CodeAction
 from kindsl.frontends.features.actions.add_sections import add_missing, add_sections
 from kindsl.frontends.features.actions.create_missing import create_missing
-from kindsl.frontends.features.actions.extract_parameter import extract_parameter
 from kindsl.frontends.features.actions.fix_all import fix_all
-from kindsl.frontends.features.actions.inline_parameter import inline_parameter
 from kindsl.frontends.features.actions.layout_edits import newline_of
 from kindsl.frontends.features.actions.move_inertia import move_inertia
+from kindsl.frontends.features.actions.named_numbers import extract_parameter, inline_parameter
 from kindsl.frontends.features.actions.sort_links import renumber_links, sort_links
 from kindsl.frontends.features.actions.write_into_twin import write_into_twin
-from kindsl.frontends.features.symbol_at import EntityKind, symbol_at
+from kindsl.frontends.features.symbol_at import parameter_at
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.analysis.fixing import made
@@ -137,11 +136,8 @@ def bind_parameter(analysis: Analysis, start: int, end: int) -> Iterator[CodeAct
 
     The value is a stand-in, 0.0 or for a dynamics parameter 1.0, to be replaced by the right one.
     """
-    symbol = symbol_at(analysis, start)
-    if symbol is None or symbol.entity.kind is not EntityKind.PARAMETER or end > symbol.end:
-        return
-    name = symbol.entity.name
-    parameter = next((p for p in analysis.model.parameters if p.name == name), None)
+    parameter = parameter_at(analysis, start, end)
+    name = str(parameter.name) if parameter is not None else ""
     if parameter is None or name in analysis.context.values:
         return
     value = 1.0 if parameter.kind is ValueKind.DYNAMICS else 0.0

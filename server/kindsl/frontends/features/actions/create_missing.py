@@ -1,16 +1,23 @@
 """Create what a reference names and nothing has, beside what may be meant instead."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from kindsl.frontends.features.actions.action import CodeAction
-from kindsl.frontends.features.actions.new_frame import add_referenced_frame
+from kindsl.frontends.features.actions.layout_edits import inserted_section, last_section
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.rules.base import Fix
 from kindsl.judgement.rules.new_blocks import new_joint, new_link
+from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.places import Place
+from kindsl.language.text.decimals import rounded_decimal
 from kindsl.language.text.edits import TextEdit
+from kindsl.mechanics.rigid.pose import Vector3
 
 _LINK, _JOINT, _FRAME = "KD105", "KD106", "KD107"
+
+
+_ORIGIN = (0.0, 0.0, 0.0)
 
 
 def create_missing(analysis: Analysis, finding: Diagnostic) -> Iterator[CodeAction]:
@@ -36,3 +43,52 @@ def _block(analysis: Analysis, finding: Diagnostic) -> Fix | None:
         if finding.code == _LINK and analysis.resolver.span(link) == span:
             return new_link(model, str(link), parent_id=edge.predecessor.id or 0)
     return None
+
+
+def add_referenced_frame(analysis: Analysis, finding: Diagnostic) -> Iterator[CodeAction]:
+    """Offer the frame that the `ref_frame` at a finding names, at the origin of its link.
+
+    Not where something else has the name.
+    """
+    model = analysis.model
+    taken = {name.lower() for name in (*model.body_named, *model.joint_named)}
+    for link in model.bodies:
+        name = link.inertia.frame if link.inertia is not None else None
+        if name is None or analysis.resolver.span(name)[0] != finding.start:
+            continue
+        edit = new_frame(link, str(name), _ORIGIN)
+        if edit is not None and name.lower() not in taken:
+            at = Place(link.island, edit.start, edit.end)
+            moved = TextEdit(*analysis.resolver.span(at), edit.text)
+            title = f"Create frame '{name}' in '{link.name}'"
+            yield CodeAction(title, "quickfix", (moved,), (finding,))
+
+
+def new_frame(link: Link, name: str, translation: Vector3) -> TextEdit | None:
+    """Return the edit of a link's island that adds a frame without rotation.
+
+    Args:
+        link: Where to; None is returned where it has no braces.
+        name: Of the frame.
+        translation: In the link's frame, metres.
+    """
+    length = sum(map(abs, translation))
+    components = ", ".join(rounded_decimal(value, length) for value in translation)
+    lines = [
+        f"{name} {{",
+        f"    translation = ({components})",
+        "    rotation = (0.0, 0.0, 0.0)",
+        "}",
+    ]
+    return added_frame(link, lines)
+
+
+def added_frame(link: Link, lines: Sequence[str]) -> TextEdit | None:
+    """Return the edit of a link's island that adds the lines of a frame, None without braces."""
+    text = link.island.text
+    section = next(link.node.nodes("frames"), None)
+    if section is None:
+        indented = ["frames {", *(f"    {line}" for line in lines), "}"]
+        return inserted_section(text, link.node, last_section(link.node), indented)
+    *_, group = section.nodes("frame_group")
+    return inserted_section(text, group, last_section(group), lines)

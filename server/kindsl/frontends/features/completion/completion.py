@@ -5,23 +5,23 @@ from itertools import islice
 from typing import NamedTuple
 
 from kindsl.frontends.features.completion.context import CompletionContext, completion_context
-from kindsl.frontends.features.completion.fitting_names import (
+from kindsl.frontends.features.completion.item import CompletionItem
+from kindsl.frontends.features.completion.keywords import block_items, keyword_items, section_items
+from kindsl.frontends.features.completion.names import (
+    child_items,
     id_items,
+    joint_items,
     new_frame_items,
     new_joint_items,
     new_link_items,
     own_frame_items,
 )
-from kindsl.frontends.features.completion.item import CompletionItem
-from kindsl.frontends.features.completion.keywords import block_items, keyword_items, section_items
 from kindsl.frontends.features.completion.shapes import shape_items
-from kindsl.frontends.features.completion.tree_names import child_items, joint_items
 from kindsl.frontends.features.completion.values import constant_items, value_items
-from kindsl.frontends.features.hover.joint import joint_hover
 from kindsl.frontends.features.hover.keyword import keyword_hover
-from kindsl.frontends.features.hover.link import link_hover
 from kindsl.frontends.features.hover.parameter import constant_hover, parameter_hover
-from kindsl.frontends.features.workspace_symbols import is_match
+from kindsl.frontends.features.hover.things import joint_hover, link_hover
+from kindsl.frontends.features.outline import is_match
 from kindsl.judgement.analysis.analysis import Analysis
 
 _MOST = 100

@@ -4,15 +4,17 @@ from collections.abc import Iterator
 
 from kindsl.frontends.features.completion import snippets
 from kindsl.frontends.features.completion.context import CompletionContext, sections_of
-from kindsl.frontends.features.completion.fitting_names import (
+from kindsl.frontends.features.completion.item import CompletionItem
+from kindsl.frontends.features.completion.names import (
     bodies_at,
+    first_child,
+    fresh_joint,
+    fresh_link,
     joint_id,
+    next_id,
     undeclared_joints,
     undeclared_links,
 )
-from kindsl.frontends.features.completion.fresh_names import fresh_joint, fresh_link, next_id
-from kindsl.frontends.features.completion.item import CompletionItem
-from kindsl.frontends.features.completion.tree_names import first_child
 from kindsl.frontends.features.tree_path import path_at
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.syntax.sections import ORDER

@@ -4,8 +4,8 @@ from collections.abc import Iterator
 
 from kindsl.frontends.features.completion.context import CompletionContext
 from kindsl.frontends.features.completion.item import CompletionItem
-from kindsl.frontends.features.quantity_text import number
 from kindsl.frontends.features.value_place import ValuePlace
+from kindsl.frontends.features.wording import number
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.rules.context import ROBCOGEN
 from kindsl.language.semantics.declarations import ValueKind

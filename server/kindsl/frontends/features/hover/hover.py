@@ -2,16 +2,13 @@
 
 from collections.abc import Iterator
 
-from kindsl.frontends.features.hover.joint import frame_hover, joint_hover
 from kindsl.frontends.features.hover.keyword import keyword_hover
-from kindsl.frontends.features.hover.link import link_hover
 from kindsl.frontends.features.hover.parameter import constant_hover, parameter_hover
-from kindsl.frontends.features.hover.robot import robot_hover
-from kindsl.frontends.features.quantity_text import quantity
+from kindsl.frontends.features.hover.things import frame_hover, joint_hover, link_hover, robot_hover
 from kindsl.frontends.features.symbol_at import EntityKind, Role, Symbol, symbol_at
 from kindsl.frontends.features.tree_path import TokenAt, token_at
 from kindsl.frontends.features.value_place import ValuePlace, expression_at, value_place
-from kindsl.frontends.features.wording import Hover
+from kindsl.frontends.features.wording import Hover, quantity
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.declarations import Declarations, Frame, Joint, Link
 from kindsl.language.semantics.expressions import Expression

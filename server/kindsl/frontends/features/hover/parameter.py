@@ -3,10 +3,10 @@
 from collections.abc import Iterator, Sequence
 from typing import assert_never
 
-from kindsl.frontends.features.quantity_text import number, quantity
+from kindsl.frontends.features.symbol_at import parameter_named
 from kindsl.frontends.features.tree_path import path_at
 from kindsl.frontends.features.value_place import ValuePlace, value_place
-from kindsl.frontends.features.wording import paragraph
+from kindsl.frontends.features.wording import number, paragraph, quantity
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.parameters import Constant, Parameter
 from kindsl.language.semantics.places import Name
@@ -18,8 +18,8 @@ _SHOWN = 8
 
 
 def parameter_hover(analysis: Analysis, name: str) -> str:
-    """Return what there is to tell of a parameter."""
-    parameter = next((p for p in analysis.model.parameters if p.name == name), None)
+    """Return the hover of a parameter: its class, its value, its uses."""
+    parameter = parameter_named(analysis, name)
     if parameter is None:
         return f"There is no parameter `{name}`."
     kinds = dict.fromkeys(use.kind for use in parameter.uses)
@@ -29,7 +29,7 @@ def parameter_hover(analysis: Analysis, name: str) -> str:
 
 
 def constant_hover(analysis: Analysis, name: str) -> str:
-    """Return what there is to tell of a named constant."""
+    """Return the hover of a named constant: its value and its uses."""
     constant = next((c for c in analysis.model.constants if c.name == name), None)
     if constant is None:
         return f"There is no constant `{name}`."

@@ -47,7 +47,7 @@ def offer_for_transforms(
     view: TransformsView, params: types.CodeActionParams
 ) -> list[types.CodeAction]:
     """Offer what can be done about a selection in a transforms document."""
-    from kindsl.frontends.features.transforms_actions import transforms_actions
+    from kindsl.frontends.features.transforms import transforms_actions
 
     start, end = view.offset(params.range.start), view.offset(params.range.end)
     found = transforms_actions(view.document.text, view.model, start, end)

@@ -43,7 +43,7 @@ def complete(view: View, params: types.CompletionParams) -> dict[str, Any]:
 @handlers.transforms(types.TEXT_DOCUMENT_COMPLETION)
 def complete_transforms(view: TransformsView, params: types.CompletionParams) -> dict[str, Any]:
     """Offer what may be typed in a transforms document."""
-    from kindsl.frontends.features.transforms_completion import transforms_completions
+    from kindsl.frontends.features.transforms import transforms_completions
 
     offset = view.offset(params.position)
     found = transforms_completions(view.document.text, offset, view.model)

@@ -37,7 +37,7 @@ def part(view: View, params: types.DocumentRangeFormattingParams) -> list[types.
 @handlers.document(types.TEXT_DOCUMENT_ON_TYPE_FORMATTING, _ON_TYPE)
 def typed(view: View, params: types.DocumentOnTypeFormattingParams) -> list[types.TextEdit] | None:
     """Bring the block that was closed, or the line that was ended, into the one style."""
-    from kindsl.frontends.features.selection_range import selection_ranges
+    from kindsl.frontends.features.ranges import selection_ranges
     from kindsl.language.formatting.format import format_range
 
     offset = view.offset(params.position)

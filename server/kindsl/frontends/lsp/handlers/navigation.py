@@ -34,7 +34,7 @@ def declaration(view: View, params: types.DeclarationParams) -> Definitions:
 @handlers.place(types.TEXT_DOCUMENT_REFERENCES)
 def references(view: View, params: types.ReferenceParams) -> list[types.Location]:
     """Find all places of a name."""
-    from kindsl.frontends.features.references import references, uses
+    from kindsl.frontends.features.navigation import references, uses
 
     find = references if params.context.include_declaration else uses
     return [
@@ -46,7 +46,7 @@ def references(view: View, params: types.ReferenceParams) -> list[types.Location
 @handlers.place(types.TEXT_DOCUMENT_DOCUMENT_HIGHLIGHT)
 def highlight(view: View, params: types.DocumentHighlightParams) -> list[types.DocumentHighlight]:
     """Light up all places of a name."""
-    from kindsl.frontends.features.highlight import highlights
+    from kindsl.frontends.features.navigation import highlights
 
     view.follow_cursor(params.position)
     return [
@@ -93,7 +93,7 @@ def outgoing(
 
 
 def _definitions(view: View, position: types.Position, capability: str) -> Definitions:
-    from kindsl.frontends.features.definition import bound_parameter, definitions
+    from kindsl.frontends.features.navigation import bound_parameter, definitions
 
     offset = view.offset(position)
     links = [

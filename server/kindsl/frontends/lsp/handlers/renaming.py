@@ -46,7 +46,7 @@ def _transforms_edits(
     view: View, params: types.RenameParams
 ) -> list[tuple[Document, list[types.TextEdit]]]:
     """Return the edits of the transforms document of the same name, if there is one."""
-    from kindsl.frontends.features.transforms_names import renamed_transforms
+    from kindsl.frontends.features.transforms import renamed_transforms
 
     path = uris.path(view.document.uri)
     beside = path.with_suffix(TRANSFORMS_SUFFIX) if path is not None else None

@@ -12,7 +12,7 @@ from kindsl.frontends.lsp.session.symbols import TITLE, RobotSymbol, all_symbols
 from kindsl.frontends.lsp.session.view import View
 
 if TYPE_CHECKING:
-    from kindsl.frontends.features.document_symbols import DocumentSymbol
+    from kindsl.frontends.features.outline import DocumentSymbol
 
 KINEMATIC_TREE = "kindsl/kinematicTree"
 
@@ -34,7 +34,7 @@ def outline(
     view: View, _: types.DocumentSymbolParams
 ) -> list[types.DocumentSymbol] | list[types.SymbolInformation]:
     """Show what is written in what, or a list to a client that cannot nest."""
-    from kindsl.frontends.features.document_symbols import document_symbols, flat_symbols
+    from kindsl.frontends.features.outline import document_symbols, flat_symbols
 
     if view.client.can("text_document.document_symbol.hierarchical_document_symbol_support"):
         return [_symbol(view, symbol) for symbol in document_symbols(view.analysis)]
@@ -57,7 +57,7 @@ def kinematic_tree(session: Session, params: Any) -> Any:
 
 
 def _tree(view: View, _: Any) -> list[types.DocumentSymbol]:
-    from kindsl.frontends.features.kinematic_outline import kinematic_outline
+    from kindsl.frontends.features.outline import kinematic_outline
 
     return [_symbol(view, symbol) for symbol in kinematic_outline(view.analysis)]
 
@@ -67,7 +67,7 @@ async def workspace_symbols(
     session: Session, params: types.WorkspaceSymbolParams
 ) -> list[dict[str, Any]]:
     """Find named things in all robots of the workspace."""
-    from kindsl.frontends.features.workspace_symbols import is_match
+    from kindsl.frontends.features.outline import is_match
 
     found: list[dict[str, Any]] = []
     progress = Progress(session, TITLE, params.work_done_token)
@@ -92,7 +92,7 @@ def _found_in(uri: str, symbol: RobotSymbol) -> dict[str, Any]:
 @handlers.document(types.TEXT_DOCUMENT_FOLDING_RANGE)
 def folding(view: View, _: types.FoldingRangeParams) -> list[types.FoldingRange]:
     """Show what can be folded away."""
-    from kindsl.frontends.features.folding import folds
+    from kindsl.frontends.features.ranges import folds
 
     whole_lines = view.client.can("text_document.folding_range.line_folding_only")
     found = []
@@ -120,7 +120,7 @@ def linked_editing(
     view: View, params: types.LinkedEditingRangeParams
 ) -> types.LinkedEditingRanges | None:
     """Find the places that change together while one is typed in."""
-    from kindsl.frontends.features.linked_editing import linked_ranges
+    from kindsl.frontends.features.navigation import linked_ranges
 
     found = linked_ranges(view.analysis, view.offset(params.position))
     return types.LinkedEditingRanges([view.range(*span) for span in found]) if found else None
@@ -156,7 +156,7 @@ def _symbol(view: View, symbol: "DocumentSymbol") -> types.DocumentSymbol:
 
 
 def _selection(view: View, position: types.Position) -> types.SelectionRange:
-    from kindsl.frontends.features.selection_range import selection_ranges
+    from kindsl.frontends.features.ranges import selection_ranges
 
     outer: types.SelectionRange | None = None
     for span in reversed(selection_ranges(view.analysis, view.offset(position))):

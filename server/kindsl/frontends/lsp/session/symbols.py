@@ -79,7 +79,7 @@ def _symbols_of_text(text: str, encoding: str) -> Symbols:
 
 
 def _symbols_in(robot: Document, analysis: "Analysis") -> Symbols:
-    from kindsl.frontends.features.workspace_symbols import workspace_symbols
+    from kindsl.frontends.features.outline import workspace_symbols
 
     return tuple(
         RobotSymbol(s.name, s.kind, s.container, robot.wire_range(s.start, s.end))

@@ -1,15 +1,14 @@
-"""The outline of a document: what is written in what, the robot around all.
-
-Each entry lies inside the one above it, so that an editor finds the cursor's entry by descending.
-The kinematic tree, which goes across the text, is a view of its own.
-"""
+"""The outline of a document, its kinematic tree, and the search for names in a workspace."""
 
 from collections.abc import Iterator
 from typing import NamedTuple
 
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.declarations import Frame, Joint, Link
+from kindsl.language.semantics.kinematic_tree import Edge
 from kindsl.language.semantics.places import Construct, Located, Name
+
+_DEPTH = 100
 
 
 class DocumentSymbol(NamedTuple):
@@ -112,3 +111,77 @@ def _entry(
     name_start, name_end = analysis.resolver.span(name)
     shown = str(name) or f"({kind} without a name)"
     return DocumentSymbol(shown, detail, kind, start, end, name_start, name_end, children)
+
+
+def kinematic_outline(analysis: Analysis) -> tuple[DocumentSymbol, ...]:
+    """Return the tree, its entries in the order of the tree rather than of the text."""
+    model = analysis.model
+    seen: set[Link | Joint] = set()
+    tree = [
+        _body(analysis, body, None, seen, _DEPTH)
+        for body in (*model.bases, *_roots(analysis), *model.links)
+        if body not in seen
+    ]
+    rest = [joint_symbol(analysis, joint) for joint in model.joints if joint not in seen]
+    return (*tree, *rest)
+
+
+def _roots(analysis: Analysis) -> Iterator[Link]:
+    """Yield the links that nothing carries, in the order of the document."""
+    above = analysis.model.tree.above
+    return (link for link in analysis.model.links if link not in above)
+
+
+def _body(
+    analysis: Analysis, body: Link, edge: Edge | None, seen: set[Link | Joint], depth: int
+) -> DocumentSymbol:
+    seen.add(body)
+    below = []
+    if edge is not None and edge.joint is not None and edge.joint not in seen:
+        seen.add(edge.joint)
+        below.append(joint_symbol(analysis, edge.joint))
+    for successor in analysis.model.tree.successor_edges(body):
+        if depth and successor.link is not None and successor.link not in seen:
+            below.append(_body(analysis, successor.link, successor, seen, depth - 1))
+    frames = [frame_symbol(analysis, frame) for frame in body.frames]
+    return body_symbol(analysis, body, _detail(body, edge), (*below, *frames))
+
+
+def _detail(body: Link, edge: Edge | None) -> str:
+    if edge is None:
+        return id_detail(body)
+    kind = f" ({edge.joint.kind})" if edge.joint is not None else ""
+    return ", ".join(part for part in (f"via {edge.child.joint}{kind}", id_detail(body)) if part)
+
+
+class WorkspaceSymbol(NamedTuple):
+    """A link, joint, frame or robot; `container` is the robot's name."""
+
+    name: str
+    kind: str
+    container: str
+    start: int
+    end: int
+
+
+def workspace_symbols(analysis: Analysis, query: str) -> tuple[WorkspaceSymbol, ...]:
+    """Return what matches: the letters of the query in this order, whatever their case."""
+    return tuple(s for s in _all(analysis) if is_match(query, s.name))
+
+
+def is_match(query: str, name: str) -> bool:
+    """Return whether the letters of a query stand in a name in this order."""
+    letters = iter(name.casefold())
+    return all(letter in letters for letter in query.casefold() if not letter.isspace())
+
+
+def _all(analysis: Analysis) -> Iterator[WorkspaceSymbol]:
+    robot = analysis.model.name
+    for declared in analysis.model.declared:
+        if declared.robot:
+            yield WorkspaceSymbol(robot, "robot", "", *analysis.resolver.span(declared.robot))
+    for symbol in flat_symbols(analysis):
+        if symbol.name_start < symbol.name_end:
+            yield WorkspaceSymbol(
+                symbol.name, symbol.kind, robot, symbol.name_start, symbol.name_end
+            )

@@ -1,35 +1,69 @@
-"""The hover of a link: its place in the tree, its mass, its pose."""
+"""The hovers of robots, links, joints and frames."""
 
 from collections.abc import Iterator
 
-from kindsl.frontends.features.quantity_text import INERTIA, KILOGRAMS, number, vector
 from kindsl.frontends.features.subtree import subtree_of
-from kindsl.frontends.features.wording import code, paragraph, pose_text
-from kindsl.frontends.features.zero_configuration import body_pose
+from kindsl.frontends.features.wording import (
+    INERTIA,
+    KILOGRAMS,
+    code,
+    number,
+    paragraph,
+    pose_text,
+    vector,
+)
+from kindsl.frontends.features.zero_configuration import body_pose, frame_pose, joint_pose, own_pose
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.rules.base import Severity
 from kindsl.judgement.rules.inertia.shapes import shape_verdicts
 from kindsl.judgement.rules.registry import all_rules
-from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.declarations import Frame, Joint, Link
 from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.unknown import Unknown
 from kindsl.language.text.phrases import counted, listed
 from kindsl.mechanics.rigid.body import principal_moments_about_com
+from kindsl.mechanics.rigid.pose import RigidPose
 from kindsl.robots.mechanism.link_inertia import link_inertia
-from kindsl.robots.mechanism.total_mass import UNKNOWN, Weight, own_mass
+from kindsl.robots.mechanism.total_mass import UNKNOWN, Weight, own_mass, total_mass
 
 _CODES = ("KD301", "KD302", "KD303", "KD305")
 _MARKS = {Severity.ERROR: "✗ ", Severity.WARNING: "⚠ "}
 _CONSISTENT = "✓ physically consistent"
 
 
-def link_hover(analysis: Analysis, body: Link) -> str:
-    """Return what there is to tell of a link or the base."""
-    lines = [
-        *_tree_lines(analysis, body),
-        *_mass_lines(analysis, body),
-        *_pose_lines(analysis, body),
+def robot_hover(analysis: Analysis, name: str) -> str:
+    """Return the hover of the robot: its joints, its mass, its parameters."""
+    return paragraph(f"**robot `{name}`**", _robot_lines(analysis))
+
+
+def _robot_lines(analysis: Analysis) -> Iterator[str]:
+    model = analysis.model
+    kinds = [joint.kind for joint in model.joints]
+    parts = [
+        counted(count, f"{kind} joint")
+        for kind in ("revolute", "prismatic")
+        if (count := kinds.count(kind))
     ]
+    base = "floating base" if model.floating else "fixed base"
+    yield f"{base}, {counted(len(model.links), 'link')}" + (f", {listed(parts)}" if parts else "")
+    if model.links or model.floating:
+        yield _robot_mass(total_mass(model, analysis.context.values))
+    names = [f"`{parameter.name}`" for parameter in model.parameters]
+    if names:
+        yield f"parameters {listed(names)}"
+
+
+def _robot_mass(weight: Weight) -> str:
+    mass = weight.told(f"{number(weight.known)} {KILOGRAMS}")
+    return f"total mass {mass}" + ("" if weight.is_whole else f" ({weight.reason_text})")
+
+
+def link_hover(analysis: Analysis, body: Link) -> str:
+    """Return the hover of a link or the base: its place in the tree, its mass, its pose."""
+    lines = [*_tree_lines(analysis, body), *_mass_lines(analysis, body)]
+    if not body.is_base:
+        pose = body_pose(analysis, body)
+        lines.append(_pose_line(pose, "zero configuration, in the base", "zero-configuration pose"))
     return paragraph(_title(body), lines)
 
 
@@ -83,16 +117,6 @@ def _subtree_text(weight: Weight, dof: int) -> str:
     return f"{subtree} with {counted(dof, 'joint')}{lack}"
 
 
-def _pose_lines(analysis: Analysis, body: Link) -> Iterator[str]:
-    if body.is_base:
-        return
-    pose = body_pose(analysis, body)
-    if isinstance(pose, Unknown):
-        yield f"zero-configuration pose is not known: {pose.reason}"
-    else:
-        yield f"zero configuration, in the base: {pose_text(pose)}"
-
-
 def _verdicts(analysis: Analysis, body: Link) -> Iterator[str]:
     """Yield what the rules say of a link's inertia: the worst defect, else each doubt."""
     declared = declarations(body.island)
@@ -108,3 +132,43 @@ def _verdicts(analysis: Analysis, body: Link) -> Iterator[str]:
         yield f"{_MARKS[Severity.WARNING]}{doubt.sentence} ({doubt.code})"
     if not doubts:
         yield _CONSISTENT
+
+
+def joint_hover(analysis: Analysis, joint: Joint) -> str:
+    """Return the hover of a joint: the links it connects, its frame, its axis."""
+    edges = analysis.model.tree.joint_uses.get(joint, ())
+    lines = [
+        f"predecessor {code(edge.predecessor.name)}, successor {code(edge.child.link)}"
+        for edge in edges
+    ]
+    lines += [] if edges else ["not used: no link has a child via it"]
+    pose = own_pose(analysis, joint)
+    lines.append(_pose_line(pose, "joint frame in the predecessor", "the joint frame"))
+    lines.append(_axis_line(analysis, joint))
+    return paragraph(f"**{joint.kind} joint `{joint.name}`**", lines)
+
+
+def _axis_line(analysis: Analysis, joint: Joint) -> str:
+    pose = joint_pose(analysis, joint)
+    if isinstance(pose, Unknown):
+        return f"the axis in the base is not known: {pose.reason}"
+    motion = "turns about" if joint.kind == "revolute" else "slides along"
+    axis = vector(pose.turn((0.0, 0.0, 1.0)))
+    where = f"through {vector(pose.translation)} m"
+    return f"{motion} its z axis: {axis} {where} in the base, in the zero configuration"
+
+
+def frame_hover(analysis: Analysis, frame: Frame) -> str:
+    """Return the hover of a frame: its pose in its link and in the base."""
+    own = own_pose(analysis, frame)
+    lines = [_pose_line(own, "in the link frame", "its pose")]
+    if not isinstance(own, Unknown):
+        pose = frame_pose(analysis, frame)
+        lines.append(_pose_line(pose, "zero configuration, in the base", "its pose in the base"))
+    return paragraph(f"**frame `{frame.name}`** of {code(frame.link)}", lines)
+
+
+def _pose_line(pose: RigidPose | Unknown, title: str, subject: str) -> str:
+    if isinstance(pose, Unknown):
+        return f"{subject} is not known: {pose.reason}"
+    return f"{title}: {pose_text(pose)}"

@@ -1,20 +1,23 @@
-"""Give a number a name: `0.5` becomes `elbow_x[0.5]`."""
+"""Give a number a name, `0.5` becoming `elbow_x[0.5]`, or replace a name by its value."""
 
 import re
 from collections.abc import Iterator
 
 from kindsl.frontends.features.actions.action import CodeAction
 from kindsl.frontends.features.names_taken import names_taken
-from kindsl.frontends.features.tree_path import TokenAt, token_at
+from kindsl.frontends.features.symbol_at import parameter_at
+from kindsl.frontends.features.tree_path import TokenAt, path_at, token_at
 from kindsl.frontends.features.value_place import ValuePlace, expression_at, value_place
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.rules.context import ROBCOGEN
+from kindsl.language.semantics.expressions import symbols
+from kindsl.language.semantics.parameters import Use
 from kindsl.language.syntax.tables import ValueKind
 from kindsl.language.syntax.vocabulary import NUMBERS, OPERANDS
+from kindsl.language.text.decimals import exact_decimal
 from kindsl.language.text.distinct import free_name
 from kindsl.language.text.edits import TextEdit
 
-_KIND = "refactor.extract"
 _NUMBERS = NUMBERS & OPERANDS - {"INT"}
 _NO_NAME = re.compile(r"\W+")
 
@@ -46,7 +49,7 @@ def _action(
 ) -> CodeAction:
     edit = TextEdit(found.start, found.end, text)
     cursor = found.start + len(name)
-    return CodeAction(title, _KIND, (edit,), cursor=cursor, bindings=bindings)
+    return CodeAction(title, "refactor.extract", (edit,), cursor=cursor, bindings=bindings)
 
 
 def _new_name(analysis: Analysis, place: ValuePlace) -> str:
@@ -59,3 +62,29 @@ def _new_name(analysis: Analysis, place: ValuePlace) -> str:
     if wanted.startswith("pi"):
         wanted = f"p_{wanted}"
     return free_name(wanted, {*names_taken(analysis.model), *analysis.settings.bindings})
+
+
+def inline_parameter(analysis: Analysis, start: int, end: int) -> Iterator[CodeAction]:
+    """Offer to replace the parameter at a range by its value, where that is known.
+
+    A value such as `-x/2.0` is replaced as a whole by what it comes to, since no generator takes
+    arithmetic of numbers everywhere.
+    """
+    parameter = parameter_at(analysis, start, end)
+    if parameter is None:
+        return
+    edits = [_edit(analysis, use) for use in parameter.uses]
+    known = tuple(dict.fromkeys(edit for edit in edits if edit is not None))
+    if len(known) == len(dict.fromkeys(edits)):
+        yield CodeAction(f"Inline the parameter '{parameter.name}'", "refactor.inline", known)
+
+
+def _edit(analysis: Analysis, use: Use) -> TextEdit | None:
+    """Return the replacement of the value that a use stands in, None if it has other names."""
+    island = use.name.island
+    expression = expression_at(island, path_at(island, use.name.start))
+    assert expression is not None
+    value = expression.value(analysis.context.values)
+    if value is None or any(symbol.name != use.name for symbol in symbols(expression)):
+        return None
+    return TextEdit(*analysis.resolver.span(expression), exact_decimal(value))

@@ -1,0 +1,230 @@
+"""Completions of names that fit a place, and new ones in the manner of those that are there."""
+
+from collections.abc import Collection, Container, Iterable, Iterator, Sequence
+from itertools import count
+from typing import NamedTuple
+
+from kindsl.frontends.features.completion import snippets
+from kindsl.frontends.features.completion.context import CompletionContext
+from kindsl.frontends.features.completion.item import CompletionItem
+from kindsl.frontends.features.names_taken import names_taken
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.lowering import declarations
+
+
+def fresh_link(analysis: Analysis) -> str:
+    """Return a name for a new link: `link4` behind `link3`."""
+    return _fresh([link.name for link in analysis.model.links], "link", names_taken(analysis.model))
+
+
+def fresh_joint(analysis: Analysis, child: str = "") -> str:
+    """Return a name for a new joint: `joint4` behind `joint3`, else told by the child it moves."""
+    names: list[str] = [joint.name for joint in analysis.model.joints]
+    names += [child.joint for body in analysis.model.bodies for child in body.children]
+    stem = f"{child}_joint" if child and names else "joint"
+    return _fresh(names, stem, names_taken(analysis.model))
+
+
+def next_id(analysis: Analysis, own: Collection[Link] = ()) -> int:
+    """Return the smallest id that no link has, those of one's own left out."""
+    taken = {link.id for link in analysis.model.links if link not in own}
+    return next(number for number in count(1) if number not in taken)
+
+
+def _fresh(names: Sequence[str], stem: str, taken: Collection[str]) -> str:
+    """Return the next name of the last numbered ones, else the stem, with a number if need be."""
+    first = 1
+    last = next(filter(_is_numbered, reversed(names)), "")
+    if last:
+        stem = last
+        while _is_numbered(stem):
+            stem = stem[:-1]
+        ends = [name[len(stem) :] for name in set(names) if name.startswith(stem)]
+        first = 1 + max(map(int, filter(str.isdecimal, ends)))
+    elif stem not in ("link", "joint") and stem not in taken:
+        return stem
+    numbered = (f"{stem}{number}" for number in count(first))
+    return next(name for name in numbered if name not in taken)
+
+
+def _is_numbered(name: str) -> bool:
+    return name[-1:].isdecimal()
+
+
+def own_frame_items(context: CompletionContext) -> Iterator[CompletionItem]:
+    """Yield the frames of the link around the cursor."""
+    for name in _frame_names(context):
+        yield CompletionItem(name, "frame", name, "frame of this link")
+
+
+def new_link_items(analysis: Analysis) -> Iterator[CompletionItem]:
+    """Yield names for a new link: children that are named somewhere and declared nowhere."""
+    for name in undeclared_links(analysis):
+        yield CompletionItem(name, "link", name, "named as a child, not declared")
+
+
+def new_joint_items(analysis: Analysis) -> Iterator[CompletionItem]:
+    """Yield names for a new joint: those behind a `via` that are declared nowhere."""
+    for name in undeclared_joints(analysis):
+        yield CompletionItem(name, "joint", name, "used, not declared")
+
+
+def new_frame_items(context: CompletionContext) -> Iterator[CompletionItem]:
+    """Yield a new frame, and the name of one that the inertia is given in and nobody declares."""
+    inertias = [body.inertia for body in bodies_at(context) if body.inertia is not None]
+    frames = (str(inertia.frame) for inertia in inertias if inertia.frame is not None)
+    for name in _missing(frames, _frame_names(context)):
+        text = snippets.frame(name)
+        yield CompletionItem(name, "frame", text, "used, not declared", is_snippet=True)
+    text = snippets.frame()
+    yield CompletionItem(
+        "frame", "snippet", text, "a frame of this link", is_snippet=True, is_asked_for=True
+    )
+
+
+def id_items(analysis: Analysis, context: CompletionContext) -> Iterator[CompletionItem]:
+    """Yield the number that a link or joint is to have; unasked it would swallow a quick Enter."""
+    if context.block == "joint":
+        number, detail = joint_id(analysis, context), "id of its link"
+    else:
+        number, detail = next_id(analysis, bodies_at(context)), "next free id"
+    yield CompletionItem(str(number), "value", str(number), detail, is_asked_for=True)
+
+
+def joint_id(analysis: Analysis, context: CompletionContext) -> int:
+    """Return the number for the joint around the cursor: that of the link it moves, if known."""
+    own = declarations(context.place.island).joints
+    names = {str(joint.name) for joint in own}
+    children = (child for body in analysis.model.bodies for child in body.children)
+    moved = next((str(child.link) for child in children if child.joint in names), "")
+    link = analysis.model.body_named.get(moved)
+    taken = {joint.id for joint in analysis.model.joints if joint not in own}
+    free = next(number for number in count(1) if number not in taken)
+    return link.id if link is not None and link.id else free
+
+
+def undeclared_links(analysis: Analysis) -> Iterator[str]:
+    """Yield the names of children that no link declares, each once."""
+    names = (str(child.link) for body in analysis.model.bodies for child in body.children)
+    yield from _missing(names, analysis.model.body_named)
+
+
+def undeclared_joints(analysis: Analysis) -> Iterator[str]:
+    """Yield the names behind `via` that no joint declares, each once."""
+    names = (str(child.joint) for body in analysis.model.bodies for child in body.children)
+    yield from _missing(names, analysis.model.joint_named)
+
+
+def bodies_at(context: CompletionContext) -> tuple[Link, ...]:
+    """Return the link or base around the cursor, closed or not; in broken text several."""
+    return tuple(declarations(context.place.island).bodies())
+
+
+def _frame_names(context: CompletionContext) -> list[str]:
+    return [str(frame.name) for body in bodies_at(context) for frame in body.frames]
+
+
+def _missing(names: Iterable[str], declared: Container[str]) -> Iterator[str]:
+    yield from dict.fromkeys(name for name in names if name and name not in declared)
+
+
+class _Uses(NamedTuple):
+    """The children of all bodies, without the child that is being typed.
+
+    Attributes:
+        parents: The name of the body that carries a link, by the link's name.
+        moved: The name of the link that a joint moves, by the joint's name.
+    """
+
+    parents: dict[str, str]
+    moved: dict[str, str]
+
+
+def child_items(analysis: Analysis, context: CompletionContext) -> Iterator[CompletionItem]:
+    """Yield links to carry, never one that would close a loop: those that nothing carries first."""
+    uses = _uses(analysis, context)
+    free = _free_joint(analysis, uses)
+    fitting = list(_fitting(analysis, context, uses))
+    loose = [name for name in fitting if name not in uses.parents]
+    for name in loose:
+        joint = free or fresh_joint(analysis, name)
+        text, label = f"{name} via ${{1:{joint}}}", f"{name} via …"
+        yield CompletionItem(label, "snippet", text, "not yet attached", is_snippet=True)
+    for name in loose:
+        yield CompletionItem(name, "link", name, "not yet attached")
+    yield _new_child(analysis, free)
+    for name in fitting:
+        if name in uses.parents:
+            detail = f"child of {uses.parents[name]} already"
+            yield CompletionItem(name, "link", name, detail, is_asked_for=True)
+
+
+def joint_items(analysis: Analysis, context: CompletionContext) -> Iterator[CompletionItem]:
+    """Yield joints: those that connect nothing yet, a new one if all do, then the others."""
+    moved = _uses(analysis, context).moved
+    joints = {str(joint.name): joint.kind for joint in analysis.model.joints if joint.name}
+    for name, kind in joints.items():
+        if name not in moved:
+            yield CompletionItem(name, "joint", name, f"{kind}, free")
+    if moved.keys() >= joints.keys():
+        name = fresh_joint(analysis, _child_before(context))
+        yield CompletionItem(name, "joint", name, "new joint", is_asked_for=True)
+    for name, kind in joints.items():
+        if name in moved:
+            detail = f"{kind}, moves {moved[name]} already"
+            yield CompletionItem(name, "joint", name, detail, is_asked_for=True)
+
+
+def first_child(analysis: Analysis, context: CompletionContext) -> tuple[str, str]:
+    """Return the link that comes first to mind as a child of the one at the cursor, and its joint.
+
+    Both are new names where nothing is free.
+    """
+    uses = _uses(analysis, context)
+    fitting = _fitting(analysis, context, uses)
+    link = next((name for name in fitting if name not in uses.parents), "")
+    joint = _free_joint(analysis, uses) or fresh_joint(analysis, link)
+    return link or fresh_link(analysis), joint
+
+
+def _new_child(analysis: Analysis, free_joint: str) -> CompletionItem:
+    link, joint = fresh_link(analysis), free_joint or fresh_joint(analysis)
+    text, label = f"${{1:{link}}} via ${{2:{joint}}}", f"{link} via {joint}"
+    return CompletionItem(label, "snippet", text, "new child", is_snippet=True, is_asked_for=True)
+
+
+def _uses(analysis: Analysis, context: CompletionContext) -> _Uses:
+    local = context.start - context.place.start
+    own = (child for body in bodies_at(context) for child in body.children)
+    typed = next((c for c in own if any(name.start == local for name in c)), None)
+    uses = _Uses({}, {})
+    for body in analysis.model.bodies:
+        for child in body.children:
+            if child is not typed:
+                uses.parents.setdefault(child.link, body.name)
+                uses.moved.setdefault(child.joint, child.link)
+    return uses
+
+
+def _fitting(analysis: Analysis, context: CompletionContext, uses: _Uses) -> Iterator[str]:
+    """Yield the links that the one at the cursor may carry: neither itself nor one above it."""
+    name = next((str(body.name) for body in bodies_at(context)), "")
+    above: set[str] = set()
+    while name and name not in above:
+        above.add(name)
+        name = uses.parents.get(name, "")
+    names = (str(link.name) for link in analysis.model.links)
+    return (name for name in names if name and name not in above)
+
+
+def _free_joint(analysis: Analysis, uses: _Uses) -> str:
+    names = (joint.name for joint in analysis.model.joints)
+    return str(next((name for name in names if name and name not in uses.moved), ""))
+
+
+def _child_before(context: CompletionContext) -> str:
+    """Return the name of the link that a joint is typed for."""
+    local = context.start - context.place.start
+    tokens = [t for t in context.place.island.tokens if t.end <= local and not t.is_missing]
+    return tokens[-2].text

@@ -1,0 +1,197 @@
+"""The transforms document of a robot: completions, actions, and the edits of a renaming."""
+
+import re
+from collections.abc import Iterator
+
+from kindsl.frontends.features.actions.action import CodeAction
+from kindsl.frontends.features.completion.completion import Completions
+from kindsl.frontends.features.completion.item import CompletionItem
+from kindsl.frontends.features.outline import is_match
+from kindsl.frontends.features.symbol_at import EntityKind, symbol_at
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.transforms import (
+    LINK_PREFIX,
+    frame_names,
+    transforms_document,
+    undeclared_frames,
+    unknown_frames,
+)
+from kindsl.language.syntax.transforms_text import (
+    SECTIONS,
+    PlacedName,
+    TransformsDocument,
+    read_transforms,
+)
+from kindsl.language.text.edits import TextEdit
+from kindsl.language.text.nearest import nearest_name
+
+_WORD_BEFORE = re.compile(r"\w*\Z")
+_BEHIND_WORD = re.compile(r"\W")
+_PAIR = "base=${1:frame}, target=${2:frame}"
+
+
+_QUICK = "quickfix"
+_REWRITE = "refactor.rewrite"
+
+
+def transforms_completions(text: str, offset: int, model: Model | None) -> Completions:
+    """Return what may be typed at an offset; nothing where a whole word stands.
+
+    Args:
+        text: The transforms document.
+        offset: The cursor, code points.
+        model: The robot that it is about, None if that is not known.
+    """
+    word: str = _WORD_BEFORE.findall(text, 0, offset)[0]
+    start = offset - len(word)
+    end = offset + len(_BEHIND_WORD.split(text[offset:])[0])
+    items = tuple(_items(text, start, model))
+    if word and any(item.label == word for item in items):
+        items = ()
+    return Completions(tuple(item for item in items if is_match(word, item.label)), start, end)
+
+
+def _items(text: str, start: int, model: Model | None) -> Iterator[CompletionItem]:
+    """Yield what can stand at a place: what a reader that comes there expects."""
+    before = read_transforms(text[:start])
+    if not before.expected:
+        sections = [name for name in SECTIONS if not re.search(rf"\b{name}\b", text)]
+        yield from (_block(name) for name in sections)
+    for expected in before.expected:
+        if expected == "a frame":
+            yield from _frames(text, start, model)
+        elif expected == "a robot name":
+            yield from (CompletionItem(n, "link", n, "the robot") for n in _robot(model))
+        elif expected == "'base'":
+            yield CompletionItem(
+                "base, target", "snippet", _PAIR, "a pair of frames", is_snippet=True
+            )
+        elif expected in ("'target'", "'Robot'"):
+            name = expected.strip("'")
+            yield CompletionItem(name, "keyword", f"{name}=" if name == "target" else f"{name} ")
+
+
+def _frames(text: str, start: int, model: Model | None) -> Iterator[CompletionItem]:
+    """Yield frames: of pairs those that are listed, of the list those that are not yet."""
+    listed = [word.text for word in read_transforms(text).frames if word.start != start]
+    known = frame_names(model) if model is not None else {}
+    is_in_pair = text[:start].rstrip().endswith("=")
+    names = listed if is_in_pair and listed else [n for n in known if n not in listed]
+    for name in names:
+        of = known.get(name, name)
+        yield CompletionItem(name, "frame", name, "" if of == name else f"frame of {of}")
+
+
+def _robot(model: Model | None) -> list[str]:
+    return [str(model.name)] if model is not None and model.name else []
+
+
+def _block(name: str) -> CompletionItem:
+    return CompletionItem(name, "snippet", f"{name} {{\n\t$0\n}}", "section", is_snippet=True)
+
+
+def transforms_actions(text: str, model: Model | None, start: int, end: int) -> list[CodeAction]:
+    """Return what can be done about a stretch of a transforms document.
+
+    Args:
+        text: The transforms document.
+        model: The robot that it is about, None if that is not known.
+        start: Where the stretch begins, code points.
+        end: Where it ends.
+    """
+    document = read_transforms(text)
+    if not text.strip():
+        return [_whole(text, model)] if model is not None and model.name and model.bodies else []
+    found = [*_listings(text, document, start, end)]
+    if model is not None:
+        found += [*_replacements(text, document, model, start, end)]
+        found += [*_all_frames(document, model)]
+    return found
+
+
+def _whole(text: str, model: Model) -> CodeAction:
+    edit = TextEdit(0, len(text), transforms_document(model))
+    return CodeAction(f"Write the transforms of '{model.name}'", _REWRITE, (edit,))
+
+
+def _listings(
+    text: str, document: TransformsDocument, start: int, end: int
+) -> Iterator[CodeAction]:
+    """Yield how a frame of a pair becomes one of the list."""
+    for wrong in undeclared_frames(document, None):
+        if wrong.start <= end and start <= wrong.end:
+            name = text[wrong.start : wrong.end]
+            edit = _listed(document, [name])
+            if edit is not None:
+                yield CodeAction(f"List '{name}' under 'Frames'", _QUICK, (edit,))
+
+
+def _replacements(
+    text: str, document: TransformsDocument, model: Model, start: int, end: int
+) -> Iterator[CodeAction]:
+    """Yield the frame that may be meant by one that the robot has not."""
+    for wrong in unknown_frames(document, model):
+        name = text[wrong.start : wrong.end]
+        near = nearest_name(name, frame_names(model))
+        if near is not None and wrong.start <= end and start <= wrong.end:
+            edit = TextEdit(wrong.start, wrong.end, near)
+            yield CodeAction(f"Replace '{name}' with '{near}'", _QUICK, (edit,), (), True)
+
+
+def _all_frames(document: TransformsDocument, model: Model) -> Iterator[CodeAction]:
+    listed = {word.text for word in document.frames}
+    missing = [name for name in frame_names(model) if name not in listed]
+    edit = _listed(document, missing)
+    if missing and edit is not None:
+        yield CodeAction(f"List every frame of '{model.name}'", _REWRITE, (edit,))
+
+
+def _listed(document: TransformsDocument, names: list[str]) -> TextEdit | None:
+    """Return the edit that adds frames to the list; None where there is no place for them."""
+    if document.frames:
+        last = document.frames[-1].end
+        return TextEdit(last, last, "".join(f", {name}" for name in names))
+    if document.robot is None or document.defects:
+        return None
+    return TextEdit(
+        document.robot.end, document.robot.end, f"\nFrames {{\n    {', '.join(names)}\n}}"
+    )
+
+
+def renamed_transforms(
+    analysis: Analysis, offset: int, new_name: str, text: str
+) -> tuple[TextEdit, ...]:
+    """Return the edits of a transforms document when something of its robot takes another name.
+
+    Args:
+        analysis: The robot's document, before the renaming.
+        offset: Where the old name stands.
+        new_name: The new name.
+        text: The transforms document.
+    """
+    symbol = symbol_at(analysis, offset)
+    if symbol is None:
+        return ()
+    kind, name = symbol.entity.kind, symbol.entity.name
+    document = read_transforms(text)
+    new_name = new_name.strip().removeprefix("^")
+    if kind is EntityKind.ROBOT:
+        robot = document.robot
+        return (TextEdit(robot.start, robot.end, new_name),) if robot is not None else ()
+    if kind is EntityKind.LINK:
+        # An optional frame may have the name that the link's own frame would have.
+        own = f"{LINK_PREFIX}{name}"
+        if frame_names(analysis.model).get(own) != name:
+            return ()
+        return tuple(_edits(document, own, f"{LINK_PREFIX}{new_name}"))
+    return tuple(_edits(document, name, new_name)) if kind is EntityKind.FRAME else ()
+
+
+def _edits(document: TransformsDocument, old: str, new: str) -> Iterator[TextEdit]:
+    words: list[PlacedName] = list(document.frames)
+    for pair in (*document.transforms, *document.jacobians):
+        words += pair
+    for word in words:
+        if word.text == old:
+            yield TextEdit(word.start, word.end, new)
