@@ -24,7 +24,7 @@ EXCEPTIONS: dict[str, str] = {
     "frontends/features/hover/keyword.py": _MEANING,
     "frontends/features/manipulation/carrier.py": _MEANING,
     "frontends/features/signature_help.py": _MEANING,
-    "language/formatting/layout.py": "robot, constants and signs have a layout of their own",
+    "language/formatting/format.py": "robot, constants and signs have a layout of their own",
     "judgement/rules/robcogen2_loading.py": "computes as Python does, form by form",
     "language/semantics/declarations.py": _MEANING,
     "language/semantics/expressions.py": _MEANING,

@@ -24,7 +24,7 @@ from kindsl.frontends.features.manipulation.set_component import ComponentChange
 from kindsl.frontends.features.manipulation.things import Thing
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.judgement.analysis.proof import EditEffect, effect
-from kindsl.language.formatting.format import FormattingRefusedError, format_document
+from kindsl.language.formatting import FormattingRefusedError, format_document
 from kindsl.language.text.edits import TextEdit
 
 PARTS = range(5)

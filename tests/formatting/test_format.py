@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from tests.support.documents import SOUND_EXAMPLES, sound_documents
 
-from kindsl.language.formatting.format import FormattingRefusedError, format_document, format_range
+from kindsl.language.formatting import FormattingRefusedError, format_document, format_range
 from kindsl.language.syntax.document import SyntaxDocument, parse
 from kindsl.language.text.edits import apply_edits
 from kindsl.language.text.span import Span

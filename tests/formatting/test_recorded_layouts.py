@@ -10,7 +10,7 @@ from pathlib import Path
 
 from tests.support.recorded import assert_as_recorded
 
-from kindsl.language.formatting.format import format_document
+from kindsl.language.formatting import format_document
 from kindsl.language.syntax.document import parse
 from kindsl.language.text.edits import apply_edits
 

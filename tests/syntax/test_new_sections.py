@@ -15,7 +15,7 @@ import pytest
 
 import kindsl
 from kindsl.language.syntax.generate import sections, tables
-from kindsl.language.syntax.generating.annotations import AnnotationError
+from kindsl.language.syntax.generating.constructs import AnnotationError
 from kindsl.language.syntax.grammars import grammar_text
 
 _SECTIONS = """
@@ -36,7 +36,7 @@ from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.frontends.features.completion.completion import completions
 from kindsl.frontends.features.completion.item import without_placeholders
-from kindsl.language.formatting.format import format_document
+from kindsl.language.formatting import format_document
 from kindsl.language.text.edits import apply_edits
 from kindsl.frontends.features.hover.hover import hover
 from kindsl.frontends.features.rename import rename

@@ -6,7 +6,7 @@ from tests.support.models import Style, random_model
 
 from kindsl.language.syntax.document import parse
 from kindsl.language.syntax.generate import TABLES, main, starts, tables
-from kindsl.language.syntax.generating.annotations import AnnotationError
+from kindsl.language.syntax.generating.constructs import AnnotationError
 from kindsl.language.syntax.grammars import grammar_text
 from kindsl.language.syntax.tree import Node
 

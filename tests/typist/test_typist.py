@@ -12,7 +12,7 @@ from tests.vscode.browser import chromium
 
 from kindsl.frontends.features.completion.item import without_placeholders
 from kindsl.judgement.analysis.analysis import analyse
-from kindsl.language.formatting.format import format_document
+from kindsl.language.formatting import format_document
 from kindsl.language.text.edits import apply_edits
 
 # The first test waits for what is installed for all of them.

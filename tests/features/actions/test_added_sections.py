@@ -7,7 +7,7 @@ from tests.support.documents import ROOT
 from kindsl.frontends.features.actions.add_sections import add_sections
 from kindsl.frontends.features.actions.code_actions import quick_fixes
 from kindsl.judgement.analysis.analysis import analyse
-from kindsl.language.formatting.format import format_document
+from kindsl.language.formatting import format_document
 
 QUADRUPED = (ROOT / "examples" / "quadruped.kindsl").read_text()
 LINK = """\

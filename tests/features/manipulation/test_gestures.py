@@ -14,7 +14,7 @@ from kindsl.frontends.features.manipulation.gesture import Gesture, Refusal
 from kindsl.frontends.features.manipulation.mirror_leg import mirror_leg
 from kindsl.frontends.features.manipulation.pose_as_zero import pose_as_zero
 from kindsl.judgement.analysis.analysis import analyse
-from kindsl.language.formatting.format import format_document
+from kindsl.language.formatting import format_document
 from kindsl.robots.mechanism.reading import reachable_linkage
 
 EXAMPLES = Path(__file__).parents[3] / "examples"

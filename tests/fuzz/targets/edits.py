@@ -7,7 +7,7 @@ from tests.support.finding_checks import EVERYTHING, assert_sound
 from tests.support.syntax_checks import assert_lossless, assert_same
 
 from kindsl.judgement.analysis.analysis import Analysis, analyse
-from kindsl.language.formatting.format import FormattingRefusedError, format_document
+from kindsl.language.formatting import FormattingRefusedError, format_document
 from kindsl.language.syntax.document import parse
 from kindsl.language.text.edits import TextEdit, apply_edits
 

@@ -17,7 +17,7 @@ from kindsl.frontends.cli.options import add_exclusion_argument
 from kindsl.frontends.cli.outcome import Failure
 from kindsl.judgement.analysis.syntax_findings import all_problems
 from kindsl.judgement.config.robots import TOOLS_FOLDERS
-from kindsl.language.formatting.format import FormattingRefusedError, format_document
+from kindsl.language.formatting import FormattingRefusedError, format_document
 from kindsl.language.syntax.document import SyntaxDocument, parse
 from kindsl.language.text.edits import apply_edits
 from kindsl.language.text.lines import LineIndex

@@ -84,7 +84,6 @@ def id_detail(body: Link) -> str:
 
 
 def _blocks(analysis: Analysis) -> Iterator[DocumentSymbol]:
-    """Yield bodies, with their frames below, and joints."""
     for body in analysis.model.bodies:
         frames = tuple(frame_symbol(analysis, frame) for frame in body.frames)
         yield body_symbol(analysis, body, id_detail(body), frames)
@@ -93,7 +92,6 @@ def _blocks(analysis: Analysis) -> Iterator[DocumentSymbol]:
 
 
 def _closing_braces(analysis: Analysis) -> Iterator[int]:
-    """Yield the ends of the braces that close the robot: of one, unless the text is broken."""
     syntax = analysis.syntax
     for island, start in zip(syntax.islands, syntax.starts, strict=True):
         yield from (start + node.end for node in island.nodes if node.kind == "end")
@@ -127,7 +125,6 @@ def kinematic_outline(analysis: Analysis) -> tuple[DocumentSymbol, ...]:
 
 
 def _roots(analysis: Analysis) -> Iterator[Link]:
-    """Yield the links that nothing carries, in the order of the document."""
     above = analysis.model.tree.above
     return (link for link in analysis.model.links if link not in above)
 

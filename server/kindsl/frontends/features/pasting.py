@@ -62,7 +62,6 @@ def _fixes(after: Analysis, start: int, end: int) -> Iterator[tuple[TextFix, boo
 
 
 def _before(raw: TextEdit, after: str, edits: Sequence[TextEdit]) -> Iterator[TextEdit]:
-    """Yield edits of a text that was pasted into, as edits of the text before."""
     begin, stop = raw.start, raw.start + len(raw.text)
     inner = [edit for edit in edits if edit.end >= begin and edit.start <= stop]
     first = min((begin, *(edit.start for edit in inner)))

@@ -56,7 +56,6 @@ def _blocks(node: Node) -> Iterator[Fold]:
 
 
 def _comments(island: Island) -> Iterator[Fold]:
-    """Yield block comments, and runs of comments with nothing but blanks between them."""
     runs: list[tuple[int, int]] = []
     for start, end in island.comments:
         if runs and _is_blank(island.text[runs[-1][1] : start]):
@@ -105,7 +104,6 @@ def selection_ranges(analysis: Analysis, offset: int) -> tuple[Span, ...]:
 
 
 def _inside(node: Node) -> Iterator[Span]:
-    """Yield what lies between a construct's brackets."""
     opening = next((child for child in node.children if child.kind in _OPENING), None)
     if opening is not None:
         inner = [child for child in node.children if child.start >= opening.start][1:-1]

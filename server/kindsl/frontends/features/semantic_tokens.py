@@ -86,7 +86,6 @@ def _name(symbol: Symbol) -> SemanticToken:
 
 
 def _comments(island: Island) -> list[SemanticToken]:
-    """Return the comments line by line, as not every editor takes a token of several lines."""
     found = []
     for start, end in island.comments:
         for line in island.text[start:end].splitlines(keepends=True):

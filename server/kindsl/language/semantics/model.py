@@ -190,7 +190,6 @@ def _by_name(things: Iterable[_Named]) -> dict[str, _Named]:
 
 
 def _joined(parts: Iterable[dict[str, _Named]]) -> dict[str, _Named]:
-    """Return things by name, of equal names the first."""
     found: dict[str, _Named] = {}
     for part in parts:
         is_new = found.keys().isdisjoint(part)

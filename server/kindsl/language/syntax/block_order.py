@@ -67,7 +67,6 @@ def order_problems(islands: Sequence[Island], starts: Sequence[int]) -> tuple[Pl
 def _first_robot(
     blocks: Sequence[OrderedBlock],
 ) -> tuple[Sequence[OrderedBlock], list[PlacedProblem]]:
-    """Return the blocks of the first robot, and the problem of a second one."""
     heads = [i for i, block in enumerate(blocks) if block.node.kind == "head"]
     if len(heads) < 2 or heads[1] == heads[0] + 1:
         return blocks, []
@@ -83,7 +82,6 @@ def _empty(islands: Sequence[Island]) -> PlacedProblem:
 
 
 def _surplus(blocks: Sequence[OrderedBlock]) -> list[PlacedProblem]:
-    """Return the problems of a second head, a second base, and braces that close nothing."""
     problems: list[PlacedProblem] = []
     seen: dict[str, OrderedBlock] = {}
     for position, block in enumerate(blocks):
@@ -104,7 +102,6 @@ def _surplus(blocks: Sequence[OrderedBlock]) -> list[PlacedProblem]:
 
 
 def _early_end(blocks: Sequence[OrderedBlock], position: int) -> list[PlacedProblem]:
-    """Return the problem of a `}` with blocks behind it."""
     block = blocks[position]
     is_last_island = block.number == blocks[-1].number
     if block.island.problems and not is_last_island:
@@ -127,7 +124,6 @@ def _surplus_brace(block: OrderedBlock) -> tuple[int, int]:
 
 
 def _wrong_order(blocks: Sequence[OrderedBlock]) -> list[PlacedProblem]:
-    """Return one problem for each run of blocks that stand where others belong."""
     known = [block for block in _first_ones(blocks) if block.node.kind != "end"]
     ranks = [_RANKS[block.node.kind] for block in known]
     count = len(ranks)
@@ -143,7 +139,6 @@ def _wrong_order(blocks: Sequence[OrderedBlock]) -> list[PlacedProblem]:
 
 
 def _first_ones(blocks: Sequence[OrderedBlock]) -> list[OrderedBlock]:
-    """Return the blocks without a second head or base."""
     seen: set[str] = set()
     first_ones = []
     for block in blocks:
@@ -180,7 +175,6 @@ def _listed(known: Sequence[OrderedBlock], run: Sequence[int]) -> str:
 
 
 def _move(known: Sequence[OrderedBlock], run: Sequence[int], anchor: int) -> Repair:
-    """Return the repair that moves blocks behind another one."""
     origin = known[run[0]].start
     edits = []
     moved = ""
@@ -198,7 +192,6 @@ def _move(known: Sequence[OrderedBlock], run: Sequence[int], anchor: int) -> Rep
 def _lacking(
     islands: Sequence[Island], blocks: Sequence[OrderedBlock], told: set[int]
 ) -> list[PlacedProblem]:
-    """Return the problems of blocks that are not there."""
     kinds = {block.node.kind for block in blocks}
     first, last = blocks[0], blocks[-1]
     if "head" not in kinds:
@@ -233,7 +226,6 @@ def _explains_end(islands: Sequence[Island]) -> bool:
 
 
 def _unclosed(blocks: Sequence[OrderedBlock]) -> Problem:
-    """Return the problem of a lost `}`, at the place that the layout shows."""
     last = blocks[-1]
     tokens = [token for token in last.island.tokens if token not in last.island.skipped]
     place = lost_closing(last.island.text, tokens)

@@ -281,7 +281,6 @@ def _first_kept(
 def _replaced(
     document: SyntaxDocument, first: int, stop: int, islands: list[Island]
 ) -> SyntaxDocument:
-    """Return the document with the islands from `first` to `stop` replaced."""
     indices = document._chunk_indices
     low = min(bisect_right(indices, first) - 1, len(document.chunks) - 1)
     high = max(bisect_right(indices, max(stop - 1, first)), low + 1)

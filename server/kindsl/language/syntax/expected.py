@@ -53,7 +53,6 @@ def expected_at(island: Island, offset: int) -> Expected:
 
 
 def _before(island: Island, offset: int) -> list[Token]:
-    """Return the tokens before an offset, without supplied ones at the end."""
     tokens = [token for token in island.tokens if token.start < offset]
     while tokens and tokens[-1].is_missing:
         tokens.pop()
@@ -82,13 +81,11 @@ def _read(tokens: Sequence[Token]) -> tuple[Stack | None, str]:
 
 
 def _fits(stack: Stack | None, tokens: Sequence[Token]) -> bool:
-    """Return whether the first written token fits."""
     written = next((token for token in tokens if not token.is_missing), None)
     return stack is not None and written is not None and stack.after(written.kind) is not None
 
 
 def _constructs(stack: Stack) -> tuple[str, ...]:
-    """Return the constructs that the states are in the middle of, outermost first."""
     stack = settled(stack)
     found: list[str] = []
     level: Stack | None = stack

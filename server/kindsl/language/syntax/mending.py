@@ -5,17 +5,20 @@ Apart from `parser.py` because correct documents never load it.
 
 from bisect import bisect_left, bisect_right, insort
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from kindsl.language.syntax.characters import without_invalid
 from kindsl.language.syntax.comment_problems import OPEN_COMMENT
 from kindsl.language.syntax.habits.table import adapted
-from kindsl.language.syntax.meaning import meaning_problems
 from kindsl.language.syntax.passages import URDF_ELEMENTS, Foreign, Passage, foreign_passages
-from kindsl.language.syntax.recovery.island import recover
+from kindsl.language.syntax.recovery.block import BlockProgress
+from kindsl.language.syntax.recovery.block_kinds import opening
+from kindsl.language.syntax.recovery.progress import RepairProgress
 from kindsl.language.syntax.scanner import BAD
 from kindsl.language.syntax.tables import PUNCTUATION
 from kindsl.language.syntax.tree import Island, Node, Problem, Token
 from kindsl.language.syntax.typeset import tokens_as_meant
+from kindsl.language.syntax.values import meaning_problems
 
 _ECHO = 12
 _MOST_TOKENS = 100_000
@@ -68,7 +71,6 @@ def _is_within(position: int, passages: Sequence[Passage]) -> bool:
 
 
 def _foreign(text: str, passage: Passage) -> Token:
-    """Return a passage of another format as one token."""
     return Token(BAD, text[passage.start : passage.end], 0, passage.start, passage.end)
 
 
@@ -80,7 +82,6 @@ def _taken_over(passage: Passage) -> Problem:
 
 
 def _shortened(text: str, tokens: list[Token]) -> list[Token]:
-    """Return the tokens with all beyond the most that are mended as one."""
     start, end = tokens[_MOST_TOKENS].start, tokens[-1].end
     rest = Token(BAD, text[start:end], tokens[_MOST_TOKENS].lead, start, end)
     return [*tokens[:_MOST_TOKENS], rest]
@@ -119,7 +120,6 @@ def _not_explained(problems: Sequence[Problem], said: Sequence[Problem]) -> list
 
 
 def _with_leads(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
-    """Return the tokens, each led by what lies between it and the one before."""
     done = 0
     for token in tokens:
         token.lead = done
@@ -155,3 +155,50 @@ def touched_nodes(nodes: Sequence[Node], skipped: Sequence[Token]) -> frozenset[
 def is_repaired(token: Token) -> bool:
     """Return whether a token is not what the text has there."""
     return token.is_missing or (token.kind in PUNCTUATION and token.text != token.kind)
+
+
+class Recovered(NamedTuple):
+    """The result of reading an island's tokens.
+
+    Attributes:
+        nodes: The blocks.
+        tokens: All tokens in order: read, supplied and skipped.
+        skipped: Those that are in no node.
+        problems: One for each repair but those in `leftovers`.
+        leftovers: One for each repair that does nothing but leave tokens out.
+    """
+
+    nodes: tuple[Node, ...]
+    tokens: tuple[Token, ...]
+    skipped: tuple[Token, ...]
+    problems: tuple[Problem, ...]
+    leftovers: tuple[Problem, ...]
+
+
+def recover(text: str, tokens: Sequence[Token], *, is_cut: bool) -> Recovered:
+    """Return the nodes and problems of tokens that the grammar does not take as they are.
+
+    Args:
+        text: The island's text.
+        tokens: Its tokens.
+        is_cut: Whether a comment without an end hides the rest of it.
+    """
+    island = RepairProgress(text, list(tokens), is_cut)
+    while island.index < len(island.tokens):
+        previous = island.nodes[-1].kind if island.nodes else ""
+        block = island.lost or opening(island.tokens, island.index, previous)
+        island.lost = None
+        if island.is_hopeless:
+            island.skip_rest()
+        elif block is None:
+            island.skip_to_block()
+        else:
+            island.open(block)
+            BlockProgress(island, block.start).read()
+    return Recovered(
+        tuple(island.nodes),
+        tuple(island.written),
+        tuple(island.skipped),
+        tuple(island.problems),
+        tuple(island.leftovers),
+    )

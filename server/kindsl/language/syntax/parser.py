@@ -4,10 +4,10 @@ import re
 
 from kindsl.language.syntax.builder import build
 from kindsl.language.syntax.comment_problems import comment_problems
-from kindsl.language.syntax.meaning import meaning_problems
 from kindsl.language.syntax.scanner import comments, scan
 from kindsl.language.syntax.token_names import BLOCK_STARTS
 from kindsl.language.syntax.tree import Island, Node, Token
+from kindsl.language.syntax.values import meaning_problems
 
 # Superscripts, ligatures and letters of full width: valid tokens, yet read as what they stand for.
 _TYPESET = "[\u2070-\u2079\xb2\xb3\xb9\ufb00-\ufb06\uff21-\uff5a]"
@@ -53,7 +53,6 @@ def island_of_robcogen2(text: str) -> Island | None:
 
 
 def _straight(tokens: list[Token]) -> list[Node] | None:
-    """Return the blocks of tokens that need no repair, else None."""
     nodes: list[Node] = []
     index, count = 0, len(tokens)
     while index < count:

@@ -98,7 +98,6 @@ def _elements(text: str) -> Iterator[Passage]:
 
 
 def _unclosed_comment(text: str) -> int:
-    """Return where a comment begins that has no end, the end of the text if there is none."""
     place = text.find("<!--", text.rfind("-->") + 1)
     return place if place >= 0 else len(text)
 
@@ -129,7 +128,6 @@ def _end_of_row(text: str, position: int, unclosed: set[str]) -> int:
 
 
 def _closed(text: str, position: int, tag: re.Pattern[str]) -> int | None:
-    """Return where an element ends whose first tag is before a position."""
     depth = 1
     for match in tag.finditer(text, position):
         depth += 0 if match[2] else -1 if match[1] else 1

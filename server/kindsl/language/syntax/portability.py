@@ -91,7 +91,6 @@ def _notes_within(island: Island, blocks: Sequence[Node]) -> Iterator[Portabilit
 
 
 def _section_notes(text: str, block: Node) -> Iterator[PortabilityNote]:
-    """Yield the sections that one target takes alone, told to be refused by the other."""
     for node in (child for child in block.children if isinstance(child, Node)):
         if node.kind in _SECTIONS_OF_ONE:
             word = next(node.tokens())
@@ -152,7 +151,6 @@ def _token_notes(tokens: Sequence[Token]) -> Iterator[PortabilityNote]:
 
 
 def _name_notes(token: Token) -> Iterator[PortabilityNote]:
-    """Yield that one target refuses a name or a keyword."""
     kind = form_kind(token)
     if kind not in _REFUSED:
         return
@@ -198,7 +196,6 @@ def _value_notes(island: Island) -> Iterator[PortabilityNote]:
 
 
 def _is_told(island: Island, node: Node) -> bool:
-    """Return whether something is wrong with a value for either target."""
     return any(p.start < node.end and node.start < p.end for p in island.problems)
 
 

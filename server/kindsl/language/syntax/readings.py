@@ -172,6 +172,5 @@ def _read_in_two_ways(island: Island) -> Iterator[TwoReadings]:
 
 
 def _split(written: str) -> tuple[str, str, str]:
-    """Return both sides of the minus that is not a sign."""
     left, minus, right = written[1:].partition("-")
     return written[0] + left, minus, right

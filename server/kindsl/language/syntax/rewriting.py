@@ -66,7 +66,6 @@ def _product(node: Node) -> str | None:
 
 
 def _number(node: Node | Token) -> Decimal | None:
-    """Return the value of a number, also of a quotient or product of numbers."""
     if isinstance(node, Token):
         return _literal(node)
     if node.kind == "number":

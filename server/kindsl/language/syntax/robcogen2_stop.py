@@ -91,6 +91,5 @@ def _plain_blocks(island: Island) -> str | None:
 
 
 def _undecoded(text: str) -> int | None:
-    """Return where a byte stands that is no character, which robcogen2 never gets over."""
     found = None if text.isascii() else _UNDECODED.search(text)
     return None if found is None else found.start()

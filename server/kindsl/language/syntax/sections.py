@@ -105,7 +105,6 @@ def _empty_frames(block: Node, touched: frozenset[int]) -> Iterator[Problem]:
 
 
 def _name(section: Node) -> str:
-    """Return what tells a section apart from its neighbours."""
     first = section.children[0]
     return first.text if section.kind in _MANY and isinstance(first, Token) else section.kind
 
@@ -189,7 +188,6 @@ def _removal(text: str, section: Node) -> Edit:
 
 
 def _misplaced(text: str, node: Node, sections: list[Node]) -> Iterator[Problem]:
-    """Yield one problem for each run of misplaced neighbours."""
     order = ORDER[node.kind]
     ranks = [order[section.kind].rank for section in sections]
     wrong = misplaced(ranks)
@@ -220,7 +218,6 @@ def _misplaced_run(
 
 
 def _body_start(node: Node) -> int:
-    """Return the place behind a block's opening brace."""
     return next(child.end for child in node.children if child.kind == "{")
 
 

@@ -101,7 +101,6 @@ def _is_glued_block(keyword: str, ahead: list[str]) -> bool:
 
 
 def _before(text: str, position: int, comments: list[tuple[int, int]]) -> str:
-    """Return the last character before a position that is no blank or comment."""
     last = len(comments) - 1
     while position > 0:
         if last >= 0 and comments[last][1] == position:

@@ -188,7 +188,6 @@ class _Reader:
 
 @cache
 def _steps(sequence: str) -> list[tuple[str, "Callable[[_Reader], bool] | None", bool]]:
-    """Return the words of a sequence, each with its reader if it has one, and if it may lack."""
     words = [(word.rstrip("?+"), word.endswith("?")) for word in sequence.split()]
     return [(word, _PARTS.get(word), is_optional) for word, is_optional in words]
 

@@ -195,7 +195,6 @@ def _n_fitting(parser: Any, *first: "Token") -> int:
 
 
 def _complete(parser: Any, end: "Token") -> None:
-    """Insert what is missing at the end of the text."""
     while "$END" not in (accepted := parser.accepts()):
         kind = "RBRACE" if "RBRACE" in accepted else min(accepted)
         parser.feed_token(_inserted(kind, end))

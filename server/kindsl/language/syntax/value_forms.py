@@ -44,7 +44,6 @@ def form_kind(token: Token) -> str:
 
 @lru_cache(_MOST_KNOWN)
 def _name_kind(name: str) -> str:
-    """Return the terminal of a name as it is spelt."""
     if name.startswith("^"):
         return "ESCAPED_NAME"
     kind = word_kind(name)

@@ -1,14 +1,15 @@
-"""Numbers, expressions and vectors that no generator takes."""
+"""Problems in blocks that have the shape of the grammar: sections, numbers and expressions."""
 
 import math
 from collections.abc import Iterator, Sequence
 
 from kindsl.language.syntax.comment_problems import UNDECODABLE
+from kindsl.language.syntax.sections import section_problems
 from kindsl.language.syntax.tables import NEITHER
 from kindsl.language.syntax.token_names import shown
 from kindsl.language.syntax.tree import Edit, Node, Problem, Repair, Token
 from kindsl.language.syntax.value_forms import accepted_by, form_kind, is_decimal, kinds_accepted_by
-from kindsl.language.syntax.vocabulary import VALUE_HOLDERS, of_kind
+from kindsl.language.syntax.vocabulary import BLOCKS, VALUE_HOLDERS, of_kind
 from kindsl.language.text.decimals import exact_decimal, significant_decimal
 
 DEEPEST = 60
@@ -64,7 +65,7 @@ def _malformed(tokens: Sequence[Token]) -> Problem | None:
     token = next((t for t in tokens if form_kind(t) in NEITHER), None)
     if token is None:
         return None
-    from kindsl.language.syntax.malformed import meant_numbers
+    from kindsl.language.syntax.typeset import meant_numbers
 
     repairs = tuple(
         Repair(f"Write {meant}", (Edit(token.start, token.end, meant),), False)
@@ -96,7 +97,6 @@ def _integer(tokens: Sequence[Token]) -> Problem | None:
 
 
 def _with_unit(number: Token, unit: Token) -> Problem:
-    """Return the problem of a whole number with letters behind it; only degrees are plain."""
     text = number.text + unit.text
     repair = None
     if unit.text in ("deg", "degrees") and int(number.text):
@@ -125,7 +125,6 @@ def _unsupported(text: str, node: Node, tokens: Sequence[Token]) -> Problem:
 
 
 def _evaluated(node: Node, tokens: Sequence[Token], start: int, end: int) -> Repair | None:
-    """Return the replacement of a constant expression by its value."""
     if node.kind == "group" and accepted_by(tokens[1:-1]):
         edits = (Edit(start, tokens[0].end, ""), Edit(tokens[-1].start, end, ""))
         return Repair("Remove the parentheses", edits, True)
@@ -149,7 +148,6 @@ def _part_of_pi(value: float) -> str | None:
 
 
 def _constant(node: Node | Token) -> float | None:
-    """Return the value of an expression of numbers and pi, None for any other."""
     if isinstance(node, Token):
         return None
     first = node.children[0]
@@ -204,3 +202,19 @@ def _id_problems(node: Node, block: str) -> Iterator[Problem]:
 def _size(digits: str) -> int:
     """Return the number, or one too large where it has more digits than are worth reading."""
     return int(digits) if len(digits) < 20 else _LARGEST_ID + 1
+
+
+def meaning_problems(text: str, nodes: Sequence[Node], touched: frozenset[int]) -> list[Problem]:
+    """Return what is wrong with sections and values.
+
+    Args:
+        text: The island's text.
+        nodes: Its blocks.
+        touched: Ids of the nodes that were repaired, of which less can be said.
+    """
+    problems: list[Problem] = []
+    for node in nodes:
+        if node.kind in BLOCKS:
+            problems += section_problems(text, node, touched)
+            problems += value_problems(text, node, touched)
+    return problems

@@ -58,7 +58,6 @@ def _innermost_block(place: PlacedIsland, offset: int) -> Node | None:
 
 
 def _missing(analysis: Analysis, block: Node) -> Iterator[_AddedSection]:
-    """Yield the sections that are not there, in the order of the grammar."""
     there = {child.kind for child in block.children}
     for kind in ORDER[block.kind]:
         if KINDS[kind] == "moments":
@@ -98,7 +97,6 @@ def _action(
 
 
 def _section_before(block: Node, kind: str) -> Node | None:
-    """Return the last section that the grammar wants before another."""
     order = ORDER[block.kind]
     rank = order[kind].rank
     for child in reversed(block.children):

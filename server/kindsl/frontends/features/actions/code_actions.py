@@ -87,7 +87,6 @@ def _fix(finding: Diagnostic, fix: TextFix) -> CodeAction:
 
 
 def _fixes_of_rules(analysis: Analysis, touched: list[Diagnostic]) -> Iterator[CodeAction]:
-    """Yield one action for each rule that could be fixed in several places."""
     for code in dict.fromkeys(finding.code for finding in touched if finding.fix is not None):
         alike = tuple(d for d in analysis.findings if d.code == code and d.fix is not None)
         n_mended, edits = _mending(analysis, code, alike) if len(alike) > 1 else (0, ())

@@ -34,7 +34,6 @@ def create_missing(analysis: Analysis, finding: Diagnostic) -> Iterator[CodeActi
 
 
 def _block(analysis: Analysis, finding: Diagnostic) -> Fix | None:
-    """Return the fix that writes the block whose name stands at a finding."""
     model, span = analysis.model, (finding.start, finding.end)
     for edge in model.tree.edges:
         link, joint = edge.child

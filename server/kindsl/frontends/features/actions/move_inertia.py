@@ -109,7 +109,6 @@ def _actions(analysis: Analysis, moving: _Moving) -> Iterator[CodeAction]:
 
 
 def _is_harmful(analysis: Analysis, action: CodeAction) -> bool:
-    """Return whether a document has more errors after an action."""
     after = analysis.edited(action.edits).check_without_twins()
     return _n_errors(after) > _n_errors(analysis.check_without_twins())
 
@@ -119,7 +118,6 @@ def _n_errors(findings: Sequence[Diagnostic]) -> int:
 
 
 def _link_of_inertia(path: Sequence[Node], bodies: Iterator[Link]) -> Link | None:
-    """Return the body whose inertia section is on a path."""
     return next((b for b in bodies if b.inertia is not None and b.inertia.node in path), None)
 
 
@@ -165,7 +163,6 @@ def _to_com(analysis: Analysis, moving: _Moving) -> Iterator[CodeAction]:
 
 
 def _plain_pose(frame: Frame, values: Mapping[str, float]) -> RigidPose | None:
-    """Return a frame's pose if no names are in it."""
     if any(True for expression in pose_expressions(frame.pose) for _ in symbols(expression)):
         return None
     return written_pose(frame.pose, values)
@@ -196,7 +193,6 @@ def _with_frame(inertia: Inertia, name: str) -> TextEdit | None:
 
 
 def _without_frame(inertia: Inertia) -> TextEdit:
-    """Return the edit that removes `ref_frame = name`, with the line that it begins."""
     node = next(inertia.node.nodes("inertia_frame"))
     before = _BLANKS_BEFORE.sub("", inertia.island.text[: node.start])
     return TextEdit(len(before), node.end, "")

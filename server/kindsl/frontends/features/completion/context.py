@@ -84,7 +84,6 @@ def completion_context(analysis: Analysis, offset: int) -> CompletionContext | N
 
 
 def _context(place: PlacedIsland, local: int, word: Span) -> CompletionContext:
-    """Return what the text of an island before a word allows."""
     text = place.island.text
     before = parse_island(text[: word.start])
     expected = expected_at(before, word.start)

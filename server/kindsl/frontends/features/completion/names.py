@@ -224,7 +224,6 @@ def _free_joint(analysis: Analysis, uses: _Uses) -> str:
 
 
 def _child_before(context: CompletionContext) -> str:
-    """Return the name of the link that a joint is typed for."""
     local = context.start - context.place.start
     tokens = [t for t in context.place.island.tokens if t.end <= local and not t.is_missing]
     return tokens[-2].text

@@ -67,7 +67,6 @@ def section(kind: str, first: int = 1) -> str:
 
 
 def _lines(kind: str, numbers: Iterator[int]) -> Iterator[str]:
-    """Yield the lines of a section; of moments and products each is one."""
     what, words = KINDS[kind], WORDS[kind]
     if what == "vector":
         yield f"{words[0]} = {vector(next(numbers))}"

@@ -59,7 +59,6 @@ def _keyword(analysis: Analysis, found: TokenAt) -> Hover | None:
 
 
 def _value(analysis: Analysis, found: TokenAt) -> Hover | None:
-    """Return the hover of the whole value that a token belongs to."""
     expression = expression_at(found.island, found.path)
     place = value_place(found.path, found.token.start)
     if expression is None or place is None:

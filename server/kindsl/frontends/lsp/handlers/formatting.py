@@ -20,7 +20,7 @@ _ON_TYPE = types.DocumentOnTypeFormattingOptions(
 @handlers.document(types.TEXT_DOCUMENT_FORMATTING)
 def document(view: View, _: types.DocumentFormattingParams) -> list[types.TextEdit] | None:
     """Bring a document into the one style; refuse a broken one and say why."""
-    from kindsl.language.formatting.format import format_document
+    from kindsl.language.formatting import format_document
 
     return _formatted(view, lambda: format_document(view.analysis.syntax), view.refuse)
 
@@ -28,7 +28,7 @@ def document(view: View, _: types.DocumentFormattingParams) -> list[types.TextEd
 @handlers.document(types.TEXT_DOCUMENT_RANGE_FORMATTING)
 def part(view: View, params: types.DocumentRangeFormattingParams) -> list[types.TextEdit] | None:
     """Bring a part of a document into the one style."""
-    from kindsl.language.formatting.format import format_range
+    from kindsl.language.formatting import format_range
 
     span = Span(view.offset(params.range.start), view.offset(params.range.end))
     return _formatted(view, lambda: format_range(view.analysis.syntax, span), view.refuse)
@@ -38,7 +38,7 @@ def part(view: View, params: types.DocumentRangeFormattingParams) -> list[types.
 def typed(view: View, params: types.DocumentOnTypeFormattingParams) -> list[types.TextEdit] | None:
     """Bring the block that was closed, or the line that was ended, into the one style."""
     from kindsl.frontends.features.ranges import selection_ranges
-    from kindsl.language.formatting.format import format_range
+    from kindsl.language.formatting import format_range
 
     offset = view.offset(params.position)
     before = view.document.line_start(params.position.line - 1)
@@ -50,7 +50,7 @@ def typed(view: View, params: types.DocumentOnTypeFormattingParams) -> list[type
 def _formatted(
     view: View, format_: Callable[[], list[TextEdit]], refuse: Callable[[str], None]
 ) -> list[types.TextEdit] | None:
-    from kindsl.language.formatting.format import FormattingRefusedError
+    from kindsl.language.formatting import FormattingRefusedError
 
     try:
         edits = text_edits(view.document, format_())

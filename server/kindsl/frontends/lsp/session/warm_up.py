@@ -19,7 +19,7 @@ FIRST = (
     "kindsl.judgement.config.discovery",
 )
 LATER = (
-    "kindsl.language.formatting.format",
+    "kindsl.language.formatting",
     "kindsl.judgement.config.toml_edits",
     "numpy",
     "kindsl.robots.mechanism.build",

@@ -154,8 +154,6 @@ def put_right(text: str, tokens: Sequence[Token], habits: Iterable[Habit]) -> Ad
 
 
 class _Row:
-    """Tokens with their letters."""
-
     def __init__(self, text: str, tokens: Sequence[Token]) -> None:
         self.text = text
         self.tokens = tokens
@@ -189,7 +187,6 @@ class _Row:
 
 
 def _opener(before: str) -> str:
-    """Return what the two letters before a brace open."""
     if before[-1:] == "I":
         return "I"
     if before[:1] in ("L", "J"):

@@ -9,7 +9,7 @@ Letters stand for the kinds of tokens, as in `engine.LETTERS`.
 
 from collections.abc import Sequence
 
-from kindsl.language.syntax.habits import moments, vectors, words
+from kindsl.language.syntax.habits import values, words
 from kindsl.language.syntax.habits.engine import Adapted, Habit, put_right
 from kindsl.language.syntax.tree import Token
 
@@ -33,7 +33,7 @@ HABITS = (
     Habit("Iyx = 0.0", r"[^{}]+", words.repeated_words,
           "'{0}' means '{1}', which is already given", "Remove '{2}'", code="KD009"),
     Habit("moments = 1.0, 1.0, 1.0, 0.0, 0.0, 0.0",
-          rf"n = (?P<list>(?:[^\n{{}}P{_KEYWORD}](?! =) ){{1,58}})", moments.obsolete_moments,
+          rf"n = (?P<list>(?:[^\n{{}}P{_KEYWORD}](?! =) ){{1,58}})", values.obsolete_moments,
           "obsolete 'moments': write 'Ix', 'Iy', 'Iz', 'Ixy', 'Ixz', 'Iyz'",
           "Replace 'moments' by six assignments", is_safe=True, code="KD010"),
     Habit("ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) }",
@@ -46,26 +46,26 @@ HABITS = (
     Habit("# the upper arm", rf"= (?!#)(?:{_VALUE})|#(?P<words>[^\n={{}}(]+)(?=\n|\Z)",
           words.comment,
           "'#' does not begin a comment", "Write '//'", is_safe=True),
-    Habit("CoM = (0.0", rf"[cV] = (?P<half>{_HALF})(?=\n| \}})", vectors.half_vector,
+    Habit("CoM = (0.0", rf"[cV] = (?P<half>{_HALF})(?=\n| \}})", values.half_vector,
           "expected {0} after '{1}'", "Insert ')'"),
-    Habit("CoM = Ix = 1.0", rf"[cV] =(?= (?:\}}|[{_KEYWORD}](?: [if,])* =))", vectors.no_vector,
+    Habit("CoM = Ix = 1.0", rf"[cV] =(?= (?:\}}|[{_KEYWORD}](?: [if,])* =))", values.no_vector,
           "expected a vector '(x, y, z)' after '='"),
     Habit('rotation = "0 0 1.57"',
-          rf"[cV] = (?P<value>{_THREE})(?! \))", vectors.three_numbers,
+          rf"[cV] = (?P<value>{_THREE})(?! \))", values.three_numbers,
           "expected a vector '(x, y, z)' instead of '{0}'", "Write '{1}'"),
     Habit("CoM = 0.0, 0.0, 0.1", r"[cV] = (?P<value>[fiep] , [if] , [if])(?! [if,)])",
-          vectors.bare_components,
+          values.bare_components,
           "vector is not enclosed in '()'", "Insert '()'", is_safe=True),
     Habit("CoM = [0.0, 0.0, 0.1]",
-          rf"[cV] = (?P<value>{_BRACKETED})", vectors.other_brackets,
+          rf"[cV] = (?P<value>{_BRACKETED})", values.other_brackets,
           "vector is enclosed in '{0}{1}' instead of '()'", "Write '()'", is_safe=True),
-    Habit("CoM = (0.0 0.0 0.1)", _VECTOR, vectors.lost_commas,
+    Habit("CoM = (0.0 0.0 0.1)", _VECTOR, values.lost_commas,
           "expected ',' after '{0}'", "Insert ','"),
     Habit("CoM = (0,5, 0.0, x-1.0)", rf"(?P<scalar>S )?= (?![{_KEYWORD}])(?P<value>{_VALUE})(?! =)",
-          vectors.other_numbers),
-    Habit("CoM = (0.0, 0.0, 0.1, 1.0)", _VECTOR, vectors.surplus_components,
+          values.other_numbers),
+    Habit("CoM = (0.0, 0.0, 0.1, 1.0)", _VECTOR, values.surplus_components,
           "vector has {0} components instead of 3", "Remove the surplus components"),
-    Habit("CoM = (0.0, 0.1)", _VECTOR, vectors.lacking_components,
+    Habit("CoM = (0.0, 0.1)", _VECTOR, values.lacking_components,
           "vector has {0} instead of 3"),
     Habit("mass", r"[{})fi]\n(?P<word>[cVSD])(?=\n| \})(?! [={vW])", words.half_section,
           "expected '=' after '{0}'"),

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from kindsl.language.syntax.habits.engine import Rewrite, Sighting
-from kindsl.language.syntax.habits.vectors import VECTOR
+from kindsl.language.syntax.habits.values import VECTOR
 from kindsl.language.syntax.moving import removed
 from kindsl.language.syntax.scanner import word_kind
 from kindsl.language.syntax.tables import KEYWORDS
@@ -109,7 +109,6 @@ def repeated_words(found: Sighting) -> Iterator[Rewrite]:
 
 
 def _taken(found: Sighting) -> set[str]:
-    """Return the keywords of a section's values; `Ix = mass` is not the mass."""
     names = (word.text for word, sign in pairwise(found.of()) if sign.kind == "=")
     return {name for name in names if name in KEYWORDS}
 

@@ -9,8 +9,7 @@ from collections.abc import Sequence
 from kindsl.language.syntax.automaton import Stack, initial, is_complete
 from kindsl.language.syntax.builder import build
 from kindsl.language.syntax.indentation import lost_closing
-from kindsl.language.syntax.recovery.block_kinds import Opening, opening
-from kindsl.language.syntax.recovery.dialect import goes_on, unglued
+from kindsl.language.syntax.recovery.block_kinds import LONGEST_FIRST, Opening, opening, unglue
 from kindsl.language.syntax.recovery.lost_heads import lost_head
 from kindsl.language.syntax.recovery.messages import closing_problem, repair_problem
 from kindsl.language.syntax.recovery.preferences import moments_around, preferences
@@ -23,6 +22,9 @@ from kindsl.language.syntax.tree import Token
 
 _BACK = 4
 _GOES_ON = 3
+
+
+_GLUED = (*LONGEST_FIRST, "via")
 
 
 class BlockProgress:
@@ -143,7 +145,6 @@ class BlockProgress:
         self.history.clear()
 
     def _unread(self, index: int) -> None:
-        """Go back to before the token `index`."""
         count = self.island.index - index
         if count > 0:
             self.stack = self.history[-count]
@@ -168,7 +169,6 @@ class BlockProgress:
         self._take(new, after)
 
     def _new_token(self, kind: str, token: Token | None, word: str) -> Token:
-        """Return the token that a change puts in."""
         if token is None or not is_alike(token, kind):
             end = token.end if token is not None else self._end()
             return supplied(kind, end, word)
@@ -198,7 +198,6 @@ class BlockProgress:
             )
 
     def _close(self, kinds: Sequence[str] | None, place: int) -> None:
-        """Supply what lacks at the end."""
         island = self.island
         if place < len(self.read_tokens):
             token = supplied("}", self.read_tokens[place - 1].end)
@@ -212,7 +211,6 @@ class BlockProgress:
             island.written.append(token)
 
     def _closing_place(self) -> int:
-        """Return before which token the lost brace belongs."""
         place = lost_closing(self.island.text, self.read_tokens)
         if place is None or place == 0:
             return len(self.read_tokens)
@@ -220,3 +218,27 @@ class BlockProgress:
         trial.insert(place, supplied("}", self.read_tokens[place - 1].end))
         is_whole = build(trial, self.start).read == len(trial)
         return place if is_whole else len(self.read_tokens)
+
+
+def goes_on(stack: Stack, tokens: Sequence[Token]) -> bool:
+    """Return whether tokens fit, a keyword also where a name is."""
+    following: Stack | None = stack
+    for token in tokens:
+        assert following is not None
+        after = following.after(token.kind)
+        if after is None and token.text in KEYWORDS:
+            after = following.after("KEYWORD_NAME")
+        if after is None:
+            return False
+        following = after
+    return True
+
+
+def unglued(stack: Stack, token: Token) -> tuple[Token, Token] | None:
+    """Return the keyword and the name of `viajoint` where that keyword may stand, else None."""
+    for word in _GLUED:
+        if token.text.startswith(word) and len(token.text) > len(word):
+            pair = unglue(token, word)
+            if pair is not None and stack.after(pair[0].kind) is not None:
+                return pair
+    return None

@@ -97,7 +97,6 @@ def _checked(tokens: Sequence[Token], index: int, start: str) -> Opening:
 
 
 def _replaced(token: Token, start: str, problem: Problem, words: tuple[str, ...] = ()) -> Opening:
-    """Return the opening of a block with a keyword in place of a token; without words, any."""
     kind = BLOCK_KINDS[start]
     words = words or _spellings(kind)
     told = _with_repairs(problem, f"Replace '{shown(token.text)}' with", words, token.end)
@@ -106,7 +105,6 @@ def _replaced(token: Token, start: str, problem: Problem, words: tuple[str, ...]
 
 
 def _spellings(kind: str) -> tuple[str, ...]:
-    """Return the keywords of a kind, r_joint before p_joint."""
     return tuple(sorted(SPELLINGS.get(kind, (kind,)), reverse=True))
 
 

@@ -90,7 +90,6 @@ def leftover_problem(
 
 
 def _first_group(changes: Sequence[RepairStep]) -> list[RepairStep]:
-    """Return the changes that are made in one place with the first."""
     group = [changes[0]]
     for change in changes[1:]:
         if change.at > group[-1].at + 1:
@@ -108,7 +107,6 @@ def _span(tokens: Sequence[Token], group: Sequence[RepairStep]) -> tuple[int, in
 
 
 def _is_function(tokens: Sequence[Token], group: Sequence[RepairStep]) -> bool:
-    """Return whether what is left out is a name right before an opening parenthesis."""
     name, behind = tokens[group[0].at], tokens[group[-1].at + 1 : group[-1].at + 2]
     is_called = bool(behind) and behind[0].text == "(" and behind[0].start == name.end
     return len(group) == 1 and name.kind == "NAME" and is_called
@@ -196,7 +194,6 @@ def _repairs(
     changes: Sequence[RepairStep],
     words: Sequence[Word],
 ) -> tuple[Repair, ...]:
-    """Return the changes of the text to choose from, none where what to insert is not known."""
     choices: list[Sequence[Word]] = [words]
     if len(changes) == 1 and words[0].near:
         choices = [[Word(near)] for near in words[0].near]
@@ -211,7 +208,6 @@ def _repair(
     changes: Sequence[RepairStep],
     words: Sequence[Word],
 ) -> Repair | None:
-    """Return the change of the text, None where what to insert is not known."""
     edits: list[Edit] = []
     for change, word in zip(changes, words, strict=True):
         edit = _edit(text, read, tokens, change, word.text)

@@ -175,7 +175,6 @@ class _Search:
         return FoundRepair(best.first, _steps(best.changes))
 
     def _goals(self, stacks: Sequence[Stack]) -> list[_Goal]:
-        """Return good repairs, the cheapest first."""
         back = cost("go back by a token")
         for count, stack in enumerate(stacks):
             at = self.failed - count
@@ -301,7 +300,6 @@ def _begins_block(tokens: Sequence[Token], index: int) -> bool:
 
 
 def _steps(changes: _Changes) -> tuple[RepairStep, ...]:
-    """Return the steps of a repair, the first change first."""
     before, action, at, kind = changes
     earlier = _steps(before) if before is not None else ()
     return (*earlier, RepairStep(action, at, kind))

@@ -74,7 +74,6 @@ def _word(change: RepairStep, tokens: Sequence[Token], lacking: Sequence[str]) -
 
 
 def _whole(token: Token) -> str:
-    """Return `2` for `2.0`; nothing for what is no such number."""
     whole, _, fraction = token.text.partition(".")
     is_whole = token.kind == "FLOAT" and whole.isdigit() and not fraction.strip("0")
     return whole if is_whole and int(whole) > 0 else ""

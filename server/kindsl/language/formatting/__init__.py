@@ -1,4 +1,0 @@
-"""Knows the one style, tree to text edits.
-
-Must not know editors, the command line.
-"""
