@@ -80,7 +80,7 @@ def _definition(analysis: Analysis, place: Symbol) -> Definition:
 def references(analysis: Analysis, offset: int) -> tuple[Symbol, ...]:
     """Return the places of the named thing in the order of the text, the defining ones included.
 
-    Each place tells its role, so that a caller can leave out declarations.
+    Each place has its role, so that a caller can leave out declarations.
     """
     symbol = symbol_at(analysis, offset)
     return () if symbol is None else occurrences(analysis, symbol.entity)

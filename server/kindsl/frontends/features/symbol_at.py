@@ -9,7 +9,7 @@ from enum import StrEnum
 from typing import NamedTuple
 
 from kindsl.judgement.analysis.analysis import Analysis
-from kindsl.language.semantics.blocks import Block, Reference
+from kindsl.language.semantics.blocks import Block, NameReference
 from kindsl.language.semantics.expressions import ConstantUse, Expression, symbols
 from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.parameters import Parameter
@@ -125,7 +125,7 @@ def _symbols(block: Block) -> Iterator[Symbol]:
     for part in block.parts:
         if isinstance(part, Block):
             yield from _symbols(part)
-        elif isinstance(part, Reference):
+        elif isinstance(part, NameReference):
             for name, kind in zip(part.names, map(EntityKind, REFERS[part.section]), strict=True):
                 entity = Entity(kind, str(name), owner if kind is EntityKind.FRAME else "")
                 yield from _named(name, entity, Role.READ)

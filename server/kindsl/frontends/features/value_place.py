@@ -4,7 +4,8 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from kindsl.frontends.features.wording import code
-from kindsl.language.semantics.expressions import Expression, name_of
+from kindsl.language.semantics.expressions import Expression
+from kindsl.language.syntax.arithmetic import name_of
 from kindsl.language.syntax.tables import DECLARES, FORMS, VALUES, ValueKind
 from kindsl.language.syntax.tree import Island, Node
 from kindsl.language.syntax.vocabulary import Meaning, meanings

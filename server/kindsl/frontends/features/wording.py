@@ -1,4 +1,4 @@
-"""Numbers with units, and pieces of sentences that several features say."""
+"""Numbers with units, and the phrases that several features share."""
 
 from collections.abc import Iterable
 from math import degrees
@@ -62,7 +62,7 @@ def quantity(value: float, kind: ValueKind, unit: str = "") -> str:
     Args:
         value: In SI units.
         kind: The class of the place where it stands.
-        unit: The unit of a dynamics value, which its class does not tell.
+        unit: The unit of a dynamics value, whose class has several.
     """
     match kind:
         case ValueKind.ANGLE:

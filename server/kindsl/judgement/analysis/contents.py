@@ -7,7 +7,7 @@ from math import isnan
 from typing import NamedTuple, TypeAlias
 from zlib import crc32
 
-from kindsl.language.semantics.blocks import Block, Reference, Whole
+from kindsl.language.semantics.blocks import Block, NameReference, Whole
 from kindsl.language.semantics.declarations import Joint, Link
 from kindsl.language.semantics.expressions import ConstantUse, Expression, symbols
 from kindsl.language.semantics.lowering import declarations
@@ -127,7 +127,7 @@ class _Walk:
         for part in block.parts:
             if isinstance(part, Block):
                 self._walk(part, owner)
-            elif isinstance(part, Reference):
+            elif isinstance(part, NameReference):
                 self.references.append((*owner, part.section, *map(str, part.names)))
             elif isinstance(part, Whole):
                 self._add((*owner, part.section), part.token)

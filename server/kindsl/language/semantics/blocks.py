@@ -28,7 +28,7 @@ class Pose(NamedTuple):
     rotation: Vector | None
 
 
-class Reference(NamedTuple):
+class NameReference(NamedTuple):
     """The names in a section such as `child`, which refer to things of other blocks."""
 
     section: str
@@ -60,15 +60,22 @@ class Block(Construct):
         self.island = island
         self.name = name
         self.owner = owner
-        self.parts: list[Expression | Whole | Reference | Block] = []
+        self.parts: list[Expression | Whole | NameReference | Block] = []
 
     def values(self) -> Iterator[Expression]:
-        """Yield all values in it, those of the blocks in it included."""
-        for part in self.parts:
-            if isinstance(part, Block):
-                yield from part.values()
-            elif isinstance(part, Expression):
-                yield part
+        """Yield the values of its sections and of the blocks in it, repeated sections left out."""
+        for attribute in self.attributes.values():
+            held = getattr(self, attribute)
+            if isinstance(held, Expression):
+                yield held
+            elif isinstance(held, Vector):
+                yield from held.components
+            elif isinstance(held, dict):
+                yield from held.values()
+            elif isinstance(held, Block | tuple):
+                for block in held if isinstance(held, tuple) else (held,):
+                    if isinstance(block, Block):
+                        yield from block.values()
 
 
 class PoseBlock(Block):

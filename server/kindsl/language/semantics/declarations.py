@@ -79,6 +79,6 @@ class Declarations(NamedTuple):
         yield from self.links
 
     def values(self) -> Iterator[Expression]:
-        """Yield all values with their classes and units, in the order of the text."""
+        """Yield all values with their classes and units."""
         for block in self.blocks:
             yield from block.values()

@@ -1,10 +1,10 @@
 """Values as written: what they mean, and how exactly they were given."""
 
 from collections.abc import Iterator, Mapping
-from math import pi
 from typing import NamedTuple, cast
 
 from kindsl.language.semantics.places import Construct, Name
+from kindsl.language.syntax.arithmetic import FLOATS, evaluate, number_of
 from kindsl.language.syntax.tree import Island, Node, Token
 from kindsl.language.syntax.value_forms import is_signed_product
 from kindsl.language.syntax.vocabulary import NO_MEANING, Meaning
@@ -42,7 +42,7 @@ class Expression(Construct):
         Args:
             bindings: Values of parameters by name, and of constants by `<name>`.
         """
-        return self.literal if self.literal is not None else _value(self.node, bindings)
+        return self.literal if self.literal is not None else evaluate(self.node, bindings, FLOATS)
 
     def rounding(self, bindings: Mapping[str, float]) -> float:
         """Return how far the true value may be from the written one, to first order.
@@ -64,20 +64,6 @@ class ConstantUse(NamedTuple):
 
     name: Name
     value: Expression | None
-
-
-def number_of(token: Node | Token) -> float | None:
-    """Return the value of a number token, or None if it is none (`0x10`, missing)."""
-    try:
-        return float(cast(Token, token).text)
-    except ValueError:
-        return None
-
-
-def name_of(node: Node) -> str:
-    """Return the name directly in a node, empty where there is none."""
-    token = _name_token(node)
-    return token.text.lstrip("^") if token is not None else ""
 
 
 def half_unit(text: str) -> float:
@@ -128,63 +114,13 @@ def _name_token(node: Node) -> Token | None:
     return next((token for token in tokens if token.kind == "NAME"), None)
 
 
-def _value(node: Node, bindings: Mapping[str, float]) -> float | None:
-    kind = node.kind
-    if kind == "number":
-        return number_of(node.children[0])
-    if kind == "pi":
-        return pi
-    if kind == "undecided":
-        return None
-    if kind == "parameter":
-        return bindings.get(name_of(node))
-    if kind == "defaulted":
-        bound = bindings.get(name_of(node))
-        return bound if bound is not None else _operand(node, bindings)
-    if kind == "juxtaposed_pi":
-        return _product(number_of(node.children[0]), pi)
-    if kind == "juxtaposed_parameter":
-        return _product(number_of(node.children[0]), bindings.get(name_of(node)))
-    if kind == "constant_use":
-        return bindings.get(f"<{name_of(node)}>")
-    if kind in ("group", "plus", "constant"):
-        return _operand(node, bindings)
-    if kind == "negate":
-        return _product(-1.0, _operand(node, bindings))
-    return _binary(node, bindings)
-
-
-def _binary(node: Node, bindings: Mapping[str, float]) -> float | None:
-    operands = [_value(child, bindings) for child in node.children if isinstance(child, Node)]
-    if len(operands) != 2:
-        return None
-    left, right = operands
-    if left is None or right is None:
-        return None
-    if node.kind == "multiply":
-        return left * right
-    if node.kind == "divide":
-        return left / right if right else None
-    if node.kind == "add":
-        return left + right
-    return -left * right if is_signed_product(node) else left - right
-
-
-def _operand(node: Node, bindings: Mapping[str, float]) -> float | None:
-    return _value(next(child for child in node.children if isinstance(child, Node)), bindings)
-
-
-def _product(left: float | None, right: float | None) -> float | None:
-    return None if left is None or right is None else left * right
-
-
 def _rounding(node: Node, bindings: Mapping[str, float]) -> float:
     if node.kind == "number":
         token = node.children[0]
         return half_unit(token.text) if isinstance(token, Token) and number_of(token) else 0.0
     parts = [child for child in node.children if isinstance(child, Node)]
     if is_signed_product(node):
-        return abs(_value(parts[1], bindings) or 0.0) * _rounding(parts[0], bindings)
+        return abs(evaluate(parts[1], bindings, FLOATS) or 0.0) * _rounding(parts[0], bindings)
     if node.kind in ("add", "subtract", "group", "plus", "negate"):
         return sum(_rounding(part, bindings) for part in parts)
     if node.kind in ("multiply", "divide"):
@@ -193,7 +129,7 @@ def _rounding(node: Node, bindings: Mapping[str, float]) -> float:
 
 
 def _rounding_of_product(node: Node, parts: list[Node], bindings: Mapping[str, float]) -> float:
-    left, right = (_value(part, bindings) or 0.0 for part in parts)
+    left, right = (evaluate(part, bindings, FLOATS) or 0.0 for part in parts)
     left_error, right_error = (_rounding(part, bindings) for part in parts)
     if node.kind == "multiply":
         return abs(right) * left_error + abs(left) * right_error

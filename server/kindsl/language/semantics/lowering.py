@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator
 from typing import Any, TypeAlias, TypeVar, cast
 
-from kindsl.language.semantics.blocks import Block, Reference, Vector, Whole
+from kindsl.language.semantics.blocks import Block, NameReference, Vector, Whole
 from kindsl.language.semantics.declarations import Declarations, Joint, Link
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.places import Name, Place
@@ -92,7 +92,7 @@ def _read_whole(block: Block, section: Node, found: _Found) -> None:
 
 def _read_name(block: Block, section: Node, found: _Found) -> None:
     names = tuple(_names(section, block.island))
-    block.parts.append(Reference(section.kind, names))
+    block.parts.append(NameReference(section.kind, names))
     found.setdefault(section.kind, names[0])
 
 
@@ -113,7 +113,7 @@ def _listed(block: Block, section: Node) -> Iterator[Any]:
             continue
         if child.kind in ROWS:
             names = tuple(_names(child, block.island))
-            block.parts.append(Reference(child.kind, names))
+            block.parts.append(NameReference(child.kind, names))
             yield ROWS[child.kind](*names)
         elif child.kind in BLOCKS:
             yield _inner(block, child)

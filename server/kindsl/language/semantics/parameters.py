@@ -74,7 +74,7 @@ class Binding(NamedTuple):
 
 
 class JointProperties(NamedTuple):
-    """The motion of a joint, as told from outside the document; None where nothing is told.
+    """The limits and resistances of a joint, given outside the document; None where not given.
 
     Units are those of the joint: radians and N m, or metres and N.
 
@@ -178,4 +178,6 @@ def _collect(declared: Declarations) -> Symbols:
                 parameters.append(Use(symbol.name, expression.meaning.kind, symbol.default))
             else:
                 constants.append(symbol)
+    parameters.sort(key=lambda use: use.name.start)
+    constants.sort(key=lambda use: use.name.start)
     return Symbols(tuple(parameters), tuple(constants))

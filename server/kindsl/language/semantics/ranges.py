@@ -2,15 +2,15 @@
 
 from collections.abc import Callable, Mapping
 from math import pi
-from typing import TypeAlias, cast
+from typing import TypeAlias
 
-from kindsl.language.semantics.expressions import Expression, name_of, number_of
-from kindsl.language.syntax.tree import Node, Token
+from kindsl.language.semantics.expressions import Expression
+from kindsl.language.syntax.arithmetic import Arithmetic, evaluate, name_of
+from kindsl.language.syntax.tree import Node
 
 Interval: TypeAlias = tuple[float, float]
 Degrees: TypeAlias = Mapping[str, int]
 
-_PASSING = ("group", "plus", "constant")
 _USES = ("parameter", "defaulted", "juxtaposed_parameter")
 
 
@@ -33,7 +33,8 @@ def bounds_of(
 
     Source: natural interval extension, Moore 1966.
     """
-    return _bounds(expression.node, known, written)
+    by = Arithmetic(written, (pi, pi), _negative, _OPERATIONS)
+    return evaluate(expression.node, known, by)
 
 
 def degrees_of(expression: Expression, names: frozenset[str]) -> Degrees | None:
@@ -46,48 +47,29 @@ def product_degrees(left: Degrees, right: Degrees) -> Degrees:
     return {name: left.get(name, 0) + right.get(name, 0) for name in {**left, **right}}
 
 
-def _bounds(
-    node: Node, known: Mapping[str, Interval], written: Callable[[str], Interval]
-) -> Interval | None:
-    kind = node.kind
-    if kind == "number":
-        return _number(node, written)
-    if kind == "pi":
-        return pi, pi
-    if kind == "juxtaposed_pi":
-        return _times(_number(node, written), (pi, pi))
-    if kind == "constant_use":
-        return known.get(f"<{name_of(node)}>")
-    if kind == "juxtaposed_parameter":
-        return _times(_number(node, written), known.get(name_of(node)))
-    parts = [_bounds(child, known, written) for child in node.children if isinstance(child, Node)]
-    if kind in ("parameter", "defaulted"):
-        return known.get(name_of(node)) or (parts[0] if parts else None)
-    if kind in _PASSING:
-        return parts[0]
-    if kind == "negate":
-        return _times((-1.0, -1.0), parts[0])
-    return None if kind == "unsupported" else _combined(kind, *parts)
+def _sum(left: Interval, right: Interval) -> Interval:
+    return left[0] + right[0], left[1] + right[1]
 
 
-def _combined(kind: str, left: Interval | None, right: Interval | None) -> Interval | None:
-    if left is None or right is None:
-        return None
-    if kind == "add":
-        return left[0] + right[0], left[1] + right[1]
-    if kind == "subtract":
-        return left[0] - right[1], left[1] - right[0]
-    if kind == "divide":
-        has_zero = right[0] <= 0.0 <= right[1]
-        return None if has_zero else _times(left, (1.0 / right[1], 1.0 / right[0]))
-    return _times(left, right)
+def _difference(left: Interval, right: Interval) -> Interval:
+    return left[0] - right[1], left[1] - right[0]
 
 
-def _times(left: Interval | None, right: Interval | None) -> Interval | None:
-    if left is None or right is None:
-        return None
+def _product(left: Interval, right: Interval) -> Interval:
     products = [a * b for a in left for b in right]
     return min(products), max(products)
+
+
+def _quotient(left: Interval, right: Interval) -> Interval | None:
+    has_zero = right[0] <= 0.0 <= right[1]
+    return None if has_zero else _product(left, (1.0 / right[1], 1.0 / right[0]))
+
+
+def _negative(interval: Interval) -> Interval:
+    return -interval[1], -interval[0]
+
+
+_OPERATIONS = {"add": _sum, "subtract": _difference, "multiply": _product, "divide": _quotient}
 
 
 def _degrees(node: Node, names: frozenset[str]) -> Degrees | None:
@@ -108,8 +90,3 @@ def _degrees(node: Node, names: frozenset[str]) -> Degrees | None:
     if node.kind == "divide":
         return None if any(parts[1].values()) else parts[0]
     return {name: max(p[name] for p in parts if name in p) for part in parts for name in part}
-
-
-def _number(node: Node, written: Callable[[str], Interval]) -> Interval | None:
-    token = node.children[0]
-    return None if number_of(token) is None else written(cast(Token, token).text)

@@ -26,7 +26,7 @@ class Stack:
         made: How many there have been.
         state: The innermost state.
         below: The others.
-        innermost: The last states, enough to tell stacks apart that matter.
+        innermost: The last states, enough to distinguish the stacks that matter.
     """
 
     __slots__ = ("_above", "_after", "_losable", "below", "innermost", "state")

@@ -16,7 +16,7 @@ _PLURALS = {"link": "links", "joint": "joints"}
 
 
 class PlacedProblem:
-    """A problem of the document as a whole, told by a place in one of its islands.
+    """A problem of the document as a whole, reported at a place in one of its islands.
 
     Attributes:
         index: The island's number in the document.
@@ -190,7 +190,7 @@ def _move(known: Sequence[OrderedBlock], run: Sequence[int], anchor: int) -> Rep
 
 
 def _lacking(
-    islands: Sequence[Island], blocks: Sequence[OrderedBlock], told: set[int]
+    islands: Sequence[Island], blocks: Sequence[OrderedBlock], reported: set[int]
 ) -> list[PlacedProblem]:
     kinds = {block.node.kind for block in blocks}
     first, last = blocks[0], blocks[-1]
@@ -205,7 +205,7 @@ def _lacking(
             return []
         return [_placed(last, _unclosed(blocks))]
     lacking = [kind for kind in BLOCKS if kind not in kinds]
-    if not lacking or told or any(island.problems for island in islands):
+    if not lacking or reported or any(island.problems for island in islands):
         return []
     head = next(block for block in blocks if block.node.kind == "head")
     name = head.node.children[1]
@@ -215,7 +215,7 @@ def _lacking(
 
 
 def _explains_end(islands: Sequence[Island]) -> bool:
-    """Return whether the last island tells already why the robot's `}` is not seen."""
+    """Return whether a problem of the last island explains why the robot's `}` is missing."""
     last = islands[-1]
     if any(problem.code in _ENDINGS for problem in last.problems):
         return True

@@ -1,6 +1,6 @@
 """Tokens to nodes along the LALR tables.
 
-What a reduction makes of its values is told by the rule's action:
+The action of a rule decides what a reduction makes of its values:
 
 - `node`: a node with these children; `splice`: the same, where some children come as a list.
 - `pass`: the only value itself; `name`: the token, from now on of the kind `NAME`.

@@ -43,7 +43,7 @@ def without_invalid(
     """
     good: list[Token] = []
     invalid: list[Token] = []
-    told: list[Problem] = []
+    problems: list[Problem] = []
     for token in tokens:
         if token.kind != BAD or _is_visible(token.text[0]):
             good.append(token)
@@ -51,16 +51,16 @@ def without_invalid(
         invalid.append(token)
         is_glued = bool(good) and good[-1].end == token.start
         if is_glued and token.text == "°" and good[-1].kind in ("INT", "FLOAT"):
-            told.append(_degrees(text, good[-1], token))
-    starts = {problem.start for problem in told}
-    told += [p for p in misprints(text, good, invalid) if p.start not in starts]
-    told.sort(key=lambda problem: problem.start)
+            problems.append(_degrees(text, good[-1], token))
+    starts = {problem.start for problem in problems}
+    problems += [p for p in misprints(text, good, invalid) if p.start not in starts]
+    problems.sort(key=lambda problem: problem.start)
     strays = [
-        _stray_problem(text, *span) for span in _strays(text, tokens) if not _is_in(told, *span)
+        _stray_problem(text, *span) for span in _strays(text, tokens) if not _is_in(problems, *span)
     ]
     numbers = [(t.start, t.end) for t in good if t.kind == "MALFORMED_NUMBER"]
     strays = sorted([*strays, *undecodable(text, numbers)], key=lambda problem: problem.start)
-    return good, invalid, (*told, *summary(strays))
+    return good, invalid, (*problems, *summary(strays))
 
 
 def _is_visible(character: str) -> bool:
@@ -78,9 +78,9 @@ def _strays(text: str, tokens: Sequence[Token]) -> Iterator[tuple[int, int]]:
     yield from (m.span() for m in _BLANKS.finditer(text, done) if m["blanks"])
 
 
-def _is_in(told: Sequence[Problem], start: int, end: int) -> bool:
-    index = bisect_right(told, start, key=lambda problem: problem.start)
-    return index > 0 and end <= told[index - 1].end
+def _is_in(problems: Sequence[Problem], start: int, end: int) -> bool:
+    index = bisect_right(problems, start, key=lambda problem: problem.start)
+    return index > 0 and end <= problems[index - 1].end
 
 
 def _stray_problem(text: str, start: int, end: int) -> Problem:
@@ -117,7 +117,7 @@ def misprints(text: str, tokens: Sequence[Token], invalid: Iterable[Token]) -> I
     for first, behind in _values(text, tokens):
         group = tokens[first:behind]
         if any(token.kind == "MALFORMED_NUMBER" for token in group):
-            continue  # which is told with the reason why it is no number
+            continue  # reported with the reason why it is no number
         start, end = group[0].start, group[-1].end
         if _OPERANDS_OR_SIGNS.issuperset(token.kind for token in group):
             start = ends.pop(start, start)
@@ -200,8 +200,12 @@ def _problem(
     if not strange:
         message = f"'{shown(written)}' is written with an exponent that no generator takes"
         return Problem("KD005", message, start, end, repair)
-    told = [named(character) for character in strange[:_MOST_NAMED]]
-    names = listed([*told, f"{n_more} more"] if (n_more := len(strange) - len(told)) else told)
+    shown_names = [named(character) for character in strange[:_MOST_NAMED]]
+    names = listed(
+        [*shown_names, f"{n_more} more"]
+        if (n_more := len(strange) - len(shown_names))
+        else shown_names
+    )
     noun = "character" if len(strange) == 1 else "characters"
     place = f" in '{shown(written)}'" if len(written) > 1 else ""
     return Problem("KD004", f"invalid {noun} {names}{place}", start, end, repair)

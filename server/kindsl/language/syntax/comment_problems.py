@@ -39,8 +39,8 @@ def undecodable(text: str, spans: Sequence[tuple[int, int]]) -> Iterator[Problem
 
 def bytes_message(run: str) -> str:
     """Return what to say of bytes that are no UTF-8."""
-    told = " ".join(f"0x{ord(character) - 0xDC00:02X}" for character in run[:_MOST_BYTES])
-    return f"undecodable {'byte' if len(run) == 1 else 'bytes'} {told}, a document is UTF-8"
+    numbers = " ".join(f"0x{ord(character) - 0xDC00:02X}" for character in run[:_MOST_BYTES])
+    return f"undecodable {'byte' if len(run) == 1 else 'bytes'} {numbers}, a document is UTF-8"
 
 
 def summary(problems: Sequence[Problem]) -> tuple[Problem, ...]:

@@ -1,4 +1,4 @@
-"""Lost braces, as the layout tells of them."""
+"""Indentation, and the lost or surplus braces that it reveals."""
 
 from collections.abc import Sequence
 
@@ -18,7 +18,7 @@ def indentation(text: str, position: int) -> str:
 def lost_closing(text: str, tokens: Sequence[Token]) -> int | None:
     """Return the index of the first `}` that stands further left than the block it would close.
 
-    The brace of that block is the lost one. None where the layout tells nothing.
+    The brace of that block is the lost one. None where the layout shows nothing.
     """
     openings: list[int] = []
     for index, token in enumerate(tokens):

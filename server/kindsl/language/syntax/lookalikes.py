@@ -1,7 +1,7 @@
 """Characters that stand for others: `−` for `-`, `·` for `.` or `*`, digits of any script.
 
-What a character stands for is a property of Unicode, or told by its name there. A text is read with
-each in place of the character that it stands for, so that all offsets stay.
+What a character stands for is a property of Unicode, or follows from its name there. A text is read
+with each in place of the character that it stands for, so that all offsets stay.
 """
 
 import re
@@ -77,7 +77,7 @@ def is_ignorable(character: str) -> bool:
 
 
 def is_unseen(character: str) -> bool:
-    """Return whether a character between others may be there without being seen."""
+    """Return whether a character between others is invisible in text."""
     return character == _SOFT_HYPHEN or is_ignorable(character)
 
 

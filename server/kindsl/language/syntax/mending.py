@@ -53,13 +53,13 @@ def mended(
         written = tuple(sorted((*written, *invalid), key=lambda t: (t.start, t.end)))
         skipped = (*skipped, *invalid)
     touched = touched_nodes(recovered.nodes, [*recovered.skipped, *foreign])
-    said = [*problems, *usual.problems, *recovered.problems, *about_comments]
-    said += _not_echoing(recovered.leftovers, said, tokens)
-    said += _not_explained(meaning_problems(text, recovered.nodes, touched), said)
-    said = [problem for problem in said if not _is_within(problem.start, passages)]
-    said += map(_taken_over, passages)
-    said.sort(key=lambda problem: problem.start)
-    return Island(text, recovered.nodes, _with_leads(written), skipped, spans, tuple(said))
+    found = [*problems, *usual.problems, *recovered.problems, *about_comments]
+    found += _not_echoing(recovered.leftovers, found, tokens)
+    found += _not_explained(meaning_problems(text, recovered.nodes, touched), found)
+    found = [problem for problem in found if not _is_within(problem.start, passages)]
+    found += map(_taken_over, passages)
+    found.sort(key=lambda problem: problem.start)
+    return Island(text, recovered.nodes, _with_leads(written), skipped, spans, tuple(found))
 
 
 def _outside(tokens: list[Token], passages: Sequence[Passage]) -> list[Token]:
@@ -88,14 +88,14 @@ def _shortened(text: str, tokens: list[Token]) -> list[Token]:
 
 
 def _not_echoing(
-    leftovers: Sequence[Problem], said: Sequence[Problem], tokens: Sequence[Token]
+    leftovers: Sequence[Problem], found: Sequence[Problem], tokens: Sequence[Token]
 ) -> list[Problem]:
     """Return the problems of left out text that are not right behind a repair or each other.
 
     There the repair was wrong: it is one mistake.
     """
     starts = [token.start for token in tokens]
-    ends = sorted(bisect_left(starts, problem.end) for problem in said)
+    ends = sorted(bisect_left(starts, problem.end) for problem in found)
     kept: list[Problem] = []
     for problem in leftovers:
         first = bisect_left(starts, problem.start)
@@ -106,14 +106,14 @@ def _not_echoing(
     return kept
 
 
-def _not_explained(problems: Sequence[Problem], said: Sequence[Problem]) -> list[Problem]:
+def _not_explained(problems: Sequence[Problem], found: Sequence[Problem]) -> list[Problem]:
     """Return the problems whose place no other problem covers or touches."""
     return [
         problem
         for problem in problems
         if not any(
             other.start <= problem.end and problem.start <= other.end
-            for other in said
+            for other in found
             if other.code in ("KD005", "KD010") or problem.code in ("KD005", "KD006")
         )
     ]

@@ -1,6 +1,6 @@
 """Constructs that only one of the two generators takes, island by island.
 
-Nothing here is an error of the language; a project that names its target is told of it.
+Nothing here is an error of the language; it is reported to a project that names its target.
 """
 
 import re
@@ -27,7 +27,7 @@ _LARGEST = 2**31 - 1
 _PLAIN_ID = re.compile(r"[1-9][0-9]*")
 _BLOCKS = frozenset({"head", *BLOCKS})
 _SECTIONS_OF_ONE = SECTIONS.keys() & ONLY.keys()
-# Numbers are told with their value.
+# Numbers are reported with their value.
 _REFUSED = ONLY.keys() - VALUE_TERMINALS
 _PERHAPS_REFUSED = _REFUSED | {"NAME"}
 _CALLED = {
@@ -178,7 +178,7 @@ def _value_notes(island: Island) -> Iterator[PortabilityNote]:
         if any(token.is_missing for token in tokens):
             continue
         targets = accepted_by(tokens)
-        if len(targets) != 1 or _is_told(island, node):
+        if len(targets) != 1 or _is_reported(island, node):
             continue
         (target,) = TARGETS_OF_ALL - targets
         if any(note.target == target for token in tokens for note in _name_notes(token)):
@@ -195,7 +195,7 @@ def _value_notes(island: Island) -> Iterator[PortabilityNote]:
         yield PortabilityNote(target, "value-form", message, start, end, repair)
 
 
-def _is_told(island: Island, node: Node) -> bool:
+def _is_reported(island: Island, node: Node) -> bool:
     return any(p.start < node.end and node.start < p.end for p in island.problems)
 
 

@@ -83,7 +83,7 @@ def scan(text: str) -> list[Token]:
 
 
 def word_kind(word: str) -> str:
-    """Return the terminal that a word belongs to; for a name the kind tells how it is spelt."""
+    """Return the terminal that a word belongs to; a name has a kind for its spelling."""
     kind = KEYWORDS.get(word)
     if kind is not None:
         return kind

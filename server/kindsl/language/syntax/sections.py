@@ -158,7 +158,7 @@ def _repeated(text: str, node: Node, section: Node) -> Problem:
 
 
 def _second_pose(node: Node, translation: Node, rotation: Node) -> Problem:
-    """Return the problem of a pose that is another frame's; nothing tells its name."""
+    """Return the problem of a second pose, which belongs to a frame whose name is unknown."""
     message = f"{title(node)} has a second 'translation' and 'rotation'"
     return Problem("KD009", message, translation.start, rotation.end)
 

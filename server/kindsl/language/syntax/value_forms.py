@@ -38,7 +38,7 @@ def kinds_accepted_by(kinds: tuple[str, ...]) -> frozenset[str]:
 
 
 def form_kind(token: Token) -> str:
-    """Return the terminal of the grammar that a token of an expression is, names told apart."""
+    """Return the grammar's terminal for a token of an expression, names by their spelling."""
     return token.kind if token.kind != "NAME" else _name_kind(token.text)
 
 

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator, Sequence
 
+from kindsl.language.syntax.arithmetic import FLOATS, evaluate
 from kindsl.language.syntax.comment_problems import UNDECODABLE
 from kindsl.language.syntax.sections import section_problems
 from kindsl.language.syntax.tables import NEITHER
@@ -46,7 +47,7 @@ def _expression_problems(text: str, parent: Node, node: Node) -> Iterator[Proble
     if len(tokens) > DEEPEST:
         _flatten_long_expressions(parent)
     if any(token.is_missing or UNDECODABLE.search(token.text) for token in tokens):
-        return  # which is told already
+        return  # reported already
     if accepted_by(tokens):
         return
     yield (_malformed(tokens) or _integer(tokens) or _unsupported(text, node, tokens))
@@ -128,7 +129,8 @@ def _evaluated(node: Node, tokens: Sequence[Token], start: int, end: int) -> Rep
     if node.kind == "group" and accepted_by(tokens[1:-1]):
         edits = (Edit(start, tokens[0].end, ""), Edit(tokens[-1].start, end, ""))
         return Repair("Remove the parentheses", edits, True)
-    value = _constant(node) if len(tokens) <= DEEPEST else None
+    has_names = any(token.kind == "NAME" for token in tokens)
+    value = evaluate(node, {}, FLOATS) if not has_names and len(tokens) <= DEEPEST else None
     if value is None or not math.isfinite(value):
         return None
     number = significant_decimal(value, 15)
@@ -145,45 +147,6 @@ def _part_of_pi(value: float) -> str | None:
     if divisor > _MOST_PARTS or not float(text) or math.pi / float(text) != abs(value):
         return None
     return f"{'-' if value < 0 else ''}PI" + ("" if divisor == 1 else f"/{text}")
-
-
-def _constant(node: Node | Token) -> float | None:
-    if isinstance(node, Token):
-        return None
-    first = node.children[0]
-    if node.kind == "number" and isinstance(first, Token):
-        return _number(first)
-    if node.kind == "pi":
-        return math.pi
-    values = [_constant(child) for child in node.children if isinstance(child, Node)]
-    if node.kind == "juxtaposed_pi" and isinstance(first, Token):
-        number = _number(first)
-        return None if number is None else number * math.pi
-    known = [value for value in values if value is not None]
-    if not known or len(known) != len(values):
-        return None
-    return _combined(node.kind, known)
-
-
-def _combined(kind: str, values: Sequence[float]) -> float | None:
-    left, right = values[0], values[-1]
-    if kind == "divide":
-        return left / right if right else None
-    results = {
-        "add": left + right,
-        "subtract": left - right,
-        "multiply": left * right,
-        "negate": -left,
-        "plus": left,
-        "group": left,
-    }
-    return results.get(kind)
-
-
-def _number(token: Token) -> float | None:
-    if token.kind == "MALFORMED_NUMBER" or token.is_missing:
-        return None
-    return float(token.text)
 
 
 def _id_problems(node: Node, block: str) -> Iterator[Problem]:
@@ -210,7 +173,7 @@ def meaning_problems(text: str, nodes: Sequence[Node], touched: frozenset[int]) 
     Args:
         text: The island's text.
         nodes: Its blocks.
-        touched: Ids of the nodes that were repaired, of which less can be said.
+        touched: Ids of the nodes that were repaired, about which less is known.
     """
     problems: list[Problem] = []
     for node in nodes:

@@ -1,6 +1,6 @@
 """The constructs and words of the grammar by their purpose: "the moments" are looked up here.
 
-`KINDS` tells of each construct what it is: a `vector`, a `scalar`, one of the `moments`, a `whole`
+`KINDS` classifies each construct: a `vector`, a `scalar`, one of the `moments`, a `whole`
 number, a `name`, a `pose` (a block of vectors), another `block` whose sections have an order, a
 `list` in braces, some `groups` of them, one such `group`, or a `row` of words.
 """

@@ -29,7 +29,7 @@ def write_files(contents: Mapping[str, bytes]) -> None:
         contents: The new contents by path; devices and pipes are written to.
 
     Raises:
-        OSError: One cannot be written; its `filename` tells which.
+        OSError: One cannot be written; its `filename` names it.
     """
     staged: list[_Staged] = []
     try:

@@ -140,7 +140,7 @@ def _to_frames(moving: _Moving) -> Iterator[CodeAction]:
     link, inertia = moving.link, moving.inertia
     names = [str(frame.name) for frame in link.frames]
     for frame in link.frames:
-        pose = _plain_pose(frame, {})
+        pose = _literal_pose(frame, {})
         if pose is None or frame.name == inertia.frame or names.count(str(frame.name)) > 1:
             continue
         reference = _with_frame(inertia, str(frame.name))
@@ -162,7 +162,7 @@ def _to_com(analysis: Analysis, moving: _Moving) -> Iterator[CodeAction]:
         yield _action(title, edits, moving.origin)
 
 
-def _plain_pose(frame: Frame, values: Mapping[str, float]) -> RigidPose | None:
+def _literal_pose(frame: Frame, values: Mapping[str, float]) -> RigidPose | None:
     if any(True for expression in pose_expressions(frame.pose) for _ in symbols(expression)):
         return None
     return written_pose(frame.pose, values)

@@ -53,7 +53,7 @@ def _action(
 
 
 def _new_name(analysis: Analysis, place: ValuePlace) -> str:
-    """Return a name that tells the place, unlike all names in the document."""
+    """Return a new name made of the owner and the component."""
     section, component, kind, _ = place.meaning
     axis = "" if component is None else "xyz"[component]
     short = {ValueKind.LENGTH: axis, ValueKind.ANGLE: f"r{axis}"}

@@ -19,7 +19,7 @@ def fresh_link(analysis: Analysis) -> str:
 
 
 def fresh_joint(analysis: Analysis, child: str = "") -> str:
-    """Return a name for a new joint: `joint4` behind `joint3`, else told by the child it moves."""
+    """Return a name for a new joint: `joint4` behind `joint3`, otherwise named after its child."""
     names: list[str] = [joint.name for joint in analysis.model.joints]
     names += [child.joint for body in analysis.model.bodies for child in body.children]
     stem = f"{child}_joint" if child and names else "joint"

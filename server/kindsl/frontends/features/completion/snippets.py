@@ -26,7 +26,7 @@ def link(name: str, number: int) -> str:
 
 
 def joint(keyword: str, name: str) -> str:
-    """Return a joint of the kind that the keyword tells."""
+    """Return a joint that begins with a keyword."""
     return _in_braces(f"{keyword} ${{1:{name}}}", _in_braces("ref_frame", pose(2)))
 
 

@@ -26,7 +26,7 @@ def value_items(
         return
     yield from _parameters(analysis, context, place)
     if before in ("(", ",", "="):
-        yield from _plain(place)
+        yield from _usual(place)
     elif place.meaning.kind is ValueKind.ANGLE:
         if before == "-":
             yield CompletionItem("PI/2.0", "value", "PI/2.0", "90°")
@@ -44,7 +44,7 @@ def constant_items(analysis: Analysis, form: str) -> Iterator[CompletionItem]:
         yield CompletionItem(text, "constant", text, detail)
 
 
-def _plain(place: ValuePlace) -> Iterator[CompletionItem]:
+def _usual(place: ValuePlace) -> Iterator[CompletionItem]:
     if place.meaning.kind is ValueKind.ANGLE:
         for text, detail in _PI_FORMS:
             yield CompletionItem(text, "value", text, detail)
@@ -71,5 +71,5 @@ def _parameters(
         if not name or is_new or parameter.kind is not place.meaning.kind:
             continue
         value = analysis.context.values.get(name)
-        told = "unbound" if value is None else number(value)
-        yield CompletionItem(name, "parameter", name, f"{parameter.kind} parameter, {told}")
+        shown = "unbound" if value is None else number(value)
+        yield CompletionItem(name, "parameter", name, f"{parameter.kind} parameter, {shown}")

@@ -1,4 +1,4 @@
-"""Knows what is told of the thing at a place.
+"""Knows what a hover shows about the thing at a place.
 
 Must not know editors, their protocol.
 """

@@ -17,7 +17,7 @@ from kindsl.language.semantics.unknown import why_unknown
 
 
 def hover(analysis: Analysis, offset: int) -> Hover | None:
-    """Return what there is to tell of the word at an offset, None where nothing stands."""
+    """Return the hover of the word at an offset, None where there is none."""
     found = token_at(analysis.syntax, offset)
     if found is None:
         return None
@@ -28,7 +28,7 @@ def hover(analysis: Analysis, offset: int) -> Hover | None:
 
 
 def _named(analysis: Analysis, found: TokenAt, symbol: Symbol) -> str:
-    """Return what there is to tell of a named thing, and of the value that it stands in."""
+    """Return the hover of a named thing, with that of the value around it."""
     name = symbol.entity.name
     if symbol.entity.kind is EntityKind.ROBOT:
         return robot_hover(analysis, name)

@@ -34,8 +34,8 @@ def constant_hover(analysis: Analysis, name: str) -> str:
     if constant is None:
         return f"There is no constant `{name}`."
     value = analysis.context.values.get(f"<{name}>")
-    told = f"value {number(value)}" if value is not None else _no_value(constant)
-    lines = [told, *_uses([use.name for use in constant.uses])]
+    value_line = f"value {number(value)}" if value is not None else _no_value(constant)
+    lines = [value_line, *_uses([use.name for use in constant.uses])]
     return paragraph(f"**constant `{name}`**", lines)
 
 

@@ -9,11 +9,11 @@ from kindsl.language.semantics.expressions import (
     ConstantUse,
     Expression,
     ParameterUse,
-    number_of,
     symbols,
 )
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.parameters import Constant, Parameter
+from kindsl.language.syntax.arithmetic import number_of
 from kindsl.language.syntax.tree import Node
 from kindsl.robots.mechanism.reading import named_frames
 

@@ -63,7 +63,7 @@ class Automaton:
 
 
 def _rule(rule: Any, kinds: dict[str, str]) -> tuple[int, str, str, str]:
-    """Return `(size, left-hand side, action, node kind)`; `builder.py` tells the actions."""
+    """Return `(size, left-hand side, action, node kind)`; `builder.py` explains the actions."""
     size, name = len(rule.expansion), str(rule.origin.name)
     if name.startswith("__"):
         action = "extend" if rule.expansion[0].name == name else "list"
@@ -78,7 +78,7 @@ def _rule(rule: Any, kinds: dict[str, str]) -> tuple[int, str, str, str]:
 
 
 def _construct(state: Any) -> str:
-    """Return the kind of node that a state is in the middle of, where it tells."""
+    """Return the kind of node that a state is in the middle of, empty where there are several."""
     kinds = {
         str(pointer.rule.alias or pointer.rule.origin.name)
         for pointer in state

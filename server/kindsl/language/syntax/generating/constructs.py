@@ -181,7 +181,7 @@ class Constructs:
         return () if first in self.expansions else self.words.get(first, (self.kinds[first],))
 
     def kind(self, name: str) -> str:
-        """Return what a construct is; `vocabulary.py` tells the kinds."""
+        """Return the kind of a construct, one of those that `vocabulary.py` explains."""
         if name == "document":
             return name
         symbols = [self.kinds.get(symbol, symbol) for symbol in self.expansions[name][0]]

@@ -54,10 +54,10 @@ _OWNER = '''
 
 def section_classes(constructs: Constructs) -> str:
     """Return a class for each block, with an attribute for each of its sections."""
-    return _IMPORTS + "".join(_Writer(constructs).classes())
+    return _IMPORTS + "".join(_ClassWriter(constructs).classes())
 
 
-class _Writer:
+class _ClassWriter:
     def __init__(self, constructs: Constructs) -> None:
         self.constructs = constructs
         self.declares = constructs.remarks["declares"]

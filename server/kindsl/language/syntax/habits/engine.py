@@ -1,4 +1,4 @@
-"""Putting habits right: patterns over the kinds of tokens, what they mean, what to say.
+"""Putting habits right: patterns over the kinds of tokens, their meaning and their message.
 
 A row of tokens is read as a string of one letter for each token, `LETTERS`, and a line end before
 each token that begins a line. In a pattern a blank stands for a line end that may be there.
@@ -42,7 +42,7 @@ class Rewrite(NamedTuple):
         first: The index of the first of them.
         behind: The index behind the last.
         tokens: What to read; of the tokens that are in none of these is left out.
-        at: Where the problem is; None where there is nothing to say.
+        at: Where the problem is; None for no problem.
         words: Words that the habit's sentence and title quote.
         edits: The edits that fix it, if any.
         message: A sentence that fits better than the habit's.
@@ -105,7 +105,7 @@ class Habit(NamedTuple):
         message: The sentence; `{0}` and so on are what it quotes.
         title: Of the repair.
         is_safe: Whether the repair may be made unasked.
-        code: The rule that tells of it.
+        code: The rule that reports it.
     """
 
     example: str
@@ -123,7 +123,7 @@ class Adapted(NamedTuple):
     Attributes:
         tokens: Tokens to read.
         skipped: Tokens left out.
-        problems: Problems to report; malformed numbers are told of later.
+        problems: Problems to report; malformed numbers are reported later.
     """
 
     tokens: list[Token]

@@ -77,7 +77,7 @@ def other_brackets(found: Sighting) -> Iterator[Rewrite]:
 
 
 def lost_commas(found: Sighting) -> Iterator[Rewrite]:
-    """Put commas between components that blanks keep apart; told where they become three."""
+    """Put commas between components that blanks keep apart; reported where they become three."""
     (first, behind), value = found.span("value"), found.of("value")
     gaps = [
         index

@@ -54,7 +54,7 @@ class BlockProgress:
             kinds = completion(self.stack, self.start)
             place = self._closing_place() if kinds == ["}"] else len(self.read_tokens)
             if island.lost is None:
-                self._tell_end(kinds, place)
+                self._report_end(kinds, place)
             self._close(kinds, place)
         node = build(self.read_tokens, self.start).node
         if node is None:
@@ -189,8 +189,8 @@ class BlockProgress:
                 return True
         return False
 
-    def _tell_end(self, kinds: Sequence[str] | None, place: int) -> None:
-        """Tell what lacks at the end, unless a comment without an end hides it."""
+    def _report_end(self, kinds: Sequence[str] | None, place: int) -> None:
+        """Report what is missing at the end, unless an unclosed comment hides it."""
         island = self.island
         if not island.is_cut and not island.is_hopeless and kinds != []:
             island.problems.append(

@@ -99,9 +99,9 @@ def _checked(tokens: Sequence[Token], index: int, start: str) -> Opening:
 def _replaced(token: Token, start: str, problem: Problem, words: tuple[str, ...] = ()) -> Opening:
     kind = BLOCK_KINDS[start]
     words = words or _spellings(kind)
-    told = _with_repairs(problem, f"Replace '{shown(token.text)}' with", words, token.end)
+    problem = _with_repairs(problem, f"Replace '{shown(token.text)}' with", words, token.end)
     read = Token(kind, words[0], token.lead, token.start, token.end)
-    return Opening(start, (token,), (read,), told)
+    return Opening(start, (token,), (read,), problem)
 
 
 def _spellings(kind: str) -> tuple[str, ...]:
@@ -208,7 +208,7 @@ def _guess(tokens: Sequence[Token], index: int, previous: str) -> str | None:
 
 
 def kind_by_content(tokens: Sequence[Token], index: int, written: str = "") -> str | None:
-    """Return `link` or `joint` for the block named at `index`, None if that cannot be told.
+    """Return `link` or `joint` for the block named at `index`, None if that is unclear.
 
     Whichever the sections up to the next block speak for, and what is written, if any is.
     """

@@ -1,6 +1,6 @@
 """The costs of repairs, tuned by hand: each with a slip that is read well because of it.
 
-Inserting or leaving out a token costs 1.0 unless a row tells otherwise.
+Inserting or leaving out a token costs 1.0 unless a row says otherwise.
 """
 
 from typing import NamedTuple
