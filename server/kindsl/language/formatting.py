@@ -45,7 +45,7 @@ def format_document(document: SyntaxDocument) -> list[TextEdit]:
 
 
 def format_range(document: SyntaxDocument, span: Span) -> list[TextEdit]:
-    """Return those edits that touch a range.
+    """Return the edits that touch a range.
 
     Raises:
         FormattingRefusedError: The document has errors of syntax.

@@ -11,7 +11,7 @@ _TRAILING = ".,;:!?)*]}"
 
 
 class DocumentLink(NamedTuple):
-    """A stretch of a comment and the address it stands for."""
+    """A link in a comment and its address."""
 
     start: int
     end: int

@@ -1,4 +1,4 @@
-"""Small grey texts behind what is written: values of expressions, degrees, the box like a body."""
+"""Inlay hints: values of expressions, degrees, units, the box equivalent to a body."""
 
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
@@ -129,7 +129,7 @@ def _box_text(sides: Sequence[float], density: float) -> str:
 
 
 def _units(node: Node) -> Iterator[InlayHint]:
-    """Yield the units behind the values of a block, but for the moments: one of these is enough."""
+    """Yield the units of the values of a block, moments excepted."""
     for child in node.children:
         if not isinstance(child, Node):
             continue

@@ -167,7 +167,7 @@ def workspace_symbols(analysis: Analysis, query: str) -> tuple[WorkspaceSymbol, 
 
 
 def is_match(query: str, name: str) -> bool:
-    """Return whether the letters of a query stand in a name in this order."""
+    """Return whether a name has the letters of a query in this order."""
     letters = iter(name.casefold())
     return all(letter in letters for letter in query.casefold() if not letter.isspace())
 

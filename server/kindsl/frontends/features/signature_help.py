@@ -30,7 +30,7 @@ class SignatureParameter(NamedTuple):
 
 
 class Signature(NamedTuple):
-    """A vector as it is to be filled in.
+    """A vector that is being filled in.
 
     Attributes:
         label: `translation = (x, y, z)`.
@@ -59,7 +59,7 @@ def signature_help(analysis: Analysis, offset: int) -> Signature | None:
 
 
 def _vector_before(island: Island, local: int) -> tuple[str, int] | None:
-    """Return the word that an open parenthesis belongs to, and the commas behind it."""
+    """Return the word before an open parenthesis, and the number of commas after it."""
     commas = depth = 0
     tokens = island.tokens[: index_after(island, local)][-_FARTHEST:]
     before = [token for token in tokens if token.end <= local and not token.is_missing]

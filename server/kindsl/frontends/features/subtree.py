@@ -33,7 +33,7 @@ def subtree_of(analysis: Analysis, body: Link) -> Subtree:
 
 
 def _all(analysis: Analysis) -> dict[Link, Subtree]:
-    """Return what each body carries, those left out that only loops lead to."""
+    """Return the subtree of each body that the base reaches."""
     tree = analysis.model.tree
     found: dict[Link, Subtree] = {}
     for root in (body for body in analysis.model.bodies if body not in tree.above):

@@ -1,4 +1,4 @@
-"""Names and what they stand for: links, joints, frames, parameters, constants and the robot.
+"""Names of links, joints, frames, parameters, constants and the robot, with their places.
 
 They are read from an island's blocks; the result lives as long as the island.
 """

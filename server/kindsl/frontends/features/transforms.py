@@ -53,7 +53,7 @@ def transforms_completions(text: str, offset: int, model: Model | None) -> Compl
 
 
 def _items(text: str, start: int, model: Model | None) -> Iterator[CompletionItem]:
-    """Yield what can stand at a place: what a reader that comes there expects."""
+    """Yield what the parser expects at a place."""
     before = read_transforms(text[:start])
     if not before.expected:
         sections = [name for name in SECTIONS if not re.search(rf"\b{name}\b", text)]
@@ -73,7 +73,7 @@ def _items(text: str, start: int, model: Model | None) -> Iterator[CompletionIte
 
 
 def _frames(text: str, start: int, model: Model | None) -> Iterator[CompletionItem]:
-    """Yield frames: of pairs those that are listed, of the list those that are not yet."""
+    """Yield the listed frames in a pair, the unlisted ones in the list."""
     listed = [word.text for word in read_transforms(text).frames if word.start != start]
     known = frame_names(model) if model is not None else {}
     is_in_pair = text[:start].rstrip().endswith("=")

@@ -45,7 +45,7 @@ def number(value: float, digits: int = 4) -> str:
 
 
 def vector(values: Iterable[float]) -> str:
-    """Return numbers in parentheses; what is small beside the largest by rounding alone is 0."""
+    """Return numbers in parentheses, 0 for those that are only rounding errors of the largest."""
     components = tuple(values)
     largest = max(map(abs, components))
     return f"({', '.join(number(_without_dust(v, largest)) for v in components)})"

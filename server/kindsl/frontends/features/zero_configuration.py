@@ -47,7 +47,7 @@ def frame_pose(analysis: Analysis, frame: Frame) -> RigidPose | Unknown:
 
 
 def own_pose(analysis: Analysis, thing: Joint | Frame) -> RigidPose | Unknown:
-    """Return a pose as it is written: in the predecessor's frame, or in the link frame."""
+    """Return a pose as given: in the predecessor's frame, or in the link frame."""
     values = analysis.context.values
     pose = written_pose(thing.pose, values)
     return pose if pose is not None else why_unknown(pose_expressions(thing.pose), values)

@@ -11,7 +11,7 @@ from kindsl.language.text.facts import Fact, Facts, kept
 
 
 class Aspect(Flag):
-    """A part of a document that can be read by itself.
+    """A part of a document whose changes are noticed separately.
 
     Attributes:
         STRUCTURE: Names, ids, kinds, who carries whom: all but values.
@@ -31,7 +31,7 @@ class Aspect(Flag):
 
 
 class Edition:
-    """A version of a document, as those see it who have looked at one before it.
+    """A version of a document, compared with the one looked at before.
 
     Attributes:
         islands: Its islands.
@@ -130,6 +130,6 @@ def _doubt(island: Island, part: Node | Token) -> str:
 
 
 def _gaps(island: Island) -> list[str]:
-    """Return what stands between the tokens of an island, before the first and after the last."""
+    """Return the blanks and comments around the tokens of an island."""
     text, tokens = island.text, island.tokens
     return [*(text[t.lead : t.start] for t in tokens), text[tokens[-1].end :] if tokens else text]

@@ -79,7 +79,7 @@ class KinematicTree:
         return self.below.get(body, [])
 
     def joints_on(self, body: Link) -> tuple[Joint, ...]:
-        """Return the joints by which a body carries others, those of them that there are."""
+        """Return the existing joints to the body's children."""
         return tuple([e.joint for e in self.below.get(body, ()) if e.joint is not None])
 
     def in_topological_order(self, base: Link) -> list[Link]:

@@ -1,4 +1,4 @@
-"""The one fold of the tree: nodes to blocks, sections and values. Takes what is there."""
+"""The one fold of the tree: nodes to blocks, sections and values, as far as these are there."""
 
 from collections.abc import Callable, Iterator
 from typing import Any, TypeAlias, TypeVar, cast

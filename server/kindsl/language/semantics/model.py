@@ -140,7 +140,7 @@ class Model:
 
     @cached_property
     def tree(self) -> KinematicTree:
-        """The kinematic tree, or what is written instead of one."""
+        """The kinematic tree as far as the document describes one."""
         return KinematicTree(self.bodies, self.body_named, self.joint_named, self.base)
 
     @cached_property

@@ -42,7 +42,7 @@ class OrderedBlock(NamedTuple):
 
 
 def order_problems(islands: Sequence[Island], starts: Sequence[int]) -> tuple[PlacedProblem, ...]:
-    """Return what is wrong with the row of blocks.
+    """Return the problems of the order and number of blocks.
 
     Args:
         islands: The document's islands.

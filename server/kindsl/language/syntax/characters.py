@@ -68,7 +68,7 @@ def _is_visible(character: str) -> bool:
 
 
 def _strays(text: str, tokens: Sequence[Token]) -> Iterator[tuple[int, int]]:
-    """Yield the spans of what is in no token, and of blanks that no document may hold."""
+    """Yield the spans of text in no token, and of invalid blanks."""
     done = 0
     for token in tokens:
         yield from (m.span() for m in _BLANKS.finditer(text, done, token.start) if m["blanks"])
@@ -104,7 +104,7 @@ def _degrees(text: str, number: Token, sign: Token) -> Problem:
 
 
 def misprints(text: str, tokens: Sequence[Token], invalid: Iterable[Token]) -> Iterator[Problem]:
-    """Yield a problem for each value, word and sign that is not written as it is read.
+    """Yield a problem for each value, word and sign whose characters stand for others.
 
     Args:
         text: The island's text.
@@ -151,7 +151,7 @@ def _values(text: str, tokens: Sequence[Token]) -> Iterator[tuple[int, int]]:
 
 
 def _is_blank(gap: str) -> bool:
-    """Return whether nothing is lost with what stands between two tokens and is no comment."""
+    """Return whether the text between two tokens is blank, comments aside."""
     return all(c.isspace() or is_ignorable(c) for c in COMMENT.sub("", gap))
 
 
@@ -235,7 +235,7 @@ def _rewritten(text: str, tokens: Sequence[Token], first: int, behind: int, is_i
 
 
 def _gap(text: str) -> str:
-    """Return what stands between two tokens, with blanks as both generators take them."""
+    """Return the text between two tokens, with blanks as both generators take them."""
     found = []
     for match in _GAP.finditer(text):
         if match["comment"]:

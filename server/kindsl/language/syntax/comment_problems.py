@@ -14,7 +14,7 @@ _MOST_BYTES = 8
 
 
 def comment_problems(text: str, spans: Sequence[tuple[int, int]]) -> list[Problem]:
-    """Return what is wrong in comments: bytes that are no UTF-8, an end that is missing."""
+    """Return the problems of comments: bytes that are not UTF-8, a missing end."""
     problems = [] if text.isascii() else [*summary(list(undecodable(text, spans)))]
     if spans:
         start, end = spans[-1]  # only the last can be open

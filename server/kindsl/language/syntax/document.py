@@ -175,7 +175,7 @@ def has_open_comment(island: Island) -> bool:
 
 @contextmanager
 def paused_collector() -> Iterator[None]:
-    """Pause the cyclic collector, which would walk what is being made time and again."""
+    """Pause the cyclic collector, which would walk the growing tree again and again."""
     was_enabled = gc.isenabled()
     gc.disable()
     try:

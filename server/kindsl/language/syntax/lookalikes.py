@@ -47,7 +47,7 @@ _NEAR = 80
 
 
 def as_meant(text: str, spans: Sequence[tuple[int, int]]) -> str:
-    """Return a text of the same length with each character as what it stands for.
+    """Return a text of the same length with each lookalike replaced by the character it stands for.
 
     Args:
         text: The text.
@@ -122,7 +122,7 @@ def _stands_for(character: str) -> str:
 
 
 def _piece(text: str, kept: Iterable[str]) -> str:
-    """Return a piece without comments as it is meant, but for what would mean `kept`."""
+    """Return a piece with its lookalikes replaced, except for those that mean `kept`."""
 
     def replaced(match: re.Match[str]) -> str:
         meaning = _stands_for(match[0])
@@ -166,7 +166,7 @@ def _with_dots(text: str, plain: str) -> str:
 
 
 def _dot(plain: str, at: int) -> str | None:
-    """Return what a middle dot means between what is beside it, None where it means nothing."""
+    """Return the meaning of a middle dot between its neighbours, None where it has none."""
     before, behind = plain[max(at - _NEAR, 0) : at], plain[at + 1 : at + 1 + _NEAR]
     left = _FACTOR_BEFORE.search(before.rstrip(" \t"))
     right = _FACTOR_BEHIND.match(behind.lstrip(" \t"))

@@ -90,7 +90,7 @@ def _shortened(text: str, tokens: list[Token]) -> list[Token]:
 def _not_echoing(
     leftovers: Sequence[Problem], found: Sequence[Problem], tokens: Sequence[Token]
 ) -> list[Problem]:
-    """Return the problems of left out text that are not right behind a repair or each other.
+    """Return the problems of skipped text, without those right after a repair or each other.
 
     There the repair was wrong: it is one mistake.
     """

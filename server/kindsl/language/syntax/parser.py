@@ -14,7 +14,7 @@ _TYPESET = "[\u2070-\u2079\xb2\xb3\xb9\ufb00-\ufb06\uff21-\uff5a]"
 
 
 def parse_island(text: str) -> Island:
-    """Return the island of a text, with its nodes and what is wrong in it."""
+    """Return the island of a text, with its nodes and problems."""
     tokens = scan(text)
     nodes = _straight(tokens)
     spans = comments(text)

@@ -31,7 +31,7 @@ ORDER: dict[str, dict[str, SectionPlace]] = {
 
 
 def section_problems(text: str, block: Node, touched: frozenset[int]) -> Iterator[Problem]:
-    """Yield what is wrong with the sections of a block and of the blocks in it.
+    """Yield the problems of the sections of a block and of the blocks in it.
 
     Args:
         text: The island's text.

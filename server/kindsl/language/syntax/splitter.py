@@ -93,7 +93,7 @@ def _begins_named_block(ahead: list[str], is_first: bool, is_same_line: bool) ->
 
 
 def _is_glued_block(keyword: str, ahead: list[str]) -> bool:
-    """Return whether `linkl1 {` is to be read as `link l1 {`."""
+    """Return whether `linkl1 {` means `link l1 {`."""
     sign, inner = (ahead[1], ahead[2]) if ahead[0] == "floating" else (ahead[0], ahead[1])
     if keyword in _HEADS:
         return sign == "{" and inner.startswith("RobotBase")
@@ -114,7 +114,7 @@ def _before(text: str, position: int, comments: list[tuple[int, int]]) -> str:
 
 
 def _ahead(text: str, position: int, last_close: int) -> list[str]:
-    """Return the next four words or signs, empty behind the end."""
+    """Return the next four words or signs, empty past the end."""
     words: list[str] = []
     while len(words) < 4:
         match = _AHEAD.match(text, position)

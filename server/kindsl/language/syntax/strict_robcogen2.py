@@ -136,7 +136,7 @@ class _Reader:
         )
 
     def _lone_number(self) -> bool:
-        """Read a number that no sign stands before and nothing is made of, as most values are."""
+        """Read a number without sign or operation, as most values are."""
         place, start = self.place, self._next()
         if self.text.startswith("-", start) or not self.number():
             return False
@@ -200,7 +200,7 @@ def _number_kind(text: str) -> str:
 
 
 def _body(block: str) -> str:
-    """Return the parts of a block: its sections in their order, but those that it does not take."""
+    """Return the parts of a block: its sections in their order, without those that it refuses."""
     parts = [part for part in ORDERS[block] if ROBCOGEN2 in targets_of(part.rstrip("?+"))]
     return " ".join(part.upper() for part in parts)
 

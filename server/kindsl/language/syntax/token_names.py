@@ -37,7 +37,7 @@ def spelled(kind: str) -> str:
 
 
 def supplied(kind: str, position: int, text: str | None = None) -> Token:
-    """Return a token that the text lacks, put at a position."""
+    """Return a token that is missing in the text, placed at a position."""
     return Token(kind, spelled(kind) if text is None else text, position, position, position)
 
 
@@ -66,7 +66,7 @@ def opened_block(read: Sequence[Token]) -> str:
 
 
 def first_row(text: str, tokens: Sequence[Token]) -> str:
-    """Return what stands on the line of the first token, up to the next brace."""
+    """Return the text on the line of the first token, up to the next brace."""
     last = tokens[0]
     for token in tokens[1:]:
         if token.kind in ("{", "}") or last.kind in ("{", "}") or _is_apart(text, last, token):

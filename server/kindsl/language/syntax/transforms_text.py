@@ -38,7 +38,7 @@ class Pair(NamedTuple):
 
 
 class Defect(NamedTuple):
-    """A stretch of a transforms document with what is wrong there; offsets in code points."""
+    """A problem at a stretch of a transforms document; offsets in code points."""
 
     message: str
     start: int
@@ -104,7 +104,7 @@ def _ends(token: "Token") -> tuple[int, int]:
 
 
 def _disorder(tree: "Tree[Token]") -> Iterator[Defect]:
-    """Yield the sections that are repeated or stand behind a later one."""
+    """Yield the sections that are repeated or out of order."""
     last = -1
     for keyword in tree.scan_values(lambda token: str(token) in SECTIONS):
         if keyword.type.title() not in SECTIONS:
@@ -176,7 +176,7 @@ def _missing_before(parser: Any, accepted: list[str], token: "Token") -> "Token 
 
 
 def _n_fitting(parser: Any, *first: "Token") -> int:
-    """Return how many of the next words fit behind some that come first; -1 if those do not."""
+    """Return how many of the next words fit after some others; -1 if those do not fit."""
     from lark import UnexpectedInput
 
     trial, count = parser.copy(deepcopy_values=False), -1

@@ -138,7 +138,7 @@ class Problem(NamedTuple):
 
 
 class Island:
-    """A piece of the document that is parsed by itself; never changed once made.
+    """A piece of the document that is parsed on its own; immutable.
 
     Attributes:
         text: The piece as written, with the blanks and comments around it.

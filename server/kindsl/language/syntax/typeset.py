@@ -142,7 +142,7 @@ def is_grouped(text: str) -> bool:
 
 
 def meant_numbers(text: str) -> tuple[str, ...]:
-    """Return the numbers that a malformed one may be meant to be, none where nobody knows."""
+    """Return the numbers that a malformed one may mean, none where that is unknown."""
     if _HEXADECIMAL.fullmatch(text):
         is_short = len(text) <= _LONGEST_HEXADECIMAL
         return (f"{float(int(text, 16)):.1f}",) if is_short else ()

@@ -22,7 +22,7 @@ _SUMS = frozenset({"add", "subtract"})
 
 
 def value_problems(text: str, block: Node, touched: frozenset[int]) -> Iterator[Problem]:
-    """Yield what is wrong with the numbers, expressions and vectors of a block.
+    """Yield the problems of the numbers, expressions and vectors of a block.
 
     An expression of more tokens than any generator takes by far is made a flat node `unsupported`.
     """
@@ -54,7 +54,7 @@ def _expression_problems(text: str, parent: Node, node: Node) -> Iterator[Proble
 
 
 def _flatten_long_expressions(parent: Node) -> None:
-    """Make expressions that are too long flat, so that nobody who walks them runs out of stack."""
+    """Flatten expressions that are too long, so that walking them does not exhaust the stack."""
     for place, child in enumerate(parent.children):
         if isinstance(child, Node) and child.kind != "number":
             tokens = list(child.tokens())
@@ -168,7 +168,7 @@ def _size(digits: str) -> int:
 
 
 def meaning_problems(text: str, nodes: Sequence[Node], touched: frozenset[int]) -> list[Problem]:
-    """Return what is wrong with sections and values.
+    """Return the problems of sections and values.
 
     Args:
         text: The island's text.

@@ -65,7 +65,7 @@ def token_kind(construct: str) -> str:
 
 
 def token_kinds(constructs: Iterable[str]) -> frozenset[str]:
-    """Return the kinds of the tokens that constructs begin with, but for those that begin bare."""
+    """Return the kinds of the words or signs that constructs begin with."""
     return frozenset(token_kind(name) for name in constructs if WORDS[name])
 
 

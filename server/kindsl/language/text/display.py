@@ -14,6 +14,6 @@ def let_draw(drawer: Drawer) -> None:
 
 
 def html_of(thing: object) -> str | None:
-    """Return a thing as HTML, None if nobody can draw it."""
+    """Return a thing as HTML, None if it has no drawing."""
     drawn = (drawer(thing) for drawer in _drawers)
     return next((html for html in drawn if html is not None), None)

@@ -1,4 +1,4 @@
-"""Names made unlike others by a number behind them."""
+"""Names made unique by a number at their end."""
 
 from collections.abc import Collection, Iterable
 from itertools import chain, count
@@ -11,7 +11,7 @@ def free_name(wanted: str, taken: Collection[str]) -> str:
 
 
 def distinct(names: Iterable[str]) -> list[str]:
-    """Return names of which no two are equal: the first of each keeps its own."""
+    """Return names made unique; the first of equal ones keeps its name."""
     found: dict[str, None] = {}
     for name in names:
         found[free_name(name, found)] = None

@@ -32,17 +32,17 @@ class Facts:
         self._kept: dict[Fact[Any], Any] = {}
 
     def get(self, fact: Fact[T]) -> T | None:
-        """Return what is known, None if it is not known yet."""
+        """Return a fact, None if it has not been derived yet."""
         known: T | None = self._kept.get(fact)
         return known
 
     def keep(self, fact: Fact[T], value: T) -> T:
-        """Keep what is known from now on; return it."""
+        """Keep a fact from now on; return it."""
         self._kept[fact] = value
         return value
 
     def made_of(self, fact: Fact[tuple[object, T]], given: object, make: Callable[[], T]) -> T:
-        """Return what is made of the thing and of something else; anew where that is not equal.
+        """Return a fact that depends on something else too; it is derived anew when that changes.
 
         Args:
             fact: What it is kept as.
@@ -55,7 +55,7 @@ class Facts:
         return known[1]
 
     def forget(self, fact: Fact[Any]) -> None:
-        """Forget what is known, if it is."""
+        """Forget a fact, if it is kept."""
         self._kept.pop(fact, None)
 
 

@@ -1,4 +1,4 @@
-"""Names of the modules in a package: how what is one file is found."""
+"""Names of the modules in a package, by which rules, commands and languages are found."""
 
 import os
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""Files that can be read to their end: no pipe that nobody writes to, no device."""
+"""Regular files: no pipes, no devices, whose reading might never end."""
 
 import os
 import stat

@@ -63,7 +63,7 @@ def write_folder(folder: str, texts: Mapping[str, str]) -> None:
 
 
 def encoded(text: str) -> bytes:
-    """Return a text as it is written: in UTF-8, what was not UTF-8 when it was read as it was."""
+    """Return a text in UTF-8; bytes that were not UTF-8 when read stay as they were."""
     return text.encode("utf-8", "surrogateescape")
 
 

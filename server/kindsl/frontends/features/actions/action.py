@@ -7,7 +7,7 @@ from kindsl.language.text.edits import TextEdit
 
 
 class OtherEdit(NamedTuple):
-    """A change of another file: what stands from `start` to `end`, and what is to stand there."""
+    """A change of another file: the old text from `start` to `end`, and the new text."""
 
     start: int
     end: int

@@ -1,4 +1,4 @@
-"""Add the sections that a block lacks, where the grammar wants them."""
+"""Add the missing sections of a block, in the grammar's order."""
 
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
@@ -41,7 +41,7 @@ def add_sections(analysis: Analysis, start: int, _end: int) -> Iterator[CodeActi
 
 
 def add_missing(analysis: Analysis, start: int) -> Iterator[CodeAction]:
-    """Offer what the innermost block at an offset must have and lacks."""
+    """Offer the missing required sections of the innermost block at an offset."""
     place = analysis.syntax.island_at(start)
     block = _innermost_block(place, start)
     if block is None:

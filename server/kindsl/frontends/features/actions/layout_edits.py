@@ -1,4 +1,4 @@
-"""Insertions that look like what is around them."""
+"""Insertions laid out like their surroundings."""
 
 import re
 from collections.abc import Sequence

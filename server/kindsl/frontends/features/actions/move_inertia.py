@@ -122,7 +122,7 @@ def _link_of_inertia(path: Sequence[Node], bodies: Iterator[Link]) -> Link | Non
 
 
 def _is_movable(inertia: Inertia) -> bool:
-    """Return whether every number stands there once, as a plain number."""
+    """Return whether every number is given once, as a literal."""
     kinds = [child.kind for child in inertia.node.children]
     wanted = [kind for kind, place in ORDER["inertia"].items() if place.is_needed]
     is_once = all(kinds.count(kind) == len(WORDS[kind]) for kind in wanted)

@@ -41,7 +41,7 @@ def sort_links(analysis: Analysis, start: int, _end: int) -> Iterator[CodeAction
 
 
 def _are_neighbours(analysis: Analysis, links: Sequence[Link]) -> bool:
-    """Return whether nothing stands between the links, and all are whole."""
+    """Return whether the links are complete and nothing is between them."""
     islands = [analysis.syntax.island_at(analysis.resolver.span(link)[0]) for link in links]
     first = islands[0].index
     if first == 0 or [place.index for place in islands] != list(range(first, first + len(links))):
@@ -65,7 +65,7 @@ def _end_of_line(text: str, offset: int) -> int:
 
 
 def _apart(piece: str, newline: str) -> str:
-    """Return a piece that can stand behind one that ends in a comment."""
+    """Return a piece that may follow one that ends in a comment."""
     return piece if piece[:1] in ("\n", "\r") else newline + piece
 
 

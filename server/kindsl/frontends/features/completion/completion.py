@@ -52,7 +52,7 @@ def completions(analysis: Analysis, offset: int) -> Completions:
 
 
 def narrowed(analysis: Analysis, offset: int) -> Completions:
-    """Return what is left of all that may be typed while someone goes on typing."""
+    """Return the remaining completions while typing continues."""
     context = completion_context(analysis, offset)
     if context is None or _is_whole(_typed(context), _items(analysis, context)):
         return Completions((), offset, offset)

@@ -68,14 +68,14 @@ class CompletionContext(NamedTuple):
 
     @property
     def is_after_blank(self) -> bool:
-        """True if something must go on behind a blank or bracket just typed on this line."""
+        """True if something must follow a blank or bracket just typed on this line."""
         text = self.place.island.text[self.previous.end : self.start - self.place.start]
         goes_on = self.previous.kind in _BEFORE_LISTS or "via" in self.expected
         return goes_on and not text.strip(" \t") and (bool(text) or self.previous.kind in "(<")
 
 
 def completion_context(analysis: Analysis, offset: int) -> CompletionContext | None:
-    """Return what may stand at an offset; None in a comment and behind a digit."""
+    """Return the context of a completion at an offset; None in a comment and after a digit."""
     offset = min(max(offset, 0), analysis.syntax.length)
     place = analysis.syntax.island_at(offset)
     local = offset - place.start
@@ -124,7 +124,7 @@ def _word_at(text: str, local: int) -> Span | None:
 
 
 def sections_of(path: Sequence[Node], block: str) -> tuple[Node, ...]:
-    """Return what is written of the sections of the innermost block of a kind."""
+    """Return the sections of the innermost block of a kind."""
     node = next((node for node in reversed(path) if node.kind == block), None)
     if node is None:
         return ()

@@ -28,7 +28,7 @@ _BLOCK_WORDS = frozenset(("Robot", "RobotBase", "link", "JOINT_KIND"))
 
 
 def block_items(analysis: Analysis, context: CompletionContext) -> Iterator[CompletionItem]:
-    """Yield the blocks that may come next at the document's top, none behind its last brace."""
+    """Yield the blocks that may come next in the document, none after its last brace."""
     model = analysis.model
     if not context.expected & _BLOCK_WORDS:
         return
@@ -50,7 +50,7 @@ def block_items(analysis: Analysis, context: CompletionContext) -> Iterator[Comp
 
 
 def section_items(analysis: Analysis, context: CompletionContext) -> Iterator[CompletionItem]:
-    """Yield the sections that the open block lacks and that may stand here."""
+    """Yield the missing sections of the open block that may come here."""
     order = ORDER[context.block] if context.block in _BLOCKS else {}
     before = {order[node.kind].rank for node in context.sections}
     behind = {order[node.kind].rank for node in _sections_behind(context)}

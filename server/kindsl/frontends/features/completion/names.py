@@ -1,4 +1,4 @@
-"""Completions of names that fit a place, and new ones in the manner of those that are there."""
+"""Completions of names: those that fit a place, and new ones like the existing."""
 
 from collections.abc import Collection, Container, Iterable, Iterator, Sequence
 from itertools import count
@@ -14,12 +14,12 @@ from kindsl.language.semantics.lowering import declarations
 
 
 def fresh_link(analysis: Analysis) -> str:
-    """Return a name for a new link: `link4` behind `link3`."""
+    """Return a name for a new link: `link4` after `link3`."""
     return _fresh([link.name for link in analysis.model.links], "link", names_taken(analysis.model))
 
 
 def fresh_joint(analysis: Analysis, child: str = "") -> str:
-    """Return a name for a new joint: `joint4` behind `joint3`, otherwise named after its child."""
+    """Return a name for a new joint: `joint4` after `joint3`, otherwise named after its child."""
     names: list[str] = [joint.name for joint in analysis.model.joints]
     names += [child.joint for body in analysis.model.bodies for child in body.children]
     stem = f"{child}_joint" if child and names else "joint"
@@ -27,7 +27,7 @@ def fresh_joint(analysis: Analysis, child: str = "") -> str:
 
 
 def next_id(analysis: Analysis, own: Collection[Link] = ()) -> int:
-    """Return the smallest id that no link has, those of one's own left out."""
+    """Return the smallest free id; the ids of `own` count as free."""
     taken = {link.id for link in analysis.model.links if link not in own}
     return next(number for number in count(1) if number not in taken)
 
@@ -65,13 +65,13 @@ def new_link_items(analysis: Analysis) -> Iterator[CompletionItem]:
 
 
 def new_joint_items(analysis: Analysis) -> Iterator[CompletionItem]:
-    """Yield names for a new joint: those behind a `via` that are declared nowhere."""
+    """Yield names for a new joint: those after `via` that are not declared."""
     for name in undeclared_joints(analysis):
         yield CompletionItem(name, "joint", name, "used, not declared")
 
 
 def new_frame_items(context: CompletionContext) -> Iterator[CompletionItem]:
-    """Yield a new frame, and the name of one that the inertia is given in and nobody declares."""
+    """Yield a new frame, and the undeclared frame that the inertia is given in."""
     inertias = [body.inertia for body in bodies_at(context) if body.inertia is not None]
     frames = (str(inertia.frame) for inertia in inertias if inertia.frame is not None)
     for name in _missing(frames, _frame_names(context)):
@@ -93,7 +93,7 @@ def id_items(analysis: Analysis, context: CompletionContext) -> Iterator[Complet
 
 
 def joint_id(analysis: Analysis, context: CompletionContext) -> int:
-    """Return the number for the joint around the cursor: that of the link it moves, if known."""
+    """Return the id for the joint around the cursor: its link's, if known."""
     own = declarations(context.place.island).joints
     names = {str(joint.name) for joint in own}
     children = (child for body in analysis.model.bodies for child in body.children)
@@ -111,7 +111,7 @@ def undeclared_links(analysis: Analysis) -> Iterator[str]:
 
 
 def undeclared_joints(analysis: Analysis) -> Iterator[str]:
-    """Yield the names behind `via` that no joint declares, each once."""
+    """Yield the undeclared names after `via`, each once."""
     names = (str(child.joint) for body in analysis.model.bodies for child in body.children)
     yield from _missing(names, analysis.model.joint_named)
 
@@ -142,7 +142,7 @@ class _Uses(NamedTuple):
 
 
 def child_items(analysis: Analysis, context: CompletionContext) -> Iterator[CompletionItem]:
-    """Yield links to carry, never one that would close a loop: those that nothing carries first."""
+    """Yield possible children, unattached ones first; none that would close a loop."""
     uses = _uses(analysis, context)
     free = _free_joint(analysis, uses)
     fitting = list(_fitting(analysis, context, uses))
@@ -161,7 +161,7 @@ def child_items(analysis: Analysis, context: CompletionContext) -> Iterator[Comp
 
 
 def joint_items(analysis: Analysis, context: CompletionContext) -> Iterator[CompletionItem]:
-    """Yield joints: those that connect nothing yet, a new one if all do, then the others."""
+    """Yield unused joints, a new one if there are none, then the others."""
     moved = _uses(analysis, context).moved
     joints = {str(joint.name): joint.kind for joint in analysis.model.joints if joint.name}
     for name, kind in joints.items():

@@ -31,7 +31,7 @@ def joint(keyword: str, name: str) -> str:
 
 
 def base(keyword_behind_name: str) -> str:
-    """Return a base; `floating` or nothing stands behind its name."""
+    """Return a base, with `floating` or nothing after its name."""
     head = f"RobotBase ${{1:base}} {keyword_behind_name}".rstrip()
     children = _in_braces("children", "${12:link1} via ${13:joint1}")
     return _in_braces(head, f"{inertia(2)}\n{children}")

@@ -19,7 +19,7 @@ _NEVER_ZERO = frozenset(("mass", *MOMENTS[:3]))
 def value_items(
     analysis: Analysis, context: CompletionContext, place: ValuePlace
 ) -> Iterator[CompletionItem]:
-    """Yield what may stand in a value, what fits its class first."""
+    """Yield completions of a value, those of its class first."""
     before = context.previous.text
     if before == "/":
         yield from _divisors(context)

@@ -28,7 +28,7 @@ def hover(analysis: Analysis, offset: int) -> Hover | None:
 
 
 def _named(analysis: Analysis, found: TokenAt, symbol: Symbol) -> str:
-    """Return the hover of a named thing, with that of the value around it."""
+    """Return the hover of a named thing, followed by the hover of the value around it."""
     name = symbol.entity.name
     if symbol.entity.kind is EntityKind.ROBOT:
         return robot_hover(analysis, name)
@@ -77,7 +77,7 @@ def _value_hover(analysis: Analysis, expression: Expression, place: ValuePlace) 
 
 
 def _declared_thing(analysis: Analysis, symbol: Symbol) -> Link | Joint | Frame | None:
-    """Return what a name means; where it is declared, exactly that of several of one name."""
+    """Return the thing that a name means; at a declaration that very one."""
     if symbol.role is Role.DECLARATION:
         place = analysis.syntax.island_at(symbol.start)
         local = symbol.start - place.start

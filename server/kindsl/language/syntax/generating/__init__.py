@@ -1,4 +1,4 @@
-"""Knows how the grammar is written, for those who make tables of it.
+"""Knows how the grammar is written, to generate tables and classes from it.
 
 Must not know the tables.
 """

@@ -21,7 +21,7 @@ _ALIAS = re.compile(r"->\s*(\w+)")
 
 
 class AnnotationError(ValueError):
-    """A remark in the grammar that nobody reads."""
+    """A remark in the grammar that nothing reads."""
 
 
 class Annotation(NamedTuple):
@@ -68,7 +68,7 @@ def check_read(
     holds: Mapping[str, Sequence[str]],
     readers: Mapping[str, Collection[str]],
 ) -> None:
-    """Raise where nobody reads a remark.
+    """Raise where nothing reads a remark.
 
     Args:
         found: The remarks.

@@ -212,7 +212,7 @@ def _compiled(pattern: str) -> re.Pattern[str]:
 
 
 def _left_out(old: Sequence[Token], new: Sequence[Token]) -> list[Token]:
-    """Return the written tokens of which nothing is in the new ones."""
+    """Return the written tokens that none of the new ones covers."""
     solid = [token for token in new if not token.is_missing]
     starts = [token.start for token in solid]
 

@@ -24,7 +24,7 @@ _SIGNS = frozenset(",([])")
 
 
 def half_vector(found: Sighting) -> Iterator[Rewrite]:
-    """Supply what lacks of a vector at the end of its line."""
+    """Complete a vector at the end of its line."""
     first, behind = found.span("half")
     letters, last = found.letters("half"), found.tokens[behind - 1]
     place = 2 * letters.count(",") + (1 if letters[-1] in "(," else 2)
@@ -36,7 +36,7 @@ def half_vector(found: Sighting) -> Iterator[Rewrite]:
 
 
 def no_vector(found: Sighting) -> Iterator[Rewrite]:
-    """Supply a vector behind `=` where what is next begins something else."""
+    """Supply a vector after `=` where something else follows."""
     _, behind = found.span()
     end = found.tokens[behind - 1].end
     yield Rewrite(behind, behind, [supplied(kind, end) for kind in VECTOR], (end, end))
@@ -104,7 +104,7 @@ def is_value(tokens: Sequence[Token]) -> bool:
 
 
 def _begins_value(tokens: Sequence[Token], index: int) -> bool:
-    """Return whether a token is an operand, or a sign that stands apart on its left alone."""
+    """Return whether a token is an operand, or a sign with a blank only before it."""
     token = tokens[index]
     if token.kind == "-":
         is_apart = tokens[index - 1].end < token.start
@@ -180,7 +180,7 @@ def _unsigned(text: str, tokens: Sequence[Token], index: int, is_whole: bool) ->
 
 
 def surplus_components(found: Sighting) -> Iterator[Rewrite]:
-    """Leave out what is behind the third component of a vector."""
+    """Leave out the components after the third of a vector."""
     (first, behind), value = found.span("value"), found.of("value")
     parts = _components(value)
     if len(parts) > _COMPONENTS and all(map(is_value, parts)):
@@ -192,7 +192,7 @@ def surplus_components(found: Sighting) -> Iterator[Rewrite]:
 
 
 def lacking_components(found: Sighting) -> Iterator[Rewrite]:
-    """Supply the components that a vector lacks."""
+    """Supply the missing components of a vector."""
     (first, behind), value = found.span("value"), found.of("value")
     parts = _components(value)
     if len(parts) < _COMPONENTS and all(map(is_value, parts)):

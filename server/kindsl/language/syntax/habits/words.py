@@ -48,7 +48,7 @@ def meant_word(text: str) -> str | None:
 
 
 def relative(found: Sighting) -> Iterator[Rewrite]:
-    """Leave out `parent = a`, `parent a`, `parent { ... }` or what there is of it."""
+    """Leave out `parent = a`, `parent a`, `parent { ... }` or a part of it."""
     first, behind = found.span()
     word = found.tokens[first]
     owner = _RELATIVES.get(word.text, {}).get(found.block(first))
@@ -66,7 +66,7 @@ def relative(found: Sighting) -> Iterator[Rewrite]:
 
 
 def _closing(tokens: Sequence[Token], opening: int) -> int:
-    """Return the index behind the bracket that closes another one, or that one itself."""
+    """Return the index after the closing bracket, that of the opening one without such."""
     closing = _CLOSING[tokens[opening].kind]
     depth = 0
     for index in range(opening, len(tokens)):
@@ -126,7 +126,7 @@ def _called(found: Sighting) -> Iterator[tuple[int, Token, str]]:
 
 
 def own_frame(found: Sighting) -> Iterator[Rewrite]:
-    """Leave out the pose of its own frame that a link or base once had behind its sections."""
+    """Leave out the obsolete `ref_frame` of a link or base after its sections."""
     letters = found.letters()
     has_section = False
     for index, letter in enumerate(letters):
@@ -144,7 +144,7 @@ def own_frame(found: Sighting) -> Iterator[Rewrite]:
 
 
 def comment(found: Sighting) -> Iterator[Rewrite]:
-    """Leave out what `#` begins where words, no code, are behind it on its line."""
+    """Leave out a comment that begins with `#`: words, not code, follow on its line."""
     if found.match["words"] is None:
         return  # a value
     first, behind = found.span()
@@ -160,7 +160,7 @@ def comment(found: Sighting) -> Iterator[Rewrite]:
 
 
 def semicolons(found: Sighting) -> Iterator[Rewrite]:
-    """Leave out each `;` behind a section or child; the first stands for all in the block."""
+    """Leave out each `;` after a section or child; the first is reported for all in the block."""
     places = [found.index(match.start()) for match in _ENDED.finditer(found.kinds)]
     edits = tuple(Edit(found.tokens[i].start, found.tokens[i].end, "") for i in places)
     title = "';'" if len(edits) == 1 else "each ';' of this block"
@@ -170,7 +170,7 @@ def semicolons(found: Sighting) -> Iterator[Rewrite]:
 
 
 def half_children(found: Sighting) -> Iterator[Rewrite]:
-    """Supply what half a child lacks: `upper via`, or `upper` with nothing behind on its line."""
+    """Complete half a child: `upper via`, or `upper` alone at the end of its line."""
     position = found.match.end()
     while True:
         half = _HALF_CHILD.match(found.kinds, position)
@@ -188,7 +188,7 @@ def half_children(found: Sighting) -> Iterator[Rewrite]:
 
 
 def half_section(found: Sighting) -> Iterator[Rewrite]:
-    """Supply `=` and a value behind a keyword that is alone on its line."""
+    """Supply `=` and a value after a keyword that is alone on its line."""
     first, behind = found.span("word")
     token, letter = found.tokens[first], found.letters("word")
     block, _ = found.block(first)

@@ -30,7 +30,7 @@ _HEADS = {*map(word_kind, BLOCK_WORDS), "FLOATING"}
 def lost_head(
     start: str, read: Sequence[Token], tokens: Sequence[Token], index: int
 ) -> Opening | None:
-    """Return the opening of a block that lacks at least its keyword, None where none begins.
+    """Return the opening of a block without its keyword, None where no block begins.
 
     Args:
         start: The construct being read, empty behind its end.
@@ -60,14 +60,14 @@ def lost_head(
 
 
 def _begins_body(kinds: Sequence[str], n_head: int) -> bool:
-    """Return whether sections of a block come, which stand behind `{` there alone."""
+    """Return whether sections of a block follow, which are only possible after `{`."""
     if n_head == 0 or not kinds or (kinds[0] != "id" and kinds[1:2] == ["="]):
         return False
     return kinds[0] in _SECTIONS_OF_BLOCKS or kinds[:2] == ["ref_frame", "{"]
 
 
 def _repeats_block(start: str, read: Sequence[Token], kinds: Sequence[str]) -> bool:
-    """Return whether a section comes that the block has, behind the one that ends it."""
+    """Return whether a section follows that the block already has, after its last one."""
     is_id = kinds[:3] == ["id", "=", "INT"]
     if not is_id and kinds[:2] != ["ref_frame", "{"]:
         return False
@@ -94,7 +94,7 @@ def _begun_section(kinds: Sequence[str]) -> str:
 def _headless(
     start: str, tokens: Sequence[Token], index: int, n_head: int, section: str = ""
 ) -> Opening:
-    """Return the opening of a block with what lacks of its head and first section supplied."""
+    """Return the opening of a block with its missing head and first section supplied."""
     keyword = BLOCK_KINDS[start]
     place = tokens[index].start
     written = list(tokens[index : index + n_head])

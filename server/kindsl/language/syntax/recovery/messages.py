@@ -156,7 +156,7 @@ def _half_keyword(
 
 
 def insertion_place(tokens: Sequence[Token], change: RepairStep) -> int:
-    """Return where something lacks: a keyword before its `{` or `=`, all else behind what is."""
+    """Return where a change belongs: a keyword before its `{` or `=`, all else after tokens."""
     index = change.at
     if change.kind in SPELLINGS and index < len(tokens) and tokens[index].kind in ("{", "="):
         return tokens[index].start

@@ -11,7 +11,7 @@ _MOST_PROBLEMS = 12
 
 
 class RepairProgress:
-    """The tokens of an island, and what is made of them.
+    """The tokens of an island, and the tree made of them so far.
 
     Attributes:
         text: The island's text.
@@ -49,11 +49,11 @@ class RepairProgress:
         self.written += tokens
 
     def skip_rest(self) -> None:
-        """Leave out what is left, with one message."""
+        """Skip the rest, with one message."""
         self.skip_to(len(self.tokens))
 
     def skip_to_block(self) -> None:
-        """Leave out what stands before the next line that begins a block, with one message."""
+        """Skip to the next line that begins a block, with one message."""
         for index in range(self.index + 1, len(self.tokens)):
             between = self.text[self.tokens[index - 1].end : self.tokens[index].start]
             if self.tokens[index].kind in BLOCK_STARTS and "\n" in between:
@@ -62,7 +62,7 @@ class RepairProgress:
         self.skip_rest()
 
     def skip_to(self, end: int) -> None:
-        """Leave out what stands before the token `end`, with one message."""
+        """Skip to the token `end`, with one message."""
         rest = self.tokens[self.index : end]
         previous = self.nodes[-1].kind if self.nodes else ""
         self.leftovers.append(leftover_problem(self.written, rest, self.text, previous))

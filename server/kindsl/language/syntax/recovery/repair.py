@@ -263,7 +263,7 @@ class _Queue:
             heapq.heappush(self._costs, paid)
 
     def __iter__(self) -> Iterator[tuple[float, _Candidate]]:
-        """Yield each candidate and its cost, those too that are added meanwhile."""
+        """Yield each candidate and its cost, also those added meanwhile."""
         while self._costs:
             paid = heapq.heappop(self._costs)
             for candidate in self._alike[paid]:
