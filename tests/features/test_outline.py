@@ -1,8 +1,8 @@
 from tests.features.samples import ARM, BROKEN, COMMENTED
 from tests.support.cursor import at_cursor
 
-from kindsl.frontends.features.call_hierarchy import hierarchy_items, predecessors, successors
 from kindsl.frontends.features.document_links import document_links, links_in_text
+from kindsl.frontends.features.navigation import hierarchy_items, predecessors, successors
 from kindsl.frontends.features.outline import document_symbols, kinematic_outline, workspace_symbols
 from kindsl.frontends.features.ranges import folds, selection_ranges
 from kindsl.judgement.analysis.analysis import analyse

@@ -12,7 +12,6 @@ from tests.features.samples import ARM, BROKEN, COMMENTED, PARAMETRIC, TANGLED
 from tests.support.recorded import Teller, assert_as_recorded
 
 from kindsl.frontends.features.actions.code_actions import code_actions, fix_all_action
-from kindsl.frontends.features.call_hierarchy import hierarchy_items, predecessors, successors
 from kindsl.frontends.features.code_lenses import code_lenses
 from kindsl.frontends.features.completion.completion import completions, narrowed, suggestions
 from kindsl.frontends.features.document_links import document_links
@@ -21,9 +20,12 @@ from kindsl.frontends.features.inlay_hints import ALL_HINTS, inlay_hints
 from kindsl.frontends.features.navigation import (
     bound_parameter,
     definitions,
+    hierarchy_items,
     highlights,
     linked_ranges,
+    predecessors,
     references,
+    successors,
 )
 from kindsl.frontends.features.outline import document_symbols, kinematic_outline, workspace_symbols
 from kindsl.frontends.features.ranges import folds, selection_ranges

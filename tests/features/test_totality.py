@@ -8,7 +8,6 @@ from hypothesis import strategies as st
 from tests.features.samples import ALL
 
 from kindsl.frontends.features.actions.code_actions import code_actions, fix_all_action
-from kindsl.frontends.features.call_hierarchy import hierarchy_items, predecessors, successors
 from kindsl.frontends.features.code_lenses import code_lenses
 from kindsl.frontends.features.completion.completion import completions
 from kindsl.frontends.features.document_links import document_links
@@ -17,9 +16,12 @@ from kindsl.frontends.features.inlay_hints import ALL_HINTS, inlay_hints
 from kindsl.frontends.features.navigation import (
     bound_parameter,
     definitions,
+    hierarchy_items,
     highlights,
     linked_ranges,
+    predecessors,
     references,
+    successors,
 )
 from kindsl.frontends.features.outline import (
     document_symbols,

@@ -7,8 +7,8 @@ from tests.support.documents import ROOT
 from tests.support.mechanisms import matrix
 from tests.support.models import Style, random_model
 
-from kindsl.frontends.features.call_hierarchy import hierarchy_items, predecessors, successors
 from kindsl.frontends.features.code_lenses import code_lenses
+from kindsl.frontends.features.navigation import hierarchy_items, predecessors, successors
 from kindsl.frontends.features.outline import kinematic_outline
 from kindsl.frontends.features.subtree import subtree_of
 from kindsl.frontends.features.zero_configuration import body_pose, frame_pose, joint_pose, own_pose

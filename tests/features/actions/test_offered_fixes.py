@@ -7,11 +7,11 @@ from tests.support.cursor import at_cursor
 from kindsl.frontends.features.actions.code_actions import (
     bind_parameter,
     code_actions,
+    fix_all,
     fix_all_action,
     quick_fixes,
     suppressions,
 )
-from kindsl.frontends.features.actions.fix_all import fix_all
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.language.text.edits import TextEdit, apply_edits

@@ -13,7 +13,7 @@ from tests.support.documents import SOUND_EXAMPLES, sound_documents
 from tests.support.kept import errors, remarks
 from tests.support.mechanisms import assert_same_mechanism, mechanics_by_name
 
-from kindsl.frontends.features.actions.fix_all import fix_all
+from kindsl.frontends.features.actions.code_actions import fix_all
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.language.text.edits import apply_edits

@@ -5,9 +5,14 @@ from tests.features.samples import ARM
 from tests.support.cursor import at_cursor
 from tests.support.documents import ROOT
 
-from kindsl.frontends.features.actions.code_actions import code_actions, fix_all_action, quick_fixes
-from kindsl.frontends.features.actions.fix_all import fix_all, line_edits
-from kindsl.frontends.features.actions.layout_edits import newline_of
+from kindsl.frontends.features.actions.action import newline_of
+from kindsl.frontends.features.actions.code_actions import (
+    code_actions,
+    fix_all,
+    fix_all_action,
+    line_edits,
+    quick_fixes,
+)
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.fixing import disjoint_fixes, is_fixable
 from kindsl.judgement.analysis.settings import Settings

@@ -120,7 +120,8 @@ def _rounding(node: Node, bindings: Mapping[str, float]) -> float:
         return half_unit(token.text) if isinstance(token, Token) and number_of(token) else 0.0
     parts = [child for child in node.children if isinstance(child, Node)]
     if is_signed_product(node):
-        return abs(evaluate(parts[1], bindings, FLOATS) or 0.0) * _rounding(parts[0], bindings)
+        factor = evaluate(parts[1], bindings, FLOATS) or 0.0
+        return abs(factor) * _rounding(parts[0], bindings)
     if node.kind in ("add", "subtract", "group", "plus", "negate"):
         return sum(_rounding(part, bindings) for part in parts)
     if node.kind in ("multiply", "divide"):

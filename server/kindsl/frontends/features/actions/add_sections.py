@@ -3,8 +3,7 @@
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from kindsl.frontends.features.actions.action import CodeAction
-from kindsl.frontends.features.actions.layout_edits import inserted_section
+from kindsl.frontends.features.actions.action import CodeAction, inserted_section
 from kindsl.frontends.features.completion import snippets
 from kindsl.frontends.features.completion.item import without_placeholders
 from kindsl.frontends.features.completion.names import next_id

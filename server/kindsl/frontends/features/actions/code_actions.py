@@ -1,14 +1,13 @@
 """Actions at a selection: fixes, fixes of all like it, suppressions, refactorings."""
 
 from collections.abc import Callable, Iterator
+from difflib import SequenceMatcher
 from typing import TypeAlias
 from weakref import WeakKeyDictionary
 
-from kindsl.frontends.features.actions.action import CodeAction
+from kindsl.frontends.features.actions.action import CodeAction, newline_of
 from kindsl.frontends.features.actions.add_sections import add_missing, add_sections
 from kindsl.frontends.features.actions.create_missing import create_missing
-from kindsl.frontends.features.actions.fix_all import fix_all
-from kindsl.frontends.features.actions.layout_edits import newline_of
 from kindsl.frontends.features.actions.move_inertia import move_inertia
 from kindsl.frontends.features.actions.named_numbers import extract_parameter, inline_parameter
 from kindsl.frontends.features.actions.sort_links import renumber_links, sort_links
@@ -16,7 +15,7 @@ from kindsl.frontends.features.actions.write_into_twin import write_into_twin
 from kindsl.frontends.features.symbol_at import parameter_at
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.diagnostics import Diagnostic
-from kindsl.judgement.analysis.fixing import made
+from kindsl.judgement.analysis.fixing import fixed, is_safe, made
 from kindsl.judgement.analysis.text_fix import TextFix
 from kindsl.language.semantics.declarations import ValueKind
 from kindsl.language.syntax.indentation import indentation
@@ -144,3 +143,25 @@ def bind_parameter(analysis: Analysis, start: int, end: int) -> Iterator[CodeAct
     fixed = tuple(d for d in analysis.findings if d.code == _UNBOUND and d.start == first)
     title = f"Bind '{name}' in kindsl.toml"
     yield CodeAction(title, QUICK_FIX, (), fixed, bindings=((name, value),))
+
+
+def fix_all(
+    analysis: Analysis, is_wanted: Callable[[Diagnostic], bool] = is_safe
+) -> tuple[TextEdit, ...]:
+    """Return the edits that fix what can be fixed."""
+    better, _, rounds = fixed(analysis, is_wanted)
+    return rounds[0] if len(rounds) == 1 else line_edits(analysis.text, better.text)
+
+
+def line_edits(old: str, new: str) -> tuple[TextEdit, ...]:
+    """Return the edits that turn one text into another, line by line."""
+    before, after = old.splitlines(keepends=True), new.splitlines(keepends=True)
+    starts = [0]
+    for line in before:
+        starts.append(starts[-1] + len(line))
+    matcher = SequenceMatcher(None, before, after, autojunk=False)
+    return tuple(
+        TextEdit(starts[a], starts[b], "".join(after[c:d]))
+        for tag, a, b, c, d in matcher.get_opcodes()
+        if tag != "equal"
+    )

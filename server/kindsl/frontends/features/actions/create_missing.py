@@ -2,8 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
-from kindsl.frontends.features.actions.action import CodeAction
-from kindsl.frontends.features.actions.layout_edits import inserted_section, last_section
+from kindsl.frontends.features.actions.action import CodeAction, inserted_section, last_section
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.rules.base import Fix

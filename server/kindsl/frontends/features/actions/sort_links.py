@@ -4,8 +4,7 @@ import re
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from kindsl.frontends.features.actions.action import CodeAction
-from kindsl.frontends.features.actions.layout_edits import newline_of
+from kindsl.frontends.features.actions.action import CodeAction, newline_of
 from kindsl.frontends.features.tree_path import token_at
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.rules.renumbering import regular_order, renumbering

@@ -16,8 +16,7 @@ from kindsl.frontends.features.completion.names import (
     new_link_items,
     own_frame_items,
 )
-from kindsl.frontends.features.completion.shapes import shape_items
-from kindsl.frontends.features.completion.values import constant_items, value_items
+from kindsl.frontends.features.completion.values import constant_items, shape_items, value_items
 from kindsl.frontends.features.hover.keyword import keyword_hover
 from kindsl.frontends.features.hover.parameter import constant_hover, parameter_hover
 from kindsl.frontends.features.hover.things import joint_hover, link_hover

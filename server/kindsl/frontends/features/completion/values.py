@@ -1,7 +1,8 @@
-"""Completions of numbers: parameters of the right class, constants, forms of pi."""
+"""Completions of values: parameters of the right class, constants, forms of pi, shapes."""
 
 from collections.abc import Iterator
 
+from kindsl.frontends.features.completion import snippets
 from kindsl.frontends.features.completion.context import CompletionContext
 from kindsl.frontends.features.completion.item import CompletionItem
 from kindsl.frontends.features.value_place import ValuePlace
@@ -9,11 +10,22 @@ from kindsl.frontends.features.wording import number
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.rules.context import ROBCOGEN
 from kindsl.language.semantics.declarations import ValueKind
+from kindsl.language.syntax.passages import SHAPES
 from kindsl.language.syntax.vocabulary import MOMENTS
 
 _PI_FORMS = (("PI/2.0", "90°"), ("-PI/2.0", "-90°"), ("PI", "180°"), ("-PI", "-180°"))
 _DIVISORS = {"2.0": "90°", "4.0": "45°", "3.0": "60°", "6.0": "30°"}
 _NEVER_ZERO = frozenset(("mass", *MOMENTS[:3]))
+
+
+_DETAILS = {
+    "box": "x, y, z",
+    "cylinder": "radius, length",
+    "hollow_cylinder": "outer radius, inner radius, length",
+    "sphere": "radius",
+    "capsule": "radius, length of its cylinder",
+}
+_UNITS = {"mass": "kg", "density": "kg/m³"}
 
 
 def value_items(
@@ -73,3 +85,15 @@ def _parameters(
         value = analysis.context.values.get(name)
         shown = "unbound" if value is None else number(value)
         yield CompletionItem(name, "parameter", name, f"{parameter.kind} parameter, {shown}")
+
+
+def shape_items(context: CompletionContext) -> Iterator[CompletionItem]:
+    """Yield each shape with a mass and with a density, where an inertia is empty."""
+    behind = context.place.island.text[context.end - context.place.start :].lstrip()
+    if context.block != "inertia" or context.sections or behind[:1] not in ("", "}"):
+        return
+    for name in SHAPES:
+        for heavy, unit in _UNITS.items():
+            detail = f"{_DETAILS[name]} (m), {heavy} ({unit})"
+            text = snippets.shape(name, heavy)
+            yield CompletionItem(f"{name} of a {heavy}", "snippet", text, detail, True, True)

@@ -1,6 +1,6 @@
 """Add a frame to a link, or a link by a new joint, where somebody points."""
 
-from kindsl.frontends.features.actions.layout_edits import newline_of
+from kindsl.frontends.features.actions.action import newline_of
 from kindsl.frontends.features.completion import snippets
 from kindsl.frontends.features.completion.item import without_placeholders
 from kindsl.frontends.features.manipulation.gesture import Gesture, Refusal

@@ -3,12 +3,12 @@
 from collections.abc import Iterable, Sequence
 from itertools import count
 
-from kindsl.frontends.features.actions.create_missing import added_frame
-from kindsl.frontends.features.actions.layout_edits import (
+from kindsl.frontends.features.actions.action import (
     inserted_section,
     last_section,
     newline_of,
 )
+from kindsl.frontends.features.actions.create_missing import added_frame
 from kindsl.frontends.features.names_taken import names_taken
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.declarations import Link

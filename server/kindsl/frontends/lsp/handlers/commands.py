@@ -104,7 +104,7 @@ def _uri(uri: object) -> str:
 
 
 def _all_fixes(view: View) -> types.WorkspaceEdit | None:
-    from kindsl.frontends.features.actions.fix_all import fix_all
+    from kindsl.frontends.features.actions.code_actions import fix_all
 
     edits = text_edits(view.document, fix_all(view.analysis))
     return workspace_edit(view.client, [(view.document, edits)]) if edits else None

@@ -60,7 +60,7 @@ def prepare_hierarchy(
     view: View, params: types.CallHierarchyPrepareParams
 ) -> list[types.CallHierarchyItem]:
     """Find the link whose place in the tree is asked for."""
-    from kindsl.frontends.features.call_hierarchy import hierarchy_items
+    from kindsl.frontends.features.navigation import hierarchy_items
 
     found = hierarchy_items(view.analysis, view.offset(params.position))
     return [_item(view, item) for item in found]
@@ -71,7 +71,7 @@ def incoming(
     view: View, params: types.CallHierarchyIncomingCallsParams
 ) -> list[types.CallHierarchyIncomingCall]:
     """Find the bodies that carry a link."""
-    from kindsl.frontends.features.call_hierarchy import predecessors
+    from kindsl.frontends.features.navigation import predecessors
 
     return [
         types.CallHierarchyIncomingCall(_item(view, call.item), _ranges(view, call.places))
@@ -84,7 +84,7 @@ def outgoing(
     view: View, params: types.CallHierarchyOutgoingCallsParams
 ) -> list[types.CallHierarchyOutgoingCall]:
     """Find the links that a body carries."""
-    from kindsl.frontends.features.call_hierarchy import successors
+    from kindsl.frontends.features.navigation import successors
 
     return [
         types.CallHierarchyOutgoingCall(_item(view, call.item), _ranges(view, call.places))
