@@ -105,6 +105,11 @@ def test_bounds_hold_inside(
         assert found[0] - near <= inside <= found[1] + near
 
 
+def test_a_product_that_looks_like_a_difference_is_bounded_as_robcogen_reads_it() -> None:
+    assert value("2.0 - x", 1.5, 0.0) == -3.0
+    assert bounds("2.0 - x", (1.0, 2.0), (0.0, 0.0)) == (-4.0, -2.0)
+
+
 @pytest.mark.parametrize("text", ["x", "2.0 x", "-x", "x*2.0", "1.0/x", "<k>", "x + 1.0"])
 def test_nothing_bounds_what_is_not_known(text: str) -> None:
     assert bounds_of(expression(text), {"y": (0.0, 1.0)}) is None
