@@ -11,8 +11,8 @@ from tests.lsp.sessions import REFUSAL, Told, folder_of, of_versions, opened, se
 
 from kindsl.frontends.lsp.session.session import Session
 from kindsl.frontends.lsp.wire.protocol import RequestFailed
-from kindsl.frontends.preview.outcomes import Writing
 from kindsl.frontends.preview.requests import KeepPose, WriteParameters
+from kindsl.frontends.preview.steps import Writing
 from kindsl.judgement.config.parameter_lines import parameter_table, pose_table
 from kindsl.language.text.edits import TextEdit
 from kindsl.language.text.span import Span

@@ -140,7 +140,7 @@ async def test_sliders_move_links_by_our_kinematics(browser, server):
                 group, _, thing = name.partition(" ")
                 wanted = ours.get(f"joint {thing}" if group == "joints" else thing, np.eye(4))
                 np.testing.assert_allclose(np.reshape(pose, (4, 4)), wanted, atol=1e-6)
-        names, told = mechanics.bodies.joint_names, server._documents["robot"]._joints
+        names, told = mechanics.bodies.joint_names, server.at("robot")._joints
         await eventually(lambda: [told.get(name) for name in names] == q.tolist())
 
 
@@ -307,13 +307,13 @@ async def test_the_cursor_lights_up_what_it_is_on(browser, server):
              .map((mark) => mark.name)"""
     async with opened(browser, await show(server, ARM)) as page:
         await until_shown(page, "Arm")
-        server.highlight("arm.kindsl", "link", "slider")
+        server.at("arm.kindsl").highlight("link", "slider")
         await until(page, f"{lit}.length > 0")
         assert set(await page.evaluate(lit)) == {"slider"}
         assert await page.locator(".label.highlighted").inner_text() == "slider"
-        server.highlight("arm.kindsl", "joint", "shoulder")
+        server.at("arm.kindsl").highlight("joint", "shoulder")
         await until(page, f"{lit}.includes('shoulder')")
-        server.highlight("arm.kindsl", "", "")
+        server.at("arm.kindsl").highlight("", "")
         await until(page, f"{lit}.length === 0")
 
 
@@ -371,7 +371,7 @@ async def test_all_guesses_are_taken_at_once(browser, server):
         await page.get_by_text("3 parameters have no value: lengths").wait_for()
         await page.get_by_text("Use guesses as values").click()
         await page.locator("#notice").wait_for(state="hidden")
-        assert server._documents["arm.kindsl"]._parameters == dict.fromkeys(
+        assert server.at("arm.kindsl")._parameters == dict.fromkeys(
             ("reach", "drop", "height"), 0.3
         )
 
@@ -381,7 +381,7 @@ async def test_the_page_comes_back_after_a_restart_and_brings_its_values(browser
         await until_shown(page, "Arm")
         await page.get_by_label("shoulder, typed").fill("0.7")
         await page.get_by_label("shoulder, typed").press("Enter")
-        await eventually(lambda: server._documents["arm.kindsl"]._joints)
+        await eventually(lambda: server.at("arm.kindsl")._joints)
         await server.stop()
         await page.locator("[data-state=reconnecting]").wait_for()
         again = PreviewServer(port=server.port, token=server.token)
@@ -392,15 +392,15 @@ async def test_the_page_comes_back_after_a_restart_and_brings_its_values(browser
         assert await page.evaluate("kindsl.scene.trees.robot.frames.has('gripper')")
         assert not await page.evaluate("kindsl.scene.trees.robot.frames.has('tool')")
         assert not await page.evaluate("[...kindsl.scene.paths].some((p) => p.includes('tool'))")
-        await eventually(lambda: again._documents["arm.kindsl"]._joints)
-        assert again._documents["arm.kindsl"]._joints == {"shoulder": 0.7}
+        await eventually(lambda: again.at("arm.kindsl")._joints)
+        assert again.at("arm.kindsl")._joints == {"shoulder": 0.7}
         await again.stop()
 
 
 async def test_the_saved_version_is_a_ghost_behind_the_edited_one(browser, server):
     async with opened(browser, await show(server, ARM)) as page:
         await until_shown(page, "Arm")
-        server.saved("arm.kindsl")
+        server.at("arm.kindsl").keep_as_ghost()
         await show(server, LONGER_ARM)
         await until(page, "kindsl.scene.trees.ghost.links.size === 3")
         async with asyncio.timeout(60):
@@ -408,7 +408,7 @@ async def test_the_saved_version_is_a_ghost_behind_the_edited_one(browser, serve
                 await asyncio.sleep(0.05)
         ghost = await page.evaluate("kindsl.scene.poses.ghost.links.get('slider')[12]")
         assert ghost == pytest.approx(0.4)
-        server.saved("arm.kindsl")
+        server.at("arm.kindsl").keep_as_ghost()
         await until(page, "kindsl.scene.trees.ghost.links.size === 0")
         assert (await page.evaluate(PAINTED))["ghost"] == 0
 
@@ -435,7 +435,7 @@ async def test_names_and_messages_with_markup_do_nothing(browser, server):
     finding = Diagnostic("KD001", MARKUP, Severity.ERROR, MARKUP, 0, 1)
     async with opened(browser, await show(server, BROKEN_ARM, [finding])) as page:
         await until_shown(page, "Arm")
-        channel = server._documents["arm.kindsl"].channel
+        channel = server.at("arm.kindsl").channel
         link = next(m for m in channel.state if m.type == "link" and m.index == 1)
         joint = next(m for m in channel.state if m.type == "joint" and m.index == 1)
         channel.put("x", replace(link, name=MARKUP, path="/kindsl/robot/links/x"))
@@ -468,7 +468,7 @@ async def test_no_text_is_ever_evaluated(browser, server):
         change = {"type": "change", "is_whole": False, "parts": [control, elsewhere]}
         for message in (control, elsewhere, change):
             await page.evaluate("(message) => kindsl.viewer.handle_command(message)", message)
-        server._documents["arm.kindsl"].set_joint("lift", 0.1)
+        server.at("arm.kindsl").set_joint("lift", 0.1)
         await until(page, "kindsl.scene.q.get('lift') === 0.1")
         assert await page.evaluate("window.hacked") is None
         assert await page.evaluate(EVALUATES) == "EvalError"

@@ -7,7 +7,7 @@ from tests.preview.robots import ARM
 
 from kindsl.frontends.preview.comparing import LAST_SAVED, document_robot, file_robot
 from kindsl.frontends.preview.document_preview import DocumentPreview
-from kindsl.frontends.preview.requests import Compare, parse_request
+from kindsl.frontends.preview.requests import BadRequestError, Compare, parse_request
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.robots.comparison.twins import TwinFile
@@ -40,7 +40,7 @@ def shown(text, settings=DEFAULT):
 
 
 def comparison(preview):
-    return page_of(preview).at("/kindsl/robots/comparison").get("comparison")
+    return page_of(preview).at("/kindsl/comparison").get("comparison")
 
 
 def ghost_kind(preview):
@@ -131,19 +131,23 @@ def test_a_broken_document_keeps_its_last_comparison(urdf):
     [
         ('{"type": "compare", "name": "a.urdf"}', Compare("a.urdf")),
         ('{"type": "compare", "name": ""}', Compare("")),
-        ('{"type": "compare", "name": 3}', None),
-        ('{"type": "compare"}', None),
     ],
 )
 def test_a_page_chooses_by_name(text, request_):
     assert parse_request(text) == request_
 
 
+@pytest.mark.parametrize("text", ['{"type": "compare", "name": 3}', '{"type": "compare"}'])
+def test_a_choice_without_a_name_is_refused(text):
+    with pytest.raises(BadRequestError, match=r"@ \$\.name"):
+        parse_request(text)
+
+
 async def test_the_page_shows_both_swaps_them_and_frames_what_differs(browser, server, urdf):
     await server.show(
         "robot", analyse(LONGER.replace("mass = 2.0", "mass = 2.5")), (), "arm.kindsl"
     )
-    server.compare("robot", file_robot("arm.urdf", str(urdf)))
+    server.at("robot").compare(file_robot("arm.urdf", str(urdf)))
     async with opened(browser, server.url("robot")) as page:
         await until_shown(page, "Arm")
         await until(page, "document.querySelectorAll('#compare tbody tr').length === 2")
@@ -185,11 +189,11 @@ async def test_the_page_shows_both_swaps_them_and_frames_what_differs(browser, s
 
 async def test_a_change_of_the_other_file_is_seen(server, urdf):
     await server.show("robot", analyse(ARM), ())
-    server.compare("robot", file_robot("arm.urdf", str(urdf)))
+    server.at("robot").compare(file_robot("arm.urdf", str(urdf)))
     preview = server.document(None)
     await eventually(lambda: (comparison(preview) or {}).get("is_equal"))
     urdf.write_text(urdf_of(HEAVIER))
-    server.compare_again("robot")
+    server.at("robot").recompare()
     await eventually(lambda: not comparison(preview)["is_equal"])
 
 

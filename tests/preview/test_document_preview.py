@@ -168,7 +168,7 @@ def test_what_was_found_stays_listed_until_it_is_known_for_the_next_version():
     assert joint_x(preview) == 0.6
     assert status(preview)["total"] == 1
     assert page_of(preview).at("/kindsl/findings/0")
-    preview.tell([])
+    preview.list_findings([])
     assert status(preview)["total"] == 0
     assert not page_of(preview).at("/kindsl/findings/0")
 

@@ -7,7 +7,7 @@ from tests.preview.test_command import line_of, running
 from tests.preview.websocket import connected, first_part, whole_state
 
 from kindsl.frontends.cli import preview
-from kindsl.frontends.preview.outcomes import Writing
+from kindsl.frontends.preview.steps import Writing
 from kindsl.language.text.edits import TextEdit
 
 AT = ARM.index("(0.4, 0.0") + 1

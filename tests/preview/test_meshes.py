@@ -130,7 +130,7 @@ def test_those_of_a_twin_are_offered_and_read_when_they_are_asked_for(urdf):
 
 async def test_files_are_served_under_the_token_by_their_names_only(server, urdf):
     await server.show("robot", analyse(ARM), ())
-    server.draw_meshes("robot", MeshSource("arm.urdf", urdf))
+    server.at("robot").draw_meshes(MeshSource("arm.urdf", urdf))
     preview = server.document(None)
     await eventually(lambda: preview.mesh_files)
     base, query = server.url("robot").split("?")
@@ -152,7 +152,7 @@ async def test_files_are_served_under_the_token_by_their_names_only(server, urdf
 
 async def test_the_page_draws_them_plain_and_as_x_rays(browser, server, urdf):
     await server.show("robot", analyse(ARM), ())
-    server.draw_meshes("robot", MeshSource("arm.urdf", urdf))
+    server.at("robot").draw_meshes(MeshSource("arm.urdf", urdf))
     async with opened(browser, server.url("robot")) as page:
         await until_shown(page, "Arm")
         await until(page, "kindsl.scene.meshes.drawn.length === 6")
@@ -175,7 +175,7 @@ async def test_without_a_mesh_there_is_none_to_choose(browser, server, tmp_path)
     file, lost = tmp_path / "arm.urdf", visual('<mesh filename="x.stl"/>')
     file.write_text(bare_urdf().replace('<link name="upper">', f'<link name="upper">{lost}'))
     await server.show("robot", analyse(ARM), ())
-    server.draw_meshes("robot", MeshSource("arm.urdf", file))
+    server.at("robot").draw_meshes(MeshSource("arm.urdf", file))
     async with opened(browser, server.url("robot")) as page:
         await page.locator("#mesh-problems li").wait_for()
         assert await page.locator("#meshes").is_disabled()

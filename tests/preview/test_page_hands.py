@@ -186,8 +186,8 @@ async def test_the_address_holds_the_view_and_a_reload_shows_it_again(browser, s
         eye = await page.evaluate(EYE)
         link = await page.evaluate("kindsl.address.link()")
         assert link.startswith(server.url("robot") + "#")
-    server._documents["robot"]._joints.clear()
-    server._documents["robot"].channel.replace("joints", {})
+    server.at("robot")._joints.clear()
+    server.at("robot").channel.replace("joints", {})
     async with opened(browser, link) as page:
         await until(page, "kindsl.history.present !== null")
         assert await page.evaluate("kindsl.scene.q.get('shoulder')") == 0.75
@@ -266,7 +266,7 @@ async def test_joints_move_between_their_configured_limits(browser, server):
         assert not await page.evaluate("kindsl.scene.q.get('lift')")
         await page.locator("#animate").click()
         rest = await page.evaluate("kindsl.scene.q.get('shoulder')")
-        await eventually(lambda: server._documents["robot"]._joints.get("shoulder") == rest)
+        await eventually(lambda: server.at("robot")._joints.get("shoulder") == rest)
 
 
 async def test_the_picture_is_saved_with_ground_and_names(page_of_arm):
@@ -285,7 +285,7 @@ async def test_the_title_and_icon_tell_whose_robot_it_is_and_how(browser, server
         await server.show("robot", analysis, analysis.findings)
         await until(page, "document.title.startsWith('Arm (')")
         await until(page, "document.querySelector('link[rel=icon]').dataset.look === 'error'")
-        server.lose("robot", "arm.kindsl: the file was moved or deleted")
+        server.at("robot").lose("arm.kindsl: the file was moved or deleted")
         await page.get_by_text("arm.kindsl: the file was moved or deleted").wait_for()
         await until(page, "document.title.includes('not connected')")
         one = ARM.replace("    children {\n        slider via lift\n    }", "    children {}")

@@ -177,7 +177,7 @@ async def test_what_is_no_request_is_refused_and_does_no_harm(server):
             await connection.write_message(message)
         await connection.write_message(b"\x00\xff", binary=True)
         await connection.write_message(json.dumps(lift))
-        while not server._documents["arm.kindsl"]._joints:
+        while not server.at("arm.kindsl")._joints:
             await asyncio.sleep(0.01)
         refused = ""
         while not refused:
@@ -218,7 +218,7 @@ async def test_a_page_that_floods_the_server_loses_its_line(server):
         continue
     connection.close()
     assert connection.close_code == 1008
-    assert len(server._documents["arm.kindsl"]._joints) <= 2600
+    assert len(server.at("arm.kindsl")._joints) <= 2600
     assert await status(server) == 200
 
 
@@ -244,7 +244,7 @@ async def test_a_page_that_floods_the_server_with_drags_writes_nothing(server):
             continue
     connection.close()
     assert connection.close_code == 1008
-    document = editing._documents["arm.kindsl"]
+    document = editing.at("arm.kindsl")
     assert not writings and document.analysis.text == ARM
     await editing.stop()
 

@@ -19,8 +19,8 @@ import kindsl
 from kindsl.frontends.preview.channel import Tab
 from kindsl.frontends.preview.document_preview import DocumentPreview
 from kindsl.frontends.preview.dragging import Dragging
-from kindsl.frontends.preview.outcomes import Writing
 from kindsl.frontends.preview.requests import request_of
+from kindsl.frontends.preview.steps import Writing
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.language.text.edits import apply_edits
 

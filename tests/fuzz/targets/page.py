@@ -12,8 +12,8 @@ from tests.support import robots
 
 from kindsl.frontends.preview.channel import Tab
 from kindsl.frontends.preview.documents import DocumentPreviews
-from kindsl.frontends.preview.outcomes import Writing
 from kindsl.frontends.preview.requests import BadRequestError, Request, parse_request
+from kindsl.frontends.preview.steps import Writing
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.language.text.edits import apply_edits
 from kindsl.robots.scene.encoding import as_json, encode

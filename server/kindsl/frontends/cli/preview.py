@@ -31,8 +31,8 @@ if TYPE_CHECKING:
     from kindsl.frontends.preview.comparing import OtherRobot
     from kindsl.frontends.preview.document_preview import DocumentPreview
     from kindsl.frontends.preview.meshes import MeshSource
-    from kindsl.frontends.preview.outcomes import Writing
     from kindsl.frontends.preview.requests import KeepPose, WriteParameters
+    from kindsl.frontends.preview.steps import Writing
     from kindsl.judgement.analysis.analysis import Analysis
 
 SUMMARY = "show the robot in 3D while its document is edited"

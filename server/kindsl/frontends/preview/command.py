@@ -12,10 +12,11 @@ from functools import partial
 from typing import NamedTuple
 
 from kindsl.frontends.preview.comparing import OtherRobot
+from kindsl.frontends.preview.document_preview import DocumentPreview
 from kindsl.frontends.preview.meshes import MeshSource
-from kindsl.frontends.preview.outcomes import Writing
 from kindsl.frontends.preview.requests import KeepPose, Reveal, WriteParameters
 from kindsl.frontends.preview.server import PreviewServer
+from kindsl.frontends.preview.steps import Writing
 from kindsl.frontends.preview.watch import Fingerprint, saves
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.text.lines import LineIndex
@@ -69,14 +70,15 @@ async def serve(command: Command) -> None:
     server.on_write = follower.keep
     address = await server.start()
     await follower.show(command.first)
+    shown = follower.shown
     if command.other is not None:
-        server.compare(command.file, command.other)
+        shown.compare(command.other)
     if command.meshes is not None:
-        server.draw_meshes(command.file, command.meshes)
+        shown.draw_meshes(command.meshes)
     if command.pose is not None:
-        server.take_pose(command.file, command.pose)
+        shown.take_pose(command.pose)
     if command.motion is not None:
-        server.play(command.file, *command.motion)
+        shown.play(*command.motion)
     print(address, flush=True)
     if command.opens_browser:
         _open_browser(address)
@@ -93,7 +95,7 @@ class _Follower:
 
     def __init__(self, command: Command) -> None:
         self._command = command
-        self._shown: Analysis | None = None
+        self._analysis: Analysis | None = None
         self._redrawing: asyncio.Task[None] | None = None
         self.server = PreviewServer(
             self._print_place,
@@ -101,6 +103,13 @@ class _Follower:
             port=command.port,
             session=os.path.abspath(command.file),  # noqa: PTH100 (a path may hold any bytes)
         )
+
+    @property
+    def shown(self) -> DocumentPreview:
+        """The document's preview, once it is shown."""
+        shown = self.server.at(self._command.file)
+        assert shown is not None
+        return shown
 
     async def follow(self) -> None:
         """Show each version that is saved."""
@@ -114,27 +123,27 @@ class _Follower:
     async def show(self, analysis: Analysis) -> None:
         """Show a saved version, then its findings; it stands behind values typed in a page."""
         file, server = self._command.file, self.server
-        self._shown = analysis
+        self._analysis = analysis
         await server.show(file, analysis)
-        server.saved(file)
+        self.shown.keep_as_ghost()
         findings = await asyncio.to_thread(lambda: analysis.findings)
         # What was dragged meanwhile is shown already.
-        if self._shown is analysis:
+        if self._analysis is analysis:
             await server.show(file, analysis, findings)
 
     async def _reload(self) -> None:
-        analysis, shown = self._command.read(), self._shown
+        analysis, shown = self._command.read(), self._analysis
         if isinstance(analysis, str):
             self._lose(analysis)
         elif shown is None or (analysis.text, analysis.settings) != (shown.text, shown.settings):
             await self.show(analysis)
         else:
-            self.server.compare_again(self._command.file)
+            self.shown.recompare()
 
     def _lose(self, message: str) -> None:
-        self._shown = None
+        self._analysis = None
         print(message, file=sys.stderr, flush=True)
-        self.server.lose(self._command.file, message)
+        self.shown.lose(message)
 
     async def _edit(self, write: Callable[[Writing], str], _key: str, writing: Writing) -> str:
         """Write what was dragged, and show it without waiting for the next look at the file."""
@@ -153,7 +162,7 @@ class _Follower:
         return lines
 
     def _print_place(self, key: str, span: Span, chosen: Reveal) -> None:
-        text = "" if self._shown is None else self._shown.text
+        text = "" if self._analysis is None else self._analysis.text
         line, column = LineIndex(text).position(span.start)
         what = "finding" if chosen.kind == "finding" else f"{chosen.kind} {chosen.name}"
         print(f"{key}:{line + 1}:{column + 1}: {what}", flush=True)

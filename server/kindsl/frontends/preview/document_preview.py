@@ -15,7 +15,7 @@ from kindsl.frontends.preview.comparing import (
     other_messages,
     twin_robots,
 )
-from kindsl.frontends.preview.findings import finding_messages, lost_message, status_message
+from kindsl.frontends.preview.findings import finding_messages, status_message
 from kindsl.frontends.preview.meshes import (
     LinkMeshes,
     MeshSource,
@@ -69,7 +69,7 @@ class DocumentPreview:
         turn: Held while a version is drawn.
         revision: How many versions have been shown.
         on_put: Called when a version is shown.
-        recompare: Called when what is compared has changed; has `beside` made, and told.
+        recompare: Called when what is compared has changed; has `beside` made and shown.
         mesh_files: The meshes that pages may load, by name.
     """
 
@@ -81,17 +81,16 @@ class DocumentPreview:
         self.turn = asyncio.Lock()
         self.revision = 0
         self.on_put: list[Callable[[], None]] = []
-        self.recompare: Callable[[], None] = lambda: self.tell_beside(self.beside())
+        self.recompare: Callable[[], None] = lambda: self.show_beside(self.beside())
         self._label = label
         self._joints: dict[str, float] = {}
         self._parameters: dict[str, float] = {}
-        self._picture: Picture | None = None
         self._last_good: Picture | None = None
         self._ghost: Linkage | None = None
         self._planned: Linkage | None = None
         self._shown: tuple[Analysis, ShownVersion] | None = None
         self._saved: OtherRobot | None = None
-        self._given: list[OtherRobot] = []
+        self._offered: list[OtherRobot] = []
         self._chosen = ""
         self._compared: Linkage | None = None
         self._mesh_source: MeshSource | None = None
@@ -99,33 +98,29 @@ class DocumentPreview:
         self.mesh_files: dict[str, MeshFile] = {}
 
     def show(self, analysis: Analysis, findings: Sequence[Diagnostic]) -> None:
-        """Show a version and what was found in it; values that were set by sliders stay."""
+        """Show a version and its findings; values that were set by sliders stay."""
         self.put(analysis, self.drawing(analysis))
-        self.tell(findings)
+        self.list_findings(findings)
 
     def drawing(self, analysis: Analysis) -> ShownVersion:
-        """Return what there is to show of a version; changes nothing, so any thread may ask."""
-        given = {**analysis.context.values, **self._parameters}
+        """Return the picture of a version; changes nothing, so any thread may ask."""
+        given = self._given(analysis)
         drawn = picture(analysis.model, given, self._last_good)
-        skeleton = drawn.skeleton
         name, limits = str(analysis.model.name), analysis.settings.joints
-        robot = (
-            robot_messages(name, skeleton, drawn.guesses, limits, drawn.unknown)
-            if skeleton
-            else None
+        robot = drawn.skeleton and robot_messages(
+            name, drawn.skeleton, drawn.guesses, limits, drawn.unknown
         )
         return ShownVersion(given, drawn, robot)
 
     def put(self, analysis: Analysis, drawing: ShownVersion) -> None:
-        """Show a version of which a drawing was made; what was found before stays listed."""
+        """Show a version of which a drawing was made; earlier findings stay listed."""
         self.analysis = analysis
-        if drawing.given != {**analysis.context.values, **self._parameters}:
-            drawing = self.drawing(analysis)
         self._planned = None
-        self._put(analysis, drawing)
+        is_current = drawing.given == self._given(analysis)
+        self._put(analysis, drawing if is_current else self.drawing(analysis))
         self.revision += 1
-        for tell in self.on_put:
-            tell()
+        for call in self.on_put:
+            call()
 
     @property
     def typed(self) -> Mapping[str, float]:
@@ -148,38 +143,37 @@ class DocumentPreview:
         self._planned = None if planned is None else self.drawing(planned).picture.skeleton
         self._draw_ghost()
 
-    def tell(self, findings: Sequence[Diagnostic]) -> None:
-        """List what was found in the version that is shown."""
+    def list_findings(self, findings: Sequence[Diagnostic]) -> None:
+        """List the findings of the version that is shown."""
         self.findings = findings
         self._list(findings, "" if self.analysis is None else self.analysis.text)
 
     def keep_as_ghost(self) -> None:
-        """Make the document as it is the one that stands behind later ones and typed values."""
+        """Let the document as it is stand behind later versions and typed values."""
+        saved = self.analysis
         self._ghost = self._last_skeleton
-        if self.analysis is None:
+        if saved is None:
             return
         if self._parameters:
-            own = picture(self.analysis.model, {**self.analysis.context.values}, self._last_good)
+            own = picture(saved.model, {**saved.context.values}, self._last_good)
             self._ghost = self._last_skeleton if own.state is PictureState.BROKEN else own.skeleton
-        saved = self.analysis
         self._saved = document_robot(LAST_SAVED, lambda: saved)
         self._draw_ghost()
         self._offer()
 
     def lose(self, message: str) -> None:
-        """Say that the document cannot be read; what was drawn stays until it can."""
-        status = lost_message(message, self._picture, len(self.findings), self._label)
+        """Say that the document cannot be read; its last picture stays until it can."""
         self.analysis = None
-        self.channel.replace("status", keyed([status]))
+        self._show_status(self.findings, message)
 
     def compare(self, other: OtherRobot) -> None:
         """Offer another description, and compare this document with it."""
-        self._given.append(other)
+        self._offered.append(other)
         self.choose_other(other.name)
 
     def choose_other(self, name: str) -> None:
         """Compare with another description that is offered; with none for an empty name."""
-        self._chosen = name if self._other(name) is not None else ""
+        self._chosen = name
         self._offer()
 
     def draw_meshes(self, source: MeshSource) -> None:
@@ -193,8 +187,7 @@ class DocumentPreview:
         self._offer()
 
     def beside(self) -> tuple[ShownComparison | None, LinkMeshes | None]:
-        """Return what there is to tell of other descriptions; any thread may ask."""
-        other, source = self._other(self._chosen), self._meshes_of()
+        """Return the comparison and the meshes that are asked for; any thread may ask."""
         if self._shown is None:
             return None, None
         analysis, (given, drawn, _) = self._shown
@@ -202,20 +195,22 @@ class DocumentPreview:
         if skeleton is None or drawn.is_former:
             return None, None
         values = {**given, **drawn.guesses.values}
-        comparison = compared(self._label, analysis, values, skeleton, other) if other else None
-        wants = source is not None and self._wants_meshes
-        meshes = link_meshes(source, analysis.model, values, skeleton) if wants and source else None
-        return comparison, meshes
+        other = self._others().get(self._chosen)
+        source = self._meshes_of() if self._wants_meshes else None
+        return (
+            other and compared(self._label, analysis, values, skeleton, other),
+            source and link_meshes(source, analysis.model, values, skeleton),
+        )
 
-    def tell_beside(self, told: tuple[ShownComparison | None, LinkMeshes | None]) -> None:
-        """Show what other descriptions say; of a broken document what they said last."""
-        found, meshes = told
+    def show_beside(self, found: tuple[ShownComparison | None, LinkMeshes | None]) -> None:
+        """Show a comparison and meshes; of a broken document the last ones stay."""
+        comparison, meshes = found
         if meshes is not None:
             self.mesh_files = meshes.files
             self.channel.replace("meshes", meshes.messages)
-        if found is not None and found.message.other == self._chosen:
-            self._compared = found.ghost
-            self.channel.replace("comparison", keyed([found.message]))
+        if comparison is not None and comparison.message.other == self._chosen:
+            self._compared = comparison.ghost
+            self.channel.replace("comparison", keyed([comparison.message]))
         elif not self._chosen:
             self._compared = None
             self.channel.replace("comparison", {})
@@ -225,8 +220,8 @@ class DocumentPreview:
         """Move a joint to a position, radians or metres."""
         if math.isfinite(value) and _has_room(self._joints, name):
             self._joints[name] = value
-            told = ValueMessage(path_of("values", name), name, value)
-            self.channel.put("joints", told, sender)
+            message = ValueMessage(path_of("values", name), name, value)
+            self.channel.put("joints", message, sender)
 
     def take_pose(self, name: str) -> None:
         """Put all joints into a pose of the configuration.
@@ -253,39 +248,37 @@ class DocumentPreview:
             elif math.isfinite(value) and _has_room(self._parameters, name):
                 self._parameters[name] = value
         if before != self._parameters:
-            self._draw()
+            self.put_back()
 
     def adopt(self, joints: Mapping[str, float], parameters: Mapping[str, float]) -> None:
         """Take over the values of a page that was there before this server, where none are set."""
         for name, value in joints.items():
             if name not in self._joints:
                 self.set_joint(name, value)
-        known = self._parameters
-        self.set_parameters({name: v for name, v in parameters.items() if name not in known})
+        self.set_parameters({**parameters, **self._parameters})
 
     def highlight(self, kind: str, name: str) -> None:
         """Light up a link, joint or frame; nothing for an empty name."""
         self.channel.replace("highlight", keyed([HighlightMessage(kind, name)]))
 
+    def _given(self, analysis: Analysis) -> dict[str, float]:
+        return {**analysis.context.values, **self._parameters}
+
     @property
     def _last_skeleton(self) -> Linkage | None:
         return self._last_good.skeleton if self._last_good is not None else None
 
-    def _others(self) -> list[OtherRobot]:
-        """Return what can be compared, each name once."""
+    def _others(self) -> dict[str, OtherRobot]:
+        """Return what can be compared, by name."""
         twins = twin_robots(self._shown[0]) if self._shown is not None else []
         saved = [self._saved] if self._saved is not None else []
-        return list({other.name: other for other in (*self._given, *twins, *saved)}.values())
-
-    def _other(self, name: str) -> OtherRobot | None:
-        return next((other for other in self._others() if other.name == name), None)
+        return {other.name: other for other in (*self._offered, *twins, *saved)}
 
     def _offer(self) -> None:
-        """Tell what can be compared, and compare anew."""
+        """List what can be compared, and compare anew."""
         others = self._others()
-        if self._chosen not in {other.name for other in others}:
-            self._chosen = ""
-        self.channel.replace("others", other_messages(others, self._chosen))
+        self._chosen = self._chosen if self._chosen in others else ""
+        self.channel.replace("others", other_messages(others.values(), self._chosen))
         source = self._meshes_of()
         if source is None or not self._wants_meshes:
             self.channel.replace("meshes", {} if source is None else offered(source))
@@ -296,49 +289,42 @@ class DocumentPreview:
         twins = self._shown[0].settings.twins if self._shown is not None else ()
         return self._mesh_source or twin_source(twins)
 
-    def _draw(self) -> None:
-        if self.analysis is not None:
-            self._put(self.analysis, self.drawing(self.analysis))
-
     def _put(self, analysis: Analysis, drawing: ShownVersion) -> None:
-        if drawing.picture.state is not PictureState.BROKEN:
-            self._last_good = drawing.picture
+        drawn, settings = drawing.picture, analysis.settings
+        if drawn.state is not PictureState.BROKEN:
+            self._last_good = drawn
         if drawing.robot is not None:
             self.channel.replace("robot", drawing.robot)
-        guessed = drawing.picture.guesses.values
-        rows = parameter_messages(
-            analysis.model, analysis.settings.bindings, self._parameters, guessed
-        )
+        guessed = drawn.guesses.values
+        rows = parameter_messages(analysis.model, settings.bindings, self._parameters, guessed)
         self.channel.replace("parameters", rows)
-        poses = analysis.settings.poses.items()
-        told = (PoseMessage(path_of("poses", name), name, joints) for name, joints in poses)
-        self.channel.replace("poses", keyed(told))
-        self._picture = drawing.picture
+        poses = settings.poses.items()
+        messages = (PoseMessage(path_of("poses", name), name, joints) for name, joints in poses)
+        self.channel.replace("poses", keyed(messages))
         self._shown = analysis, drawing
-        self._tell_status(self.findings)
+        self._show_status(self.findings)
         self._draw_ghost()
         self._offer()
 
     def _list(self, findings: Sequence[Diagnostic], text: str) -> None:
         self.channel.replace("findings", finding_messages(findings, text))
-        self._tell_status(findings)
+        self._show_status(findings)
 
-    def _tell_status(self, findings: Sequence[Diagnostic]) -> None:
-        if self._picture is not None:
-            status = status_message(self._picture, findings, self._label)
+    def _show_status(self, findings: Sequence[Diagnostic], lost: str = "") -> None:
+        drawn = self._shown[1].picture if self._shown is not None else None
+        if drawn is not None or lost:
+            status = status_message(drawn, findings, self._label, lost)
             self.channel.replace("status", keyed([status]))
 
     def _draw_ghost(self) -> None:
-        present = self._last_skeleton
-        if self._planned is None and self._compared is not None:
-            told: Messages = keyed([GhostMessage("other", self._chosen)])
-            self.channel.replace("ghost", {**told, **ghost_messages(self._compared)})
-            return
-        ghost = self._planned or self._ghost
-        is_apart = ghost is not None and (present is None or not _stand_alike(ghost, present))
-        kind = GhostMessage("planned" if self._planned is not None else "saved")
-        shown = {**keyed([kind]), **ghost_messages(ghost)} if ghost and is_apart else {}
-        self.channel.replace("ghost", shown)
+        present, ghost, kind = self._last_skeleton, self._planned, GhostMessage("planned")
+        if ghost is None and self._compared is not None:
+            ghost, kind = self._compared, GhostMessage("other", self._chosen)
+        else:
+            ghost, kind = (ghost, kind) if ghost else (self._ghost, GhostMessage("saved"))
+            if ghost and present and _placed(ghost) == _placed(present):
+                ghost = None
+        self.channel.replace("ghost", {**keyed([kind]), **ghost_messages(ghost)} if ghost else {})
 
 
 def _has_room(values: dict[str, float], name: str) -> bool:
@@ -346,12 +332,8 @@ def _has_room(values: dict[str, float], name: str) -> bool:
     return name in values or len(values) < MOST_VALUES
 
 
-def _stand_alike(a: Linkage, b: Linkage) -> bool:
-    """Return whether the bodies of two mechanisms cover each other."""
-    return _placed(a) == _placed(b)
-
-
 def _placed(skeleton: Linkage) -> tuple[object, ...]:
+    """Return the places of a mechanism's bodies, equal if two mechanisms cover each other."""
     frames = [(frame.name, frame.pose.translation) for frame in skeleton.frames]
     return (
         *(skeleton.link_names, skeleton.joint_names, skeleton.joint_kinds, skeleton.parents),

@@ -8,11 +8,8 @@ from functools import partial
 from typing import Any
 
 from kindsl.frontends.preview.channel import Tab
-from kindsl.frontends.preview.comparing import OtherRobot
 from kindsl.frontends.preview.document_preview import DocumentPreview, ShownVersion
 from kindsl.frontends.preview.dragging import Dragging
-from kindsl.frontends.preview.meshes import MeshSource
-from kindsl.frontends.preview.outcomes import Writing
 from kindsl.frontends.preview.requests import (
     Compare,
     Drag,
@@ -27,6 +24,7 @@ from kindsl.frontends.preview.requests import (
     WriteParameters,
 )
 from kindsl.frontends.preview.reveal import place_of
+from kindsl.frontends.preview.steps import Writing
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.language.text.span import Span
@@ -98,10 +96,6 @@ class DocumentPreviews(ABC):
     def admit(self, origin: str) -> None:
         """Let pages of one more origin in."""
 
-    def shows(self, key: str) -> bool:
-        """Return whether a document has a preview."""
-        return key in self._documents
-
     async def show(
         self,
         key: str,
@@ -117,7 +111,7 @@ class DocumentPreviews(ABC):
             findings: The list; None while it is not known, then the old one stays.
             label: Name of the document; the first time counts.
         """
-        document = self._document(key, label)
+        document = self._documents.get(key) or self._new(key, label or key)
         document.newest = analysis
         async with document.turn:
             if document.newest is not analysis:
@@ -125,52 +119,11 @@ class DocumentPreviews(ABC):
             if document.analysis is not analysis:
                 document.put(analysis, await self._drawing(document, analysis))
             if findings is not None:
-                document.tell(findings)
+                document.list_findings(findings)
 
-    def lose(self, key: str, message: str) -> None:
-        """Tell the pages why a document is no longer followed; showing it again ends that."""
-        if key in self._documents:
-            self._documents[key].lose(message)
-
-    def take_pose(self, key: str, name: str) -> None:
-        """Put a document's joints into a pose of its configuration.
-
-        Raises:
-            PoseError: There is none of that name for this robot.
-        """
-        self._document(key, "").take_pose(name)
-
-    def play(self, key: str, name: str, text: str) -> None:
-        """Offer a motion of a document's robot, the text of a file, to be played."""
-        self._document(key, "").play(name, text)
-
-    def saved(self, key: str) -> None:
-        """Let the version that is shown stand as a ghost behind later ones."""
-        if key in self._documents:
-            self._documents[key].keep_as_ghost()
-
-    def compare(self, key: str, other: OtherRobot) -> None:
-        """Compare a document with another description of its robot."""
-        self._document(key, "").compare(other)
-
-    def draw_meshes(self, key: str, source: MeshSource) -> None:
-        """Draw the meshes of another description on a document's links."""
-        self._document(key, "").draw_meshes(source)
-
-    def compare_again(self, key: str) -> None:
-        """Know that what a document is compared with may have changed."""
-        if key in self._documents:
-            self._documents[key].recompare()
-
-    def highlight(self, key: str, kind: str, name: str) -> None:
-        """Light up a `"link"`, `"joint"` or `"frame"`; nothing for an empty name."""
-        if key in self._documents:
-            self._documents[key].highlight(kind, name)
-
-    def set_parameter(self, key: str, name: str, value: float) -> None:
-        """Give a parameter a value in the picture only."""
-        if key in self._documents:
-            self._documents[key].set_parameters({name: value})
+    def at(self, key: str) -> DocumentPreview | None:
+        """Return what is shown of a document, if it has a preview."""
+        return self._documents.get(key)
 
     def close(self, key: str) -> None:
         """Forget a document."""
@@ -240,7 +193,7 @@ class DocumentPreviews(ABC):
         try:
             while True:
                 self._comparing[document] = False
-                document.tell_beside(await self._beside(document.beside))
+                document.show_beside(await self._beside(document.beside))
                 if not self._comparing[document]:
                     return
         finally:
@@ -276,14 +229,13 @@ class DocumentPreviews(ABC):
         if span is not None:
             self._on_reveal(key, span, chosen)
 
-    def _document(self, key: str, label: str) -> DocumentPreview:
-        if key not in self._documents:
-            document = self._documents[key] = DocumentPreview(label or key)
-            document.recompare = partial(self._compare, document)
-            self._keys[identifier(key)] = key
-            if self._on_edit is not None:
-                self._dragging[key] = Dragging(document, partial(self._on_edit, key))
-        return self._documents[key]
+    def _new(self, key: str, label: str) -> DocumentPreview:
+        document = self._documents[key] = DocumentPreview(label)
+        document.recompare = partial(self._compare, document)
+        self._keys[identifier(key)] = key
+        if self._on_edit is not None:
+            self._dragging[key] = Dragging(document, partial(self._on_edit, key))
+        return document
 
     async def _drawing(self, document: DocumentPreview, analysis: Analysis) -> ShownVersion:
         """Return what there is to show of a version."""

@@ -29,33 +29,28 @@ def finding_messages(findings: Sequence[Diagnostic], text: str) -> Messages:
     return keyed(_finding(index, finding, lines) for index, finding in enumerate(listed(findings)))
 
 
-def status_message(drawn: Picture, findings: Sequence[Diagnostic], label: str) -> StatusMessage:
-    """Return the message about the state of the picture and how many findings there are."""
+def status_message(
+    drawn: Picture | None, findings: Sequence[Diagnostic], label: str, lost: str = ""
+) -> StatusMessage:
+    """Return the message about the state of the picture and how many findings there are.
+
+    Args:
+        drawn: The picture, None if there has never been one.
+        findings: All of them, listed or not.
+        label: Name of the document.
+        lost: Why the document is not there any longer, so that a former one is shown.
+    """
+    weight = NO_MASS if drawn is None else drawn.weight
     counts = Counter(str(finding.severity) for finding in findings)
     return StatusMessage(
-        state=drawn.state,
-        message=drawn.message,
+        state="gone" if lost or drawn is None else drawn.state,
+        message=lost or ("" if drawn is None else drawn.message),
         total=len(findings),
-        counts=dict(counts),
-        label=label,
-        mass=drawn.weight.known,
-        lacks=drawn.weight.plain_reason,
-        is_former=drawn.is_former,
-    )
-
-
-def lost_message(message: str, drawn: Picture | None, total: int, label: str) -> StatusMessage:
-    """Return the message that the document itself is not there: what is shown is a former one."""
-    weight = NO_MASS if drawn is None else drawn.weight
-    return StatusMessage(
-        state="gone",
-        message=message,
-        total=total,
-        counts={},
+        counts={} if lost else dict(counts),
         label=label,
         mass=weight.known,
         lacks=weight.plain_reason,
-        is_former=True,
+        is_former=bool(lost) or (drawn is not None and drawn.is_former),
     )
 
 

@@ -1,21 +1,32 @@
 """Steps written from a page, so that they can be undone and redone there."""
 
-from collections.abc import Sequence
 from typing import NamedTuple
 
-from kindsl.language.text.edits import TextEdit, apply_edits
+from kindsl.frontends.features.manipulation.gesture import Refusal
+from kindsl.language.text.edits import TextEdit, apply_edits, difference
 
-_CHANGED = "the document has changed since"
+Bindings = tuple[tuple[str, float], ...]
+_CHANGED = Refusal("the document has changed since")
 
 
-class Step(NamedTuple):
-    """A text before and after something was written.
+class Writing(NamedTuple):
+    """The text to be written, as one step of undo.
 
     Attributes:
         label: Its title, in the imperative.
-        old: The text before.
-        new: The text after.
+        text: The document that it was made for.
+        edits: Of that text.
+        bindings: Parameters to bind anew in the configuration file.
     """
+
+    label: str
+    text: str
+    edits: tuple[TextEdit, ...]
+    bindings: Bindings = ()
+
+
+class _Step(NamedTuple):
+    """The text before and after something was written."""
 
     label: str
     old: str
@@ -26,31 +37,27 @@ class Steps:
     """The writings of one document, the newest last."""
 
     def __init__(self) -> None:
-        self._done: list[Step] = []
-        self._undone: list[Step] = []
+        self._steps: list[_Step] = []
+        self._n_done = 0
 
-    def add(self, label: str, text: str, edits: Sequence[TextEdit]) -> None:
-        """Remember edits of a text; what was taken back before cannot be made again."""
-        self._done.append(Step(label, text, apply_edits(text, edits)))
-        self._undone.clear()
+    def undo(self, text: str) -> Writing | Refusal:
+        """Return what takes the last step back, or why there is none."""
+        if not self._n_done:
+            return Refusal("there is nothing to undo")
+        label, old, new = self._steps[self._n_done - 1]
+        edit = difference(new, old)
+        return Writing(f"Undo: {label}", text, (edit,)) if text == new else _CHANGED
 
-    def to_undo(self, text: str) -> Step | str:
-        """Return the step that leads back from a text, or why there is none."""
-        if not self._done:
-            return "there is nothing to undo"
-        last = self._done[-1]
-        return Step(last.label, last.new, last.old) if last.new == text else _CHANGED
+    def redo(self, text: str) -> Writing | Refusal:
+        """Return what makes the next step again, or why there is none."""
+        if self._n_done == len(self._steps):
+            return Refusal("there is nothing to redo")
+        label, old, new = self._steps[self._n_done]
+        return Writing(label, text, (difference(old, new),)) if text == old else _CHANGED
 
-    def to_redo(self, text: str) -> Step | str:
-        """Return the step that leads on from a text, or why there is none."""
-        if not self._undone:
-            return "there is nothing to redo"
-        return self._undone[-1] if self._undone[-1].old == text else _CHANGED
-
-    def undone(self) -> None:
-        """Know that the last step was taken back."""
-        self._undone.append(self._done.pop())
-
-    def redone(self) -> None:
-        """Know that the step that was taken back last was made again."""
-        self._done.append(self._undone.pop())
+    def keep(self, gesture: str, writing: Writing) -> None:
+        """Remember what was written; a new step forgets those that were undone."""
+        if gesture not in ("undo", "redo"):
+            new = apply_edits(writing.text, writing.edits)
+            self._steps[self._n_done :] = [_Step(writing.label, writing.text, new)]
+        self._n_done += -1 if gesture == "undo" else 1

@@ -25,9 +25,10 @@ from kindsl.frontends.lsp.wire.protocol import RequestFailed
 from kindsl.judgement.config.parameter_lines import parameter_table, pose_table
 
 if TYPE_CHECKING:
+    from kindsl.frontends.preview.document_preview import DocumentPreview
     from kindsl.frontends.preview.documents import DocumentPreviews
-    from kindsl.frontends.preview.outcomes import Writing
     from kindsl.frontends.preview.requests import KeepPose, WriteParameters
+    from kindsl.frontends.preview.steps import Writing
     from kindsl.judgement.analysis.diagnostics import Diagnostic
     from kindsl.language.text.span import Span
 
@@ -87,18 +88,21 @@ class Previews:
 
     def saved(self, uri: str) -> None:
         """Let the version that was saved stand as a ghost behind later ones."""
-        if self._preview is not None:
-            self._preview.saved(uris.key(uri))
+        if (shown := self._shown(uri)) is not None:
+            shown.keep_as_ghost()
 
     def set_parameter(self, uri: str, name: str, value: float) -> None:
         """Let a parameter that nothing binds have a value in the picture."""
-        if self._preview is not None:
-            self._preview.set_parameter(uris.key(uri), name, value)
+        if (shown := self._shown(uri)) is not None:
+            shown.set_parameters({name: value})
 
     async def stop(self) -> None:
         """Close all pages."""
         if self._preview is not None:
             await self._preview.stop()
+
+    def _shown(self, uri: str) -> "DocumentPreview | None":
+        return None if self._preview is None else self._preview.at(uris.key(uri))
 
     def _changed(self, document: Document) -> None:
         self._follow(_Version(document))
@@ -109,7 +113,7 @@ class Previews:
     def _follow(self, version: _Version) -> None:
         """Show a version of a document that is shown, unless a newer one comes first."""
         key = uris.key(version.document.uri)
-        if self._preview is None or not self._preview.shows(key):
+        if self._preview is None or self._preview.at(key) is None:
             return
         self._newest[key] = version
         if key not in self._drawing:
@@ -206,6 +210,5 @@ class Previews:
 
     def _highlight(self, uri: str, kind: str, name: str) -> None:
         """Light up what the cursor is on; from any thread."""
-        if self._preview is not None:
-            show = self._preview.highlight
-            self._state.loop.call_soon_threadsafe(show, uris.key(uri), kind, name)
+        if (shown := self._shown(uri)) is not None:
+            self._state.loop.call_soon_threadsafe(shown.highlight, kind, name)
