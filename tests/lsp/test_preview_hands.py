@@ -1,8 +1,9 @@
 """What the preview asks of the editor: to show a place, to write numbers, to keep values."""
 
 import asyncio
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import pytest
 from lsprotocol import types
@@ -39,8 +40,9 @@ class Preview:
     async def stop(self) -> None:
         self.calls.append(("stop",))
 
-    def shows(self, _: str) -> bool:
-        return any(call[0] == "show" for call in self.calls)
+    def at(self, key: str) -> "Shown | None":
+        is_shown = any(call[:2] == ("show", key) for call in self.calls)
+        return Shown(key, self.calls) if is_shown else None
 
     def url(self, key: str) -> str:
         return f"address of {key}"
@@ -54,14 +56,21 @@ class Preview:
         n = None if findings is None else len(findings)
         self.calls.append(("show", key, analysis.text, n, label))
 
-    def saved(self, key: str) -> None:
-        self.calls.append(("saved", key))
 
-    def set_parameter(self, key: str, name: str, value: float) -> None:
-        self.calls.append(("set", key, name, value))
+class Shown(NamedTuple):
+    """Notes what its document is asked to show."""
 
-    def highlight(self, key: str, kind: str, name: str) -> None:
-        self.calls.append(("highlight", key, kind, name))
+    key: str
+    calls: list[tuple[Any, ...]]
+
+    def keep_as_ghost(self) -> None:
+        self.calls.append(("saved", self.key))
+
+    def set_parameters(self, values: Mapping[str, float]) -> None:
+        self.calls.append(("set", self.key, *values.items()))
+
+    def highlight(self, kind: str, name: str) -> None:
+        self.calls.append(("highlight", self.key, kind, name))
 
 
 def with_preview(session: Session, fault: Exception | None = None) -> Preview:
@@ -106,14 +115,14 @@ async def test_a_document_is_shown_then_judged_and_everything_reaches_its_page()
         assert await previews.open(URI, "https://editor.example") == f"address of {URI}"
         assert preview.calls.count(("start",)) == 1
         assert ("admit", "https://editor.example") in preview.calls
-        preview.calls.clear()
+        n_before = len(preview.calls)
         previews.saved(URI)
         previews.set_parameter(URI, "length", 1.0)
         for listener in session.on_cursor:
             listener(URI, "link", "upper")
         await asyncio.sleep(0)
-        told = [call for call in preview.calls if call[0] != "show"]
-        assert told == [("saved", URI), ("set", URI, "length", 1.0),
+        told = [call for call in preview.calls[n_before:] if call[0] != "show"]
+        assert told == [("saved", URI), ("set", URI, ("length", 1.0)),
                         ("highlight", URI, "link", "upper")]  # fmt: skip
         await session.close()
         assert preview.calls[-1] == ("stop",)

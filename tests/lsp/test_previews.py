@@ -28,8 +28,8 @@ class Slow:
 
     async def stop(self) -> None: ...
 
-    def shows(self, _: str) -> bool:
-        return bool(self.begun)
+    def at(self, _: str) -> object:
+        return self if self.begun else None
 
     def url(self, _: str) -> str:
         return "address"

@@ -3,7 +3,7 @@
 import asyncio
 
 import pytest
-from tests.preview.robots import ARM
+from tests.preview.robots import ARM, PARAMETRIC_ARM
 
 from kindsl.frontends.preview.channel import Tab
 from kindsl.frontends.preview.document_preview import DocumentPreview
@@ -87,6 +87,16 @@ async def test_what_is_grasped_shows_its_numbers(page):
     assert [c["text"] for c in handles["components"]][2:4] == ["0.5", "PI/2.0"]
     await page.ask(type="grasp", kind="joint", name="")
     assert not page.state("handles")
+
+
+async def test_a_number_follows_the_parameter_that_carries_it():
+    page = Page(PARAMETRIC_ARM)
+    await page.ask(type="grasp", kind="joint", name="lift")
+    page.preview.set_parameters({"reach": 0.3})
+    assert page.state("handles")[0]["components"][0]["value"] == 0.3
+    await page.ask(**drag("drop", value=0.45))
+    assert page.state("handles")[0]["components"][0]["value"] == 0.45
+    assert not page.writings
 
 
 async def test_moving_draws_and_checks_but_writes_nothing(page):

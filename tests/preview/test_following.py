@@ -6,6 +6,7 @@ import threading
 from tests.preview.robots import ARM
 
 from kindsl.frontends.preview import command
+from kindsl.frontends.preview.document_preview import DocumentPreview
 from kindsl.frontends.preview.watch import fingerprint
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 
@@ -19,7 +20,8 @@ class Recorder:
     async def show(self, _, analysis, findings=None):
         self.shown.append((analysis, findings))
 
-    def saved(self, _): ...
+    def at(self, _):
+        return DocumentPreview("arm")
 
 
 async def test_findings_of_an_older_version_do_not_bring_it_back(monkeypatch, tmp_path):

@@ -68,7 +68,7 @@ class DocumentPreview:
         newest: The version that was last asked for, maybe not yet shown.
         turn: Held while a version is drawn.
         revision: How many versions have been shown.
-        on_put: Called when a version is shown.
+        on_change: Called when a version is shown, or values of parameters are others.
         recompare: Called when what is compared has changed; has `beside` made and shown.
         mesh_files: The meshes that pages may load, by name.
     """
@@ -80,7 +80,7 @@ class DocumentPreview:
         self.newest: Analysis | None = None
         self.turn = asyncio.Lock()
         self.revision = 0
-        self.on_put: list[Callable[[], None]] = []
+        self.on_change: list[Callable[[], None]] = []
         self.recompare: Callable[[], None] = lambda: self.show_beside(self.beside())
         self._label = label
         self._joints: dict[str, float] = {}
@@ -119,8 +119,7 @@ class DocumentPreview:
         is_current = drawing.given == self._given(analysis)
         self._put(analysis, drawing if is_current else self.drawing(analysis))
         self.revision += 1
-        for call in self.on_put:
-            call()
+        self._changed()
 
     @property
     def typed(self) -> Mapping[str, float]:
@@ -249,6 +248,7 @@ class DocumentPreview:
                 self._parameters[name] = value
         if before != self._parameters:
             self.put_back()
+            self._changed()
 
     def adopt(self, joints: Mapping[str, float], parameters: Mapping[str, float]) -> None:
         """Take over the values of a page that was there before this server, where none are set."""
@@ -260,6 +260,10 @@ class DocumentPreview:
     def highlight(self, kind: str, name: str) -> None:
         """Light up a link, joint or frame; nothing for an empty name."""
         self.channel.replace("highlight", keyed([HighlightMessage(kind, name)]))
+
+    def _changed(self) -> None:
+        for call in self.on_change:
+            call()
 
     def _given(self, analysis: Analysis) -> dict[str, float]:
         return {**analysis.context.values, **self._parameters}

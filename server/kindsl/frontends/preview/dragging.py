@@ -43,7 +43,7 @@ class Dragging:
         self._held: Thing | None = None
         self._steps = Steps()
         self._is_new = asyncio.Event()
-        preview.on_put.append(self._follow)
+        preview.on_change.append(self._follow)
         self._show_handles()
 
     async def receive(self, request: GestureRequest) -> None:
@@ -72,24 +72,22 @@ class Dragging:
 
     async def _carry_out(self, request: Drag | Plan, outcome: Outcome) -> None:
         """Show or write an outcome, and answer when that is done."""
-        preview, answer, writing = self._preview, outcome.answer, outcome.writing
-        preview.set_parameters(outcome.parameters)
+        answer, writing = outcome.answer, outcome.writing
+        self._preview.set_parameters(outcome.parameters)
         if isinstance(request, Plan):
-            preview.show_plan(outcome.document)
+            self._preview.show_plan(outcome.document)
         elif outcome.document is not None:
-            preview.try_out(outcome.document)
+            self._preview.try_out(outcome.document)
         reason = await self._write_and_wait(writing) if writing is not None else ""
         if reason and isinstance(answer, DraggedMessage):
-            preview.put_back()
+            self._preview.put_back()
             answer = replace(answer, reason=reason, written=False, warning="")
         elif reason and answer is not None:
             answer = replace(answer, reason=reason)
         elif writing is not None and writing.edits:
             self._steps.keep(request.gesture if isinstance(request, Plan) else "", writing)
         if answer is not None:
-            preview.channel.announce(answer)
-        if writing is not None:
-            self._show_handles()
+            self._preview.channel.announce(answer)
 
     async def _write_and_wait(self, writing: Writing) -> str:
         """Write, and wait for the next version, so that pages know what they edit next."""
@@ -117,7 +115,6 @@ class Dragging:
         phase, component = request.phase, request.component
         answer = DraggedMessage(phase, component, "", request.value, reason, False)
         self._preview.channel.announce(answer)
-        self._show_handles()
 
     def _show_handles(self) -> None:
         channel, revision = self._preview.channel, self._preview.revision

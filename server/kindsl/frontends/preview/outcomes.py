@@ -45,18 +45,18 @@ def drag_outcome(
         request: The page's request.
         typed: Values of parameters that the preview shows instead of the document's.
     """
-    kind, name, component, value, phase = request[:5]
-    if phase == "cancel":
+    if request.phase == "cancel":
         return Refusal("")
-    change = set_component(analysis, Thing(kind, name), component, value, request.step, typed)
-    if request.carries and kind == "com" and not isinstance(change, Refusal):
-        change = with_moments(analysis, name, component, change)
+    thing, component = Thing(request.kind, request.name), request.component
+    change = set_component(analysis, thing, component, request.value, request.step, typed)
+    if request.carries and thing.kind == "com" and not isinstance(change, Refusal):
+        change = with_moments(analysis, thing.name, component, change)
     if isinstance(change, Refusal):
         return change
     tried = analysis.changed(change.edits, dict(change.bindings))
-    is_about_bodies = kind != "joint" or change.bindings
+    is_about_bodies = thing.kind != "joint" or change.bindings
     warning = _newly_impossible(analysis, tried) if is_about_bodies else ""
-    is_written = phase == "drop" and bool(change.edits)
+    phase, is_written = request.phase, request.phase == "drop" and bool(change.edits)
     answer = DraggedMessage(phase, component, change.text, change.value, "", is_written, warning)
     shown = dict(change.preview)
     if phase == "move":
