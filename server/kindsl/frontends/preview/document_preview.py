@@ -297,6 +297,10 @@ class DocumentPreview:
         drawn, settings = drawing.picture, analysis.settings
         if drawn.state is not PictureState.BROKEN:
             self._last_good = drawn
+        self._shown = analysis, drawing
+        self._show_status(self.findings)
+        self._draw_ghost()
+        self._offer()
         if drawing.robot is not None:
             self.channel.replace("robot", drawing.robot)
         guessed = drawn.guesses.values
@@ -305,14 +309,10 @@ class DocumentPreview:
         poses = settings.poses.items()
         messages = (PoseMessage(path_of("poses", name), name, joints) for name, joints in poses)
         self.channel.replace("poses", keyed(messages))
-        self._shown = analysis, drawing
-        self._show_status(self.findings)
-        self._draw_ghost()
-        self._offer()
 
     def _list(self, findings: Sequence[Diagnostic], text: str) -> None:
-        self.channel.replace("findings", finding_messages(findings, text))
         self._show_status(findings)
+        self.channel.replace("findings", finding_messages(findings, text))
 
     def _show_status(self, findings: Sequence[Diagnostic], lost: str = "") -> None:
         drawn = self._shown[1].picture if self._shown is not None else None

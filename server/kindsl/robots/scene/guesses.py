@@ -1,6 +1,6 @@
 """Values to draw with for parameters that have none: a robot is shown before they are known."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from math import hypot, isfinite
 from statistics import median
 from typing import NamedTuple
@@ -8,7 +8,6 @@ from typing import NamedTuple
 from kindsl.language.semantics.declarations import Frame, Joint, ValueKind
 from kindsl.language.semantics.expressions import ParameterUse, symbols
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.parameters import Parameter
 
 USUAL_LENGTH = 0.3  # metres
 _NEGLIGIBLE = 1e-6  # metres
@@ -35,7 +34,7 @@ NO_GUESSES = Guesses({}, (), frozenset(), frozenset())
 
 
 def guesses(model: Model, values: Mapping[str, float]) -> Guesses:
-    """Return what to draw with.
+    """Return what to draw with in place of missing values.
 
     Args:
         model: The document's model.
@@ -46,35 +45,25 @@ def guesses(model: Model, values: Mapping[str, float]) -> Guesses:
         return NO_GUESSES
     placing = [p for p in unbound if p.kind is not ValueKind.DYNAMICS]
     length = _typical_length(model, values) if placing else USUAL_LENGTH
-    found = {str(p.name): _guess(p, length) for p in placing}
-    joints = (j.name for j in model.joints if _depends(j, found))
-    frames = (n for f in model.frames if _depends(f, found) for n in (f.name, _long(f)))
+    found = {str(p.name): length if p.kind is ValueKind.LENGTH else 0.0 for p in placing}
     left_out = tuple(str(p.name) for p in unbound if p.kind is ValueKind.DYNAMICS)
-    return Guesses(found, left_out, frozenset(map(str, joints)), frozenset(map(str, frames)))
-
-
-def _long(frame: Frame) -> str:
-    """Return what a frame is called whose name was taken."""
-    return f"{frame.link}.{frame.name}"
-
-
-def _guess(parameter: Parameter, length: float) -> float:
-    return length if parameter.kind is ValueKind.LENGTH else 0.0
+    joints = (str(joint.name) for joint in model.joints if _depends(joint, found))
+    frames = (frame for frame in model.frames if _depends(frame, found))
+    # A frame whose name is taken is drawn as `link.frame`.
+    names = (name for f in frames for name in (str(f.name), f"{f.link}.{f.name}"))
+    return Guesses(found, left_out, frozenset(joints), frozenset(names))
 
 
 def _typical_length(model: Model, values: Mapping[str, float]) -> float:
     """Return the median distance between a link's frame and its joints, metres."""
-    lengths = list(_lengths(model, values))
-    return float(f"{median(lengths):.{_DIGITS}g}") if lengths else USUAL_LENGTH
-
-
-def _lengths(model: Model, values: Mapping[str, float]) -> Iterator[float]:
+    lengths: list[float] = []
     for joint in model.joints:
         vector = joint.pose.translation
         numbers = [c.value(values) for c in vector.components] if vector is not None else []
         known = [number for number in numbers if number is not None and isfinite(number)]
         if len(known) == len(numbers) and hypot(*known) > _NEGLIGIBLE:
-            yield hypot(*known)
+            lengths.append(hypot(*known))
+    return float(f"{median(lengths):.{_DIGITS}g}") if lengths else USUAL_LENGTH
 
 
 def _depends(thing: Joint | Frame, names: Mapping[str, float]) -> bool:

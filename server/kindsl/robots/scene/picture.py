@@ -60,26 +60,29 @@ def picture(model: Model, given: dict[str, float], last: Picture | None) -> Pict
         given: Values of parameters.
         last: That of the last version that had a complete tree.
     """
+    defect = _defect(model)
     values = values_of(model.parameters, model.constants, given)
     guessed = guesses(model, values)
     values.update(guessed.values)
     former = last.skeleton if last is not None else None
     earlier = dict(zip(former.joint_names, former.placements, strict=True)) if former else {}
     skeleton = partial_linkage(model, values, earlier)
-    defect = _defect(model) or (_refusal(model, values) if skeleton is None else "")
+    if not defect and skeleton is None:
+        defect = _refusal(model, values)
     if defect and last is not None and former is not None:
         sentence = _sentence(defect, "the last complete version is shown")
         return replace(
             last, state=PictureState.BROKEN, message=sentence, guesses=guessed, is_former=True
         )
-    weight = total_mass(model, values)
-    unknown = {name: why.plain for name, why in unknown_bodies(model, values).items()}
     if defect:
-        sentence = _sentence(defect, "showing the rest" if skeleton else "nothing can be shown yet")
-        return Picture(skeleton, PictureState.BROKEN, sentence, guessed, weight, unknown)
-    message = _message(guessed) or _incomplete(model, values)
-    state = PictureState.GUESSED if guessed.values or guessed.left_out else PictureState.LIVE
-    return Picture(skeleton, state, message, guessed, weight, unknown)
+        state = PictureState.BROKEN
+        message = _sentence(defect, "showing the rest" if skeleton else "nothing can be shown yet")
+    else:
+        is_guess = guessed.values or guessed.left_out
+        state = PictureState.GUESSED if is_guess else PictureState.LIVE
+        message = _message(guessed) or _incomplete(model, values)
+    unknown = {name: why.plain for name, why in unknown_bodies(model, values).items()}
+    return Picture(skeleton, state, message, guessed, total_mass(model, values), unknown)
 
 
 def _defect(model: Model) -> str:

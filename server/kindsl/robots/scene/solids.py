@@ -51,12 +51,12 @@ class LinkSolid(NamedTuple):
         look: Its verdict in the picture.
         doubts: The gravest first.
         is_oversized: Whether the core would hide the robot, as a wrong inertia makes it.
-        shell: How much smaller a shell of the robot's usual density is that has the same mass and
-            inertia, as a factor; 1 where the core is as dense.
+        shell: Scale of a shell of the robot's usual density that has the same mass and inertia; 1
+            where the core is as dense.
         bone: Radius of the bones to its joints.
         strut: From a bone to the centre of mass where the core touches none, else empty.
         drum: Radius of the supporting joint's drum.
-        is_shaded: Whether it is told from its parent by a shade.
+        is_shaded: Whether a shade tells it from its parent.
     """
 
     core: Solid | None
@@ -67,7 +67,7 @@ class LinkSolid(NamedTuple):
     bone: float
     strut: tuple[Vector3, ...]
     drum: float
-    is_shaded: bool
+    is_shaded: bool = False
 
 
 def link_solids(
@@ -81,16 +81,22 @@ def link_solids(
         unknown: Names of the bodies whose masses or moments are not known.
     """
     masses = known_masses(skeleton, unknown)
+    cores = [equivalent_solid(body) for body in masses]
     density = usual_density(masses)
     moving = masses if skeleton.is_floating else masses[1:]
-    total = sum(max(0.0, body.mass) for body in moving)
-    bodies = zip(masses, extent.segments, _doubts(skeleton, masses), strict=True)
-    alone = [
-        _shape(body, segments, doubts, density, extent.radius, extent.size)
-        if _counts(body, total, density, is_at_rest=not (i or skeleton.is_floating))
-        else _bare(doubts, extent.radius)
-        for i, (body, segments, doubts) in enumerate(bodies)
-    ]
+    least = PLACEHOLDER * sum(max(0.0, body.mass) for body in moving)
+    alone: list[LinkSolid] = []
+    for core, body, segments, doubts in zip(
+        cores, masses, extent.segments, _doubts(skeleton, masses), strict=True
+    ):
+        is_at_rest = not (alone or skeleton.is_floating)
+        # The inertia of a placeholder or a fixed base may be anything.
+        is_plausible = core and core.is_possible and core.density >= LIGHT * density
+        if core and (is_plausible or (body.mass >= least and not is_at_rest)):
+            sizes = density, extent.radius, extent.size
+            alone.append(_shape(core, body.mass / density, segments, doubts, *sizes))
+        else:
+            alone.append(_bare(doubts, extent.radius))
     return _joined(skeleton, extent, alone)
 
 
@@ -139,35 +145,25 @@ def usual_density(bodies: Sequence[MassDistribution]) -> float:
     return min(max(stepped, USUAL[0]), USUAL[1])
 
 
-def _counts(body: MassDistribution, total: float, density: float, *, is_at_rest: bool) -> bool:
-    """Return whether an inertia is meant: of a placeholder or a fixed base it may be anything."""
-    solid = equivalent_solid(body)
-    if solid is None:
-        return False
-    is_plausible = solid.is_possible and solid.density >= LIGHT * density
-    return is_plausible or (body.mass >= PLACEHOLDER * total and not is_at_rest)
-
-
 def _bare(doubts: tuple[Doubt, ...], unit: float) -> LinkSolid:
     """Return a link that is drawn by its bones alone: a placeholder is not judged."""
     grave = tuple(doubt for doubt in doubts if doubt.code == "KD303")
     look: Look = "impossible" if grave else "sound"
-    return LinkSolid(None, look, grave, False, 1.0, THINNEST * unit, (), unit, False)
+    return LinkSolid(None, look, grave, False, 1.0, THINNEST * unit, (), unit)
 
 
 @lru_cache(maxsize=_MOST_KNOWN)
 def _shape(
-    body: MassDistribution,
+    core: Solid,
+    volume: float,
     segments: tuple[Segment, ...],
     doubts: tuple[Doubt, ...],
     density: float,
     unit: float,
     size: float,
 ) -> LinkSolid:
-    core = equivalent_solid(body)
-    assert core is not None
     ends = [segment.end for segment in segments]
-    radius = min(BONE * filling_radius(ends, body.mass / density), BENEATH * min(core.semi_axes))
+    radius = min(BONE * filling_radius(ends, volume), BENEATH * min(core.semi_axes))
     look: Look = "impossible" if not core.is_possible else "doubtful" if doubts else "sound"
     return LinkSolid(
         core=core,
@@ -178,7 +174,6 @@ def _shape(
         bone=min(max(radius, THINNEST * unit), THICKEST * unit),
         strut=_strut(core, ends),
         drum=unit,
-        is_shaded=False,
     )
 
 
