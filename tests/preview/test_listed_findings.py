@@ -6,7 +6,6 @@ from kindsl.frontends.preview.findings import (
     MOST_LISTED,
     finding_messages,
     listed,
-    lost_message,
     status_message,
 )
 from kindsl.judgement.analysis.analysis import analyse
@@ -46,8 +45,9 @@ class TestFindings:
             "mass": 2.5, "lacks": "why not", "is_former": False,
         }  # fmt: skip
         lost = {"state": "gone", "message": "gone", "total": 3, "counts": {}, "is_former": True}
-        assert plain(lost_message("gone", drawn, 3, "arm.kindsl")) == {**plain(found), **lost}
-        assert plain(lost_message("gone", None, 3, "arm.kindsl")) == {
+        gone = status_message(drawn, [error] * 3, "arm.kindsl", "gone")
+        assert plain(gone) == {**plain(found), **lost}
+        assert plain(status_message(None, [error] * 3, "arm.kindsl", "gone")) == {
             "type": "status", "path": "/kindsl/status", "label": "arm.kindsl",
             "mass": 0.0, "lacks": "", **lost,
         }  # fmt: skip

@@ -6,15 +6,15 @@ import sys
 
 import pytest
 
-from kindsl.frontends.preview import viewer
-from kindsl.frontends.preview.viewer import PreviewUnavailableError, viewer_script
+from kindsl.frontends.preview import assets
+from kindsl.frontends.preview.assets import PreviewUnavailableError, viewer_script
 from kindsl.robots.scene.geometry import (
     Form,
     Shape,
     lowered,
 )
 
-HEAVY = {"numpy", "tornado", "asyncio", "umsgpack", "meshcat", "IPython", "zmq"}
+HEAVY = {"numpy", "tornado", "asyncio", "umsgpack", "meshcat", "IPython", "zmq", "cattrs"}
 
 
 def loaded_by(statement):
@@ -23,14 +23,15 @@ def loaded_by(statement):
     return set(run.stdout.split())
 
 
-@pytest.mark.parametrize("module", ["kindsl.preview", "kindsl.frontends.cli.preview"])
+@pytest.mark.parametrize("module", ["kindsl.frontends.preview", "kindsl.frontends.cli.preview"])
 def test_importing_it_loads_nothing_heavy(module):
     assert not loaded_by(f"import {module}") & HEAVY
 
 
 def test_the_server_never_imports_meshcat_itself():
     loaded = loaded_by(
-        "from kindsl.preview import PreviewServer; from kindsl.robots.scene.geometry import *;"
+        "from kindsl.frontends.preview.server import PreviewServer;"
+        "from kindsl.robots.scene.geometry import *;"
         "lowered(Shape(Form.BALL, 0))"
     )
     assert not loaded & {"meshcat", "IPython", "zmq"}
@@ -55,13 +56,13 @@ def test_the_viewer_comes_with_meshcat_or_is_said_to_be_missing(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     assert viewer_script().name == "main.min.js" and viewer_script().is_file()
-    monkeypatch.setattr(viewer.importlib.util, "find_spec", lambda _: None)
+    monkeypatch.setattr(assets.importlib.util, "find_spec", lambda _: None)
     with pytest.raises(PreviewUnavailableError, match="needs the package 'meshcat'"):
-        viewer._meshcat_folder()
+        assets._meshcat_folder()
     spec = importlib.util.spec_from_loader("meshcat", loader=None)
-    monkeypatch.setattr(viewer.importlib.util, "find_spec", lambda _: spec)
+    monkeypatch.setattr(assets.importlib.util, "find_spec", lambda _: spec)
     with pytest.raises(PreviewUnavailableError, match="needs the package 'meshcat'"):
-        viewer._meshcat_folder()
+        assets._meshcat_folder()
 
 
 def test_an_unknown_name_is_no_part_of_it():

@@ -15,7 +15,7 @@ from tornado.websocket import WebSocketClosedError, websocket_connect
 
 from kindsl.frontends.preview.access import Access, new_token
 from kindsl.frontends.preview.assets import SCRIPTS, STYLES
-from kindsl.frontends.preview.budget import Budget
+from kindsl.frontends.preview.handlers import Budget
 from kindsl.frontends.preview.server import PreviewServer
 from kindsl.judgement.analysis.analysis import analyse
 
@@ -287,7 +287,7 @@ async def test_two_servers_have_two_tokens(server):
 
 
 async def test_a_taken_port_is_told(server):
-    from kindsl.frontends.preview.viewer import PreviewUnavailableError
+    from kindsl.frontends.preview.assets import PreviewUnavailableError
 
     with pytest.raises(PreviewUnavailableError, match=r"cannot listen on 127\.0\.0\.1"):
         await PreviewServer(port=server.port).start()

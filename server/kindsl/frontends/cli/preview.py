@@ -80,7 +80,7 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _run(args: argparse.Namespace) -> int:
-    from kindsl.frontends.preview.viewer import PreviewUnavailableError
+    from kindsl.frontends.preview.assets import PreviewUnavailableError
     from kindsl.judgement.analysis.poses import PoseError
 
     try:

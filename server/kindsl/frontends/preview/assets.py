@@ -1,11 +1,12 @@
-"""The files that a page is sent as, read once."""
+"""The files that a page is sent as, read once; the viewer's comes with the package meshcat."""
 
+import importlib.util
 from functools import cache
 from importlib import resources
+from pathlib import Path
 from typing import NamedTuple
 
 from kindsl.frontends.preview.linking import linked
-from kindsl.frontends.preview.viewer import viewer_script
 
 VIEWER = "viewer.js"
 PLOT = "plot.js"
@@ -18,6 +19,10 @@ STYLES = (
     *("panel/panel.css", "panel/compare.css", "editing/editing.css"),
 )
 PAGE = "page.html"
+
+
+class PreviewUnavailableError(RuntimeError):
+    """Something that the preview needs is not installed; the message says what."""
 
 
 class Asset(NamedTuple):
@@ -75,3 +80,22 @@ def _vendored(name: str) -> str:
 
 def _read(name: str) -> str:
     return (resources.files("kindsl.frontends.preview") / "page" / name).read_text(encoding="utf-8")
+
+
+@cache
+def viewer_script() -> Path:
+    """Return the file of meshcat's viewer, without importing meshcat.
+
+    Raises:
+        PreviewUnavailableError: If meshcat is not installed.
+    """
+    return _meshcat_folder() / "viewer" / "dist" / "main.min.js"
+
+
+def _meshcat_folder() -> Path:
+    spec = importlib.util.find_spec("meshcat")
+    if spec is None or not spec.submodule_search_locations:
+        raise PreviewUnavailableError(
+            "the preview needs the package 'meshcat': pip install 'kindsl[preview]'"
+        )
+    return Path(next(iter(spec.submodule_search_locations)))

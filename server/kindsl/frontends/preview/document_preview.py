@@ -62,6 +62,7 @@ class DocumentPreview:
     """The pages of one document.
 
     Attributes:
+        key: Of the document, as its editor or command knows it.
         channel: The state and the tabs.
         analysis: The document as last shown, None before.
         findings: Its findings, or those of an earlier version until they are known.
@@ -73,7 +74,8 @@ class DocumentPreview:
         mesh_files: The meshes that pages may load, by name.
     """
 
-    def __init__(self, label: str) -> None:
+    def __init__(self, label: str, key: str = "") -> None:
+        self.key = key
         self.channel = Channel()
         self.analysis: Analysis | None = None
         self.findings: Sequence[Diagnostic] = ()
@@ -106,10 +108,10 @@ class DocumentPreview:
         """Return the picture of a version; changes nothing, so any thread may ask."""
         given = self._given(analysis)
         drawn = picture(analysis.model, given, self._last_good)
-        name, limits = str(analysis.model.name), analysis.settings.joints
-        robot = drawn.skeleton and robot_messages(
-            name, drawn.skeleton, drawn.guesses, limits, drawn.unknown
-        )
+        robot = None
+        if drawn.skeleton is not None:
+            name, limits = str(analysis.model.name), analysis.settings.joints
+            robot = robot_messages(name, drawn.skeleton, drawn.guesses, limits, drawn.unknown)
         return ShownVersion(given, drawn, robot)
 
     def put(self, analysis: Analysis, drawing: ShownVersion) -> None:

@@ -3,7 +3,7 @@
 import asyncio
 import hashlib
 from abc import ABC, abstractmethod
-from collections.abc import Awaitable, Callable, Sequence
+from collections.abc import Awaitable, Callable, Coroutine, Sequence
 from functools import partial
 from typing import Any
 
@@ -69,16 +69,16 @@ class DocumentPreviews(ABC):
             on_edit: Awaited with the document's key and what was dragged; else nothing can.
             beside: Awaits a function's result and lets the loop go on meanwhile, if it can.
         """
-        self._on_reveal = on_reveal or _reveal_nowhere
+        self._on_reveal = on_reveal
         self.on_write = on_write
         self._on_edit = on_edit
         self._beside = beside
-        self._dragging: dict[str, Dragging] = {}
-        self._gestures: set[asyncio.Task[None]] = set()
-        self._moves: dict[Dragging, GestureRequest] = {}
-        self._comparing: dict[DocumentPreview, bool] = {}
         self._documents: dict[str, DocumentPreview] = {}
         self._keys: dict[str, str] = {}
+        self._dragging: dict[str, Dragging] = {}
+        self._moves: dict[Dragging, GestureRequest] = {}
+        self._comparing: dict[DocumentPreview, bool] = {}
+        self._tasks: set[asyncio.Task[None]] = set()
 
     @abstractmethod
     async def start(self) -> str:
@@ -158,20 +158,16 @@ class DocumentPreviews(ABC):
             self._gesture(document, request)
 
     def _gesture(self, document: DocumentPreview, request: GestureRequest) -> None:
-        dragging = self._dragging.get(self._key(document) or "")
+        dragging = self._dragging.get(document.key)
         if dragging is None:
             return
-        is_move = isinstance(request, Drag) and request.phase == "move"
         is_waiting = self._moves.pop(dragging, None) is not None
-        if is_move:
-            self._moves[dragging] = request
-        if is_move and is_waiting:
+        if not isinstance(request, Drag) or request.phase != "move":
+            self._start(dragging.receive(request))
             return
-        gesture = asyncio.ensure_future(
-            self._move(dragging) if is_move else dragging.receive(request)
-        )
-        self._gestures.add(gesture)
-        gesture.add_done_callback(self._gestures.discard)
+        self._moves[dragging] = request
+        if not is_waiting:
+            self._start(self._move(dragging))
 
     async def _move(self, dragging: Dragging) -> None:
         """Draw the last move of those that come at once, whatever a page sends."""
@@ -185,52 +181,49 @@ class DocumentPreviews(ABC):
         is_running = document in self._comparing
         self._comparing[document] = is_running
         if not is_running:
-            comparing = asyncio.ensure_future(self._compare_until_done(document))
-            self._gestures.add(comparing)
-            comparing.add_done_callback(self._gestures.discard)
+            self._start(self._compare_until_done(document))
 
     async def _compare_until_done(self, document: DocumentPreview) -> None:
+        is_changed = True
         try:
-            while True:
+            while is_changed:
                 self._comparing[document] = False
                 document.show_beside(await self._beside(document.beside))
-                if not self._comparing[document]:
-                    return
+                is_changed = self._comparing[document]
         finally:
             del self._comparing[document]
 
-    def _key(self, document: DocumentPreview) -> str | None:
-        return next((key for key, known in self._documents.items() if known is document), None)
+    def _start(self, work: Coroutine[Any, Any, None]) -> None:
+        task = asyncio.ensure_future(work)
+        self._tasks.add(task)
+        task.add_done_callback(self._tasks.discard)
 
     def _write(
         self, document: DocumentPreview, tab: Tab, request: WriteParameters | KeepPose
     ) -> None:
-        key = self._key(document)
-        if key is None or self.on_write is None or document.analysis is None:
-            return
+        """Have values kept that the document knows; send the lines that are left to the user."""
         analysis = document.analysis
+        if self.on_write is None or analysis is None:
+            return
         if isinstance(request, KeepPose):
-            joints = {str(joint.name) for joint in analysis.model.joints}
-            kept = {name: value for name, value in request.values.items() if name in joints}
-            lines = self.on_write(key, KeepPose(request.name, kept))
+            known = {str(joint.name) for joint in analysis.model.joints}
         else:
             names = {str(parameter.name) for parameter in analysis.model.parameters}
-            free = names - analysis.settings.bindings.keys()
-            known = {name: value for name, value in request.values.items() if name in free}
-            lines = self.on_write(key, WriteParameters(known)) if known else ""
-        if lines:
-            tab.send(LinesMessage(lines))
+            known = names - analysis.settings.bindings.keys()
+        values = {name: value for name, value in request.values.items() if name in known}
+        if values or isinstance(request, KeepPose):
+            lines = self.on_write(document.key, request._replace(values=values))
+            if lines:
+                tab.send(LinesMessage(lines))
 
     def _reveal(self, document: DocumentPreview, chosen: Reveal) -> None:
-        key = self._key(document)
-        if key is None or document.analysis is None:
-            return
-        span = place_of(chosen, document.analysis, document.findings)
-        if span is not None:
-            self._on_reveal(key, span, chosen)
+        if document.analysis is not None and self._on_reveal is not None:
+            span = place_of(chosen, document.analysis, document.findings)
+            if span is not None:
+                self._on_reveal(document.key, span, chosen)
 
     def _new(self, key: str, label: str) -> DocumentPreview:
-        document = self._documents[key] = DocumentPreview(label)
+        document = self._documents[key] = DocumentPreview(label, key)
         document.recompare = partial(self._compare, document)
         self._keys[identifier(key)] = key
         if self._on_edit is not None:
@@ -248,7 +241,3 @@ class DocumentPreviews(ABC):
 def identifier(key: str) -> str:
     """Return a short name of a document for its page's address, which tells nothing of its path."""
     return hashlib.sha256(key.encode(errors="surrogatepass")).hexdigest()[:12]
-
-
-def _reveal_nowhere(_key: str, _span: Span, _chosen: Reveal) -> None:
-    """Stand in for a callback."""

@@ -2,26 +2,26 @@
 
 import asyncio
 import sys
+from collections.abc import Callable
 from contextlib import suppress
-from typing import Any, Protocol
+from time import monotonic
+from typing import Any, NamedTuple
 
 from tornado.web import Application, HTTPError, RequestHandler
 from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
 from kindsl.frontends.preview.access import Access
 from kindsl.frontends.preview.assets import assets, live_page
-from kindsl.frontends.preview.budget import Budget
 from kindsl.frontends.preview.channel import Tab
-from kindsl.frontends.preview.document_preview import DocumentPreview
-from kindsl.frontends.preview.requests import (
-    MOST_BYTES,
-    BadRequestError,
-    Request,
-    parse_request,
-)
+from kindsl.frontends.preview.documents import DocumentPreviews
+from kindsl.frontends.preview.requests import MOST_BYTES, BadRequestError, parse_request
 from kindsl.robots.scene.encoding import encode
 from kindsl.robots.scene.messages import Change, RefusedMessage
 
+# A drag sends some 60 messages a second; a restarted server is told all values of a page at once.
+BURST = 600.0
+PER_SECOND = 200.0
+_CHARACTERS = 1000  # of a message that cost as much as the message itself
 TOO_MUCH = 1008
 # The viewer and its control library set styles from scripts; nothing may evaluate text as code.
 # An editor shows the page in a frame: VS Code's own pages, or a local server's.
@@ -34,39 +34,28 @@ POLICY = "; ".join((
 ))  # fmt: skip
 
 
-class Server(Protocol):
-    """The server as requests see it."""
+class Serving(NamedTuple):
+    """What requests are answered from.
 
-    @property
-    def access(self) -> Access:
-        """The access that is granted."""
+    Attributes:
+        previews: The documents.
+        access: Returns the access that is granted now.
+        lines: The open tabs.
+    """
 
-    @property
-    def token(self) -> str:
-        """The token that each request must show."""
-
-    def document(self, identifier: str | None) -> DocumentPreview | None:
-        """Return the document of a page's address, the first for None."""
-
-    def connected(self, line: "LiveHandler") -> None:
-        """Know a tab's line."""
-
-    def disconnected(self, line: "LiveHandler") -> None:
-        """Forget a line that is closed."""
-
-    def receive(self, document: DocumentPreview, tab: Tab, request: Request) -> None:
-        """Do what a page asks for."""
+    previews: DocumentPreviews
+    access: Callable[[], Access]
+    lines: "set[LiveHandler]"
 
 
-def application(server: Server) -> Application:
+def application(serving: Serving) -> Application:
     """Return what answers requests; there is nothing but the page, its parts and the socket."""
-    common = {"server": server}
-    routes = [
+    routes: list[tuple[str, type[CheckedHandler]]] = [
         *((r"/", PageHandler), (r"/live", LiveHandler)),
         *((r"/mesh/([\w.-]+)", MeshHandler), (r"/(.*)", AssetHandler)),
     ]
     return Application(
-        [(pattern, handler, common) for pattern, handler in routes],
+        [(pattern, handler, {"serving": serving}) for pattern, handler in routes],
         websocket_max_message_size=MOST_BYTES,
         log_function=_log_nothing,
     )
@@ -79,15 +68,15 @@ def _log_nothing(_handler: RequestHandler) -> None:
 class CheckedHandler(RequestHandler):
     """Refuses what is not ours before anything else."""
 
-    def initialize(self, server: Server) -> None:
+    def initialize(self, serving: Serving) -> None:
         """Take what all handlers share."""
-        self.server = server
+        self.serving = serving
 
     def prepare(self) -> None:
         """Check the request."""
         headers = self.request.headers
         token = self.get_query_argument("token", None)
-        reason = self.server.access.refusal(headers.get("Host"), headers.get("Origin"), token)
+        reason = self.serving.access().refusal(headers.get("Host"), headers.get("Origin"), token)
         if reason is not None:
             raise HTTPError(403, reason)
 
@@ -119,13 +108,13 @@ class PageHandler(CheckedHandler):
 
     def get(self) -> None:
         """Answer with the page."""
-        access = self.server.access
+        access = self.serving.access()
         policy = POLICY.format(
             sockets=" ".join(access.sockets()), outside=" ".join(sorted(access.outside))
         )
         self.set_header("Content-Security-Policy", policy.rstrip())
         self.set_header("Content-Type", "text/html; charset=utf-8")
-        self.finish(live_page(self.server.token))
+        self.finish(live_page(access.token))
 
 
 class AssetHandler(CheckedHandler):
@@ -145,13 +134,31 @@ class MeshHandler(CheckedHandler):
 
     async def get(self, name: str) -> None:
         """Answer with a file of the folder that the user named."""
-        document = self.server.document(self.get_query_argument("document", None))
+        document = self.serving.previews.document(self.get_query_argument("document", None))
         file = None if document is None else document.mesh_files.get(name)
         content = None if file is None else await asyncio.to_thread(file.read)
         if content is None:
             raise HTTPError(404)
         self.set_header("Content-Type", "application/octet-stream")
         self.finish(content)
+
+
+class Budget:
+    """Messages that a page may still send: they come back with time."""
+
+    def __init__(self, clock: Callable[[], float] = monotonic) -> None:
+        """Begin with a full budget; `clock` tells seconds."""
+        self._clock = clock
+        self._left = BURST
+        self._last = clock()
+
+    def spend(self, message: str | bytes) -> bool:
+        """Take the price of a message; return whether there was enough left."""
+        now = self._clock()
+        self._left = min(BURST, self._left + PER_SECOND * (now - self._last))
+        self._last = now
+        self._left -= 1.0 + len(message) / _CHARACTERS
+        return self._left >= 0.0
 
 
 class LiveHandler(CheckedHandler, WebSocketHandler):
@@ -163,7 +170,7 @@ class LiveHandler(CheckedHandler, WebSocketHandler):
 
     def open(self, *_: str) -> None:
         """Send the state, and keep sending what changes."""
-        document = self.server.document(self.get_query_argument("document", None))
+        document = self.serving.previews.document(self.get_query_argument("document", None))
         if document is None:
             self.close(4404, "no such document")
             return
@@ -174,7 +181,7 @@ class LiveHandler(CheckedHandler, WebSocketHandler):
         self.budget = Budget()
         document.channel.join(self.tab)
         self.writer = asyncio.ensure_future(self.tab.run())
-        self.server.connected(self)
+        self.serving.lines.add(self)
 
     def on_message(self, message: str | bytes) -> None:
         """Do what the page asks for, or answer why it is no request.
@@ -189,14 +196,14 @@ class LiveHandler(CheckedHandler, WebSocketHandler):
         except BadRequestError as error:
             self.tab.send(RefusedMessage(str(error)))
         else:
-            self.server.receive(self.document, self.tab, request)
+            self.serving.previews.receive(self.document, self.tab, request)
 
     def on_close(self) -> None:
         """Forget the tab."""
         if hasattr(self, "writer"):
             self.document.channel.leave(self.tab)
             self.writer.cancel()
-            self.server.disconnected(self)
+            self.serving.lines.discard(self)
 
     async def _write(self, change: Change) -> None:
         """Write a change; a line that is closing loses it, and `on_close` follows."""

@@ -6,7 +6,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from kindsl.frontends.preview.viewer import PreviewUnavailableError
+from kindsl.frontends.preview.assets import PreviewUnavailableError
 from kindsl.language.text.writing import write_file
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")

@@ -8,7 +8,7 @@ from contextlib import suppress
 from tornado.httpserver import HTTPServer
 
 from kindsl.frontends.preview.access import ADDRESS, Access, new_token
-from kindsl.frontends.preview.assets import assets
+from kindsl.frontends.preview.assets import PreviewUnavailableError, assets
 from kindsl.frontends.preview.documents import (
     DocumentPreviews,
     OnEdit,
@@ -16,9 +16,8 @@ from kindsl.frontends.preview.documents import (
     OnWrite,
     identifier,
 )
-from kindsl.frontends.preview.handlers import LiveHandler, application
+from kindsl.frontends.preview.handlers import LiveHandler, Serving, application
 from kindsl.frontends.preview.session import PreviewSession, last_session, remember
-from kindsl.frontends.preview.viewer import PreviewUnavailableError
 
 GOING_AWAY = 1001
 PATIENCE = 1.0  # seconds, for tabs to say goodbye
@@ -54,11 +53,6 @@ class PreviewServer(DocumentPreviews):
         self._access = Access(token or new_token(), port)
         self._lines: set[LiveHandler] = set()
         self._http: HTTPServer | None = None
-
-    @property
-    def access(self) -> Access:
-        """The access that is granted."""
-        return self._access
 
     def admit(self, origin: str) -> None:
         """Answer pages of an outside origin too: a tunnel or proxy that the editor told of.
@@ -105,14 +99,6 @@ class PreviewServer(DocumentPreviews):
                 await asyncio.wait_for(self._all_gone(), PATIENCE)
             await http.close_all_connections()
 
-    def connected(self, line: LiveHandler) -> None:
-        """Know a tab's line, to close it in the end."""
-        self._lines.add(line)
-
-    def disconnected(self, line: LiveHandler) -> None:
-        """Forget a line that is closed."""
-        self._lines.discard(line)
-
     def url(self, key: str) -> str:
         """Return the address of a document's page."""
         return f"{self._address()}&document={identifier(key)}"
@@ -124,7 +110,7 @@ class PreviewServer(DocumentPreviews):
     def _listen(self, access: Access) -> str:
         listening = _listening_socket(access.port)
         self._access = access._replace(port=listening.getsockname()[1])
-        self._http = HTTPServer(application(self))
+        self._http = HTTPServer(application(Serving(self, lambda: self._access, self._lines)))
         self._http.add_sockets([listening])
         return self._address()
 
