@@ -70,6 +70,6 @@ def test_the_arm_is_correct() -> None:
 def test_each_cost_is_needed_for_its_slip(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     row = COSTS[name]
     text = ARM.replace(row.right, row.slip, 1)
-    assert [*told(text)] == [row.told]
+    assert [*told(text)] == [row.message]
     monkeypatch.setitem(COSTS, name, row._replace(amount=row.usual))
-    assert [*told(text)] != [row.told]
+    assert [*told(text)] != [row.message]

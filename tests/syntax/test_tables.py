@@ -25,6 +25,17 @@ def test_a_changed_grammar_is_noticed(
     assert "does not fit the grammar" in capsys.readouterr().err
 
 
+def test_editors_list_the_words_of_the_grammar(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    grammar = grammar_text("kindsl.lark").replace('"children"', '"offspring"')
+    monkeypatch.setattr("kindsl.language.syntax.generate.grammar_text", lambda _: grammar)
+    assert main(["--check"]) == 1
+    noticed = capsys.readouterr().err
+    for file in ("kindsl.vim", "kindsl-mode.el", "kindsl.tmLanguage.json", "language.js"):
+        assert f"{file} does not fit the grammar" in noticed
+
+
 @pytest.mark.parametrize(
     ("line", "remark"),
     [

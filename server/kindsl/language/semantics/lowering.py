@@ -1,6 +1,7 @@
 """The one fold of the tree: nodes to blocks, sections and values, as far as these are there."""
 
 from collections.abc import Callable, Iterator
+from functools import cache
 from typing import Any, TypeAlias, TypeVar, cast
 
 from kindsl.language.semantics.blocks import Block, NameReference, Vector, Whole
@@ -50,12 +51,20 @@ def _block(of: type[_Block], node: Node, island: Island, owner: str = "") -> _Bl
     for child in node.children:
         if child.__class__ is Node:
             _READERS[KINDS[child.kind]](block, child, found)
-    for section, attribute in of.attributes.items():
-        kind = KINDS[section]
-        setattr(block, attribute, found.get(section, _EMPTY.get(kind)))
-        if kind == "whole":
-            setattr(block, f"{attribute}_place", found.get(f"{section} place"))
+    for section, attribute, empty in _fields(of):
+        setattr(block, attribute, found.get(section, empty))
     return block
+
+
+@cache
+def _fields(of: type[Block]) -> list[tuple[str, str, object]]:
+    """Return the attributes of a block by what is found in it, and their empty values."""
+    fields: list[tuple[str, str, object]] = []
+    for section, attribute in of.attributes.items():
+        fields.append((section, attribute, _EMPTY.get(KINDS[section])))
+        if KINDS[section] == "whole":
+            fields.append((f"{section} place", f"{attribute}_place", None))
+    return fields
 
 
 def _read_scalar(block: Block, section: Node, found: _Found) -> None:

@@ -55,8 +55,8 @@ def order_problems(islands: Sequence[Island], starts: Sequence[int]) -> tuple[Pl
     ]
     if not blocks:
         is_empty = not any(island.text.strip() for island in islands)
-        is_told = is_empty or any(island.problems for island in islands)
-        return () if is_told else (_empty(islands),)
+        is_reported = is_empty or any(island.problems for island in islands)
+        return () if is_reported else (_empty(islands),)
     first, problems = _first_robot(blocks)
     problems += [*_surplus(first), *_wrong_order(first)]
     shown = islands if len(first) == len(blocks) else islands[: first[-1].number + 1]

@@ -6,7 +6,7 @@ number, a `name`, a `pose` (a block of vectors), another `block` whose sections 
 """
 
 from collections.abc import Iterable
-from typing import NamedTuple, cast
+from typing import Any, NamedTuple
 
 from kindsl.language.syntax.tables import (
     CLASSES,
@@ -19,7 +19,7 @@ from kindsl.language.syntax.tables import (
     WORDS,
     ValueKind,
 )
-from kindsl.language.syntax.tree import Node, Token
+from kindsl.language.syntax.tree import Node
 
 
 class Meaning(NamedTuple):
@@ -40,7 +40,8 @@ class Meaning(NamedTuple):
 
 def meanings(section: Node) -> tuple[Meaning, ...]:
     """Return the meaning of each value in a section of values."""
-    return _MEANINGS[section.kind, cast(Token, section.children[0]).text]
+    word: Any = section.children[0]
+    return _MEANINGS[section.kind, word.text]
 
 
 def meanings_of(section: str, word: str) -> tuple[Meaning, ...]:

@@ -14,14 +14,14 @@ class Cost(NamedTuple):
         usual: The amount for a case like any other.
         right: Some correct text.
         slip: The same with a mistake.
-        told: The message, which is another one with the usual amount.
+        message: The message, a different one with the usual amount.
     """
 
     amount: float
     usual: float
     right: str
     slip: str
-    told: str
+    message: str
 
 
 _HALF_A_LINK = """(l1, 0.0, 0.1)

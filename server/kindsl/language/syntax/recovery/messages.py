@@ -226,8 +226,8 @@ def _is_removed_on(text: str, last: Edit, edit: Edit) -> bool:
 
 def _title(text: str, edits: Sequence[Edit]) -> str:
     """Return what is written: what is moved, put in place of what, put in, or taken out."""
-    old = _told([text[e.start : e.end] for e in edits if e.start < e.end])
-    new = _told([e.text.strip() for e in edits if e.text.strip()])
+    old = _side_by_side([text[e.start : e.end] for e in edits if e.start < e.end])
+    new = _side_by_side([e.text.strip() for e in edits if e.text.strip()])
     if old and old == new:
         return f"Move '{shown(old)}'"
     if old and new:
@@ -235,7 +235,7 @@ def _title(text: str, edits: Sequence[Edit]) -> str:
     return f"Insert '{shown(new)}'" if new else f"Remove '{shown(old)}'"
 
 
-def _told(pieces: Sequence[str]) -> str:
+def _side_by_side(pieces: Sequence[str]) -> str:
     """Return pieces side by side; what is the same everywhere once."""
     return " ".join(pieces if len(set(pieces)) > 1 else pieces[:1])
 
