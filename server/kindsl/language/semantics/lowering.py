@@ -1,7 +1,6 @@
 """The one fold of the tree: nodes to blocks, sections and values, as far as these are there."""
 
 from collections.abc import Callable, Iterator
-from functools import cache
 from typing import Any, TypeAlias, TypeVar, cast
 
 from kindsl.language.semantics.blocks import Block, NameReference, Vector, Whole
@@ -51,12 +50,11 @@ def _block(of: type[_Block], node: Node, island: Island, owner: str = "") -> _Bl
     for child in node.children:
         if child.__class__ is Node:
             _READERS[KINDS[child.kind]](block, child, found)
-    for section, attribute, empty in _fields(of):
+    for section, attribute, empty in _FIELDS[of]:
         setattr(block, attribute, found.get(section, empty))
     return block
 
 
-@cache
 def _fields(of: type[Block]) -> list[tuple[str, str, object]]:
     """Return the attributes of a block by what is found in it, and their empty values."""
     fields: list[tuple[str, str, object]] = []
@@ -137,6 +135,9 @@ def _inner(block: Block, node: Node) -> Block:
 
 
 _EMPTY: dict[str, object] = {"moments": {}, "list": (), "groups": ()}
+_FIELDS: dict[type[Block], list[tuple[str, str, object]]] = {
+    of: _fields(of) for of in (Block, Link, Joint, *BLOCKS.values())
+}
 _READERS: dict[str, Callable[[Block, Node, _Found], None]] = {
     "scalar": _read_scalar,
     "moments": _read_moment,

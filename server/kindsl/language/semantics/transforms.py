@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator
 
 from kindsl.language.semantics.model import Model
-from kindsl.language.syntax.transforms_text import Defect, Pair, PlacedName, TransformsDocument
+from kindsl.language.syntax.transforms_text import Defect, FramePair, PlacedName, TransformsDocument
 from kindsl.language.text.nearest import hint, nearest_name
 
 LINK_PREFIX = "fr_"
@@ -74,7 +74,7 @@ def _all_words(document: TransformsDocument) -> Iterator[PlacedName]:
         yield from _both(pair)
 
 
-def _both(pair: Pair) -> tuple[PlacedName, PlacedName]:
+def _both(pair: FramePair) -> tuple[PlacedName, PlacedName]:
     return pair.base, pair.target
 
 

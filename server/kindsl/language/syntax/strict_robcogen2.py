@@ -48,7 +48,7 @@ class StrictReading(NamedTuple):
 
 def strict_reading(text: str) -> StrictReading:
     """Return how far robcogen2 reads a row of blocks, in whatever order they stand."""
-    reader = _Reader(text)
+    reader = _CharacterReader(text)
     blocks = ""
     while not reader.is_at_end():
         letter = next((letter for letter, block in _BLOCKS if block(reader)), None)
@@ -59,7 +59,7 @@ def strict_reading(text: str) -> StrictReading:
     return StrictReading(blocks, tuple(reader.tokens), failure)
 
 
-class _Reader:
+class _CharacterReader:
     """A place in a text, and what was read up to there.
 
     Every method that reads returns whether it could, and reads nothing if not.
@@ -187,7 +187,7 @@ class _Reader:
 
 
 @cache
-def _steps(sequence: str) -> list[tuple[str, "Callable[[_Reader], bool] | None", bool]]:
+def _steps(sequence: str) -> list[tuple[str, "Callable[[_CharacterReader], bool] | None", bool]]:
     words = [(word.rstrip("?+"), word.endswith("?")) for word in sequence.split()]
     return [(word, _PARTS.get(word), is_optional) for word, is_optional in words]
 
@@ -205,23 +205,27 @@ def _body(block: str) -> str:
     return " ".join(part.upper() for part in parts)
 
 
-def _section(name: str, kind: str) -> Callable[[_Reader], bool]:
+def _section(name: str, kind: str) -> Callable[[_CharacterReader], bool]:
     value = _VALUES.get(kind)
     body = f"= {value}" if value else f"{{ {_body(name)} }}"
     return lambda reader: reader.any_of(*(f"{word} {body}" for word in WORDS[name]))
 
 
 _VALUES = {"vector": "VECTOR", "scalar": "EXPRESSION", "whole": "INT", "name": "NAME"}
-_READ_AS_SUCH = {"moments": _Reader.moments, "list": _Reader.children, "groups": _Reader.frames}
-_PARTS: dict[str, Callable[[_Reader], bool]] = {
-    "NAME": _Reader.name,
-    "NUMBER": _Reader.number,
-    "PI": _Reader.pi,
-    "VALUE": _Reader.value,
-    "EXPRESSION": _Reader.expression,
+_READ_AS_SUCH = {
+    "moments": _CharacterReader.moments,
+    "list": _CharacterReader.children,
+    "groups": _CharacterReader.frames,
+}
+_PARTS: dict[str, Callable[[_CharacterReader], bool]] = {
+    "NAME": _CharacterReader.name,
+    "NUMBER": _CharacterReader.number,
+    "PI": _CharacterReader.pi,
+    "VALUE": _CharacterReader.value,
+    "EXPRESSION": _CharacterReader.expression,
     "VECTOR": lambda reader: reader.any_of("( EXPRESSION , EXPRESSION , EXPRESSION )"),
     "FRAME": lambda reader: reader.any_of(f"NAME {{ {_body('frame')} }}"),
-    "GROUP": _Reader.group,
+    "GROUP": _CharacterReader.group,
     "INT": lambda reader: reader.matching("INT", _INT),
     "JOINT_KEYWORD": lambda reader: reader.any_of(*WORDS["joint"]),
     **{
@@ -230,7 +234,7 @@ _PARTS: dict[str, Callable[[_Reader], bool]] = {
     },
 }
 _BASE, _LINK, _JOINT = (f"{{ {_body(block)} }}" for block in ("base", "link", "joint"))
-_BLOCKS: tuple[tuple[str, Callable[[_Reader], bool]], ...] = (
+_BLOCKS: tuple[tuple[str, Callable[[_CharacterReader], bool]], ...] = (
     ("b", lambda r: r.any_of(f"RobotBase NAME {_BASE}", f"RobotBase NAME floating {_BASE}")),
     ("h", lambda r: r.any_of("Robot NAME {")),
     ("l", lambda r: r.any_of(f"link NAME {_LINK}")),

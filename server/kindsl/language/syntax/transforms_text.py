@@ -30,7 +30,7 @@ class PlacedName(NamedTuple):
     end: int
 
 
-class Pair(NamedTuple):
+class FramePair(NamedTuple):
     """A transform or Jacobian that is wanted: of `target`, seen from `base`."""
 
     base: PlacedName
@@ -59,8 +59,8 @@ class TransformsDocument(NamedTuple):
 
     robot: PlacedName | None
     frames: tuple[PlacedName, ...]
-    transforms: tuple[Pair, ...]
-    jacobians: tuple[Pair, ...]
+    transforms: tuple[FramePair, ...]
+    jacobians: tuple[FramePair, ...]
     defects: tuple[Defect, ...]
     expected: tuple[str, ...]
 
@@ -86,12 +86,12 @@ def _parser() -> "Lark":
     return Lark(grammar_text("dtdsl.lark"), parser="lalr", start="document")
 
 
-def _pairs(tree: "Tree[Token]", section: str) -> Iterator[Pair]:
+def _pairs(tree: "Tree[Token]", section: str) -> Iterator[FramePair]:
     for found in tree.find_data(section):
         for pair in found.children:
             names = _names(pair, "A_FRAME") if not isinstance(pair, str) else []
             if len(names) == 2:
-                yield Pair(*names)
+                yield FramePair(*names)
 
 
 def _names(tree: "Tree[Token]", kind: str) -> list[PlacedName]:

@@ -9,7 +9,7 @@ from kindsl.language.semantics.transforms import (
     frame_names,
     unknown_frames,
 )
-from kindsl.language.syntax.transforms_text import Pair, read_transforms
+from kindsl.language.syntax.transforms_text import FramePair, read_transforms
 from kindsl.language.text.lines import LineIndex
 from kindsl.language.text.nearest import hint, nearest_name
 from kindsl.mechanics.dynamics.generation.robot import PlacedFrame, Robot
@@ -36,7 +36,7 @@ def wanted_pairs(text: str, model: Model, robot: Robot) -> Wanted:
         name: by_name[there] for name, there in frame_names(model).items() if there in by_name
     }
 
-    def pairs(listed: tuple[Pair, ...]) -> tuple[tuple[PlacedFrame, PlacedFrame], ...]:
+    def pairs(listed: tuple[FramePair, ...]) -> tuple[tuple[PlacedFrame, PlacedFrame], ...]:
         texts = dict.fromkeys((base.text, target.text) for base, target in listed)
         return tuple(
             (replace(placed[base], name=base), replace(placed[target], name=target))
