@@ -244,3 +244,30 @@ def test_a_quarter_turn_of_three_digits_is_one() -> None:
     assert found.is_equal
     assert "1 number with other digits in a.kindsl: rx of 'shoulder'" in found.conventions
     assert torques(ours, theirs, found).is_confirmed
+
+
+def _rounded(text: str, digits: int) -> str:
+    return re.sub(r"(?<![\w.])\d+\.\d+", lambda m: f"{float(m[0]):#.{digits}g}", text)
+
+
+@pytest.mark.parametrize("digits", [2, 3, 4])
+@pytest.mark.parametrize("seed", range(6))
+def test_a_file_whose_numbers_are_all_rounded_is_the_same_robot(seed: int, digits: int) -> None:
+    text = random_document(seed)
+    rounded = _rounded(text, digits)
+    assert rounded != text
+    for pair in ((text, rounded), (rounded, text)):
+        ours, theirs = (described_text(each)[0] for each in pair)
+        found = compared_mechanics(ours, theirs)
+        assert found.is_equal, (found.numbers, found.structure)
+        assert any("with other digits" in sentence for sentence in found.conventions)
+
+
+def test_a_number_that_is_no_rounding_is_named_among_rounded_ones() -> None:
+    text = random_document(1)
+    rounded = _rounded(text, 3)
+    (mass,) = re.findall(r"mass = (\S+)", rounded)[-1:]
+    wrong = rounded.replace(f"mass = {mass}", f"mass = {1.02 * float(mass):.3f}")
+    assert wrong != rounded
+    ours, theirs = described_text(text)[0], described_text(wrong)[0]
+    assert "mass" in {number.quantity for number in compared_mechanics(ours, theirs).numbers}

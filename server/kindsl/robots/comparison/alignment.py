@@ -91,6 +91,13 @@ def likely_base_frames(
         yield IDENTITY
 
 
+def as_written(matching: MatchedJoints) -> Alignment:
+    """Return the conventions of a robot whose frames, zeros and signs are ours."""
+    bodies = matching.theirs
+    joints = {body: AlignedJoint(1.0, 0.0) for body in bodies if body}
+    return Alignment(dict.fromkeys(bodies, IDENTITY), joints)
+
+
 def aligned(
     ours: Linkage, theirs: Linkage, matching: MatchedJoints, root: RigidPose, cost: Cost
 ) -> Alignment:

@@ -78,12 +78,12 @@ def _link_frames(pair: Pair) -> Iterator[str]:
         yield f"{number} elsewhere in {pair.theirs.label}: {_some(moved)}"
 
 
-def rounded_numbers(pair: Pair, rounded: Sequence[NumberDifference]) -> Iterator[str]:
+def rounded_numbers(label: str, rounded: Sequence[NumberDifference]) -> Iterator[str]:
     """Yield the numbers that one file has with fewer digits than the other, as one sentence."""
     if rounded:
         names = [f"{number.quantity} of '{number.owner}'" for number in rounded]
         some = ", ".join(names[:_SHOWN]) + (", ..." if names[_SHOWN:] else "")
-        yield f"{counted(len(names), 'number')} with other digits in {pair.theirs.label}: {some}"
+        yield f"{counted(len(names), 'number')} with other digits in {label}: {some}"
 
 
 def _limits(pair: Pair) -> Iterator[str]:

@@ -11,6 +11,7 @@ from kindsl.mechanics.rigid.pose import RigidPose
 from kindsl.robots.comparison.alignment import (
     Alignment,
     aligned,
+    as_written,
     base_frames,
     likely_base_frames,
     size_of,
@@ -20,6 +21,7 @@ from kindsl.robots.comparison.matching import MatchedJoints, matched, matching_f
 from kindsl.robots.comparison.number_differences import (
     NumberDifference,
     Tolerances,
+    digits_of_rounding,
     frame_differences,
     inertia_differences,
     is_rounded,
@@ -96,10 +98,17 @@ def compared_mechanics(
     """
     one, other = ours.skeleton, theirs.skeleton
     given = joints or {}
+    wrong = tuple(unknown_joints(ours, theirs, given))
     named = {a: b for a, b in given.items() if a in one.joint_names and b in other.joint_names}
     matching = matched(one, other, named, lambda: base_frames(one, other))
     bounds = Tolerances(size_of(one), tolerance)
     rough = bounds._replace(is_rough=True)
+    loose = bounds._replace(digits=digits_of_rounding(ours, theirs, matching.theirs))
+    is_rounded = loose.digits is not None and not wrong
+    if is_rounded:
+        same = Pair(ours, theirs, matching, as_written(matching))
+        if found_same := _under_rounding(same, bounds, loose):
+            return found_same
     tried: list[MechanicalComparison] = []
     for root in likely_base_frames(one, other, matching):
         tried.append(_under(_aligned(ours, theirs, matching, root, rough), bounds))
@@ -111,8 +120,10 @@ def compared_mechanics(
         root = found.alignment.frames[0]
         again = _under(_aligned(ours, theirs, matching, root, bounds), bounds)
         found = min(found, again, key=_n_differences)
+    if is_rounded and found.numbers:
+        aligned_pair = _aligned(ours, theirs, matching, found.alignment.frames[0], loose)
+        found = _under_rounding(aligned_pair, bounds, loose) or found
     found = _with_turned_axes(ours, theirs, bounds, found)
-    wrong = unknown_joints(ours, theirs, given)
     return replace(found, structure=(*wrong, *found.structure))
 
 
@@ -124,6 +135,19 @@ def unknown_joints(ours: Described, theirs: Described, joints: Mapping[str, str]
         for name in names:
             if name not in known:
                 yield f"there is no joint '{name}' {where}{hint(nearest_name(name, known), ',')}"
+
+
+def _under_rounding(
+    pair: Pair, bounds: Tolerances, loose: Tolerances
+) -> MechanicalComparison | None:
+    """Compare robots one of which has the other's numbers, rounded; None if more differs."""
+    found = _under(pair, loose)
+    if not found.is_equal:
+        return None
+    strict = _under(pair, bounds)
+    rounded = (*strict.numbers, *strict.rounded)
+    only = (*found.conventions, *rounded_numbers(pair.theirs.label, rounded))
+    return replace(found, conventions=only, rounded=rounded)
 
 
 def _with_turned_axes(
@@ -174,7 +198,7 @@ def _under(pair: Pair, bounds: Tolerances) -> MechanicalComparison:
     found = list(_numbers(pair, bounds))
     rounded = tuple(number for number in found if is_rounded(number))
     numbers = tuple(number for number in found if number not in rounded)
-    only = (*conventions(pair), *rounded_numbers(pair, rounded))
+    only = (*conventions(pair), *rounded_numbers(pair.theirs.label, rounded))
     return MechanicalComparison(matching, alignment, numbers, structure, only, rounded)
 
 

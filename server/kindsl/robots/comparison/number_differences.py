@@ -1,7 +1,7 @@
 """The numbers in which two robots differ: the fewest of either file that make the difference."""
 
-from collections.abc import Callable, Sequence
-from math import hypot
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from math import floor, hypot, log10
 from typing import NamedTuple
 
 from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from
@@ -9,6 +9,7 @@ from kindsl.mechanics.rigid.pose import RigidPose, angle_between
 from kindsl.robots.comparison.pair import Pair
 from kindsl.robots.comparison.quantities import INERTIA, POSE, TURNS
 from kindsl.robots.comparison.written import (
+    Described,
     WrittenInertia,
     WrittenNumber,
     WrittenPose,
@@ -24,8 +25,12 @@ _NO_ANGLE = 1e-6
 # Beside half a unit of the last of three digits: rounding to fewer moves a number by over 0.5 %,
 # as much as somebody who changes it.
 _THREE_DIGITS = 200.0
+# One digit is that of any number.
+_TWO_DIGITS = 20.0
 # Of the halves of last digits: nobody who corrects a number by hand adds two digits to it.
 _FINER = 99.0
+# So many numbers that a person changed are not all roundings of the old ones by chance.
+_BY_CHANCE = 3
 # Of a frame whose digits in the other file are not known, beside the robot and in radians.
 _FRAME = 1e-5
 # Zero in an MJCF, kg m^2: MuJoCo takes nothing less.
@@ -101,6 +106,18 @@ class _WantedNumbers(NamedTuple):
     unlike: tuple[int, ...]
 
 
+class Digits(NamedTuple):
+    """The greatest numbers of digits in a file whose numbers are rounded."""
+
+    significant: int
+    decimals: int
+
+    def half(self, value: float) -> float:
+        """Return how far a value may be rounded: zeros at its end are not written."""
+        lead = floor(log10(abs(value))) if value else -self.decimals
+        return 0.5 * 10.0 ** max(lead + 1 - self.significant, -self.decimals)
+
+
 class Tolerances(NamedTuple):
     """The differences that count as none.
 
@@ -108,11 +125,13 @@ class Tolerances(NamedTuple):
         size: Of the robot, metres.
         tolerance: Relative, as the user wants it besides the digits.
         is_rough: Whether the digits of the other file do not matter: for a choice, not a verdict.
+        digits: Of a file whose numbers are rounded.
     """
 
     size: float
     tolerance: float = 0.0
     is_rough: bool = False
+    digits: Digits | None = None
 
 
 def joint_differences(pair: Pair, body: int, bounds: Tolerances) -> list[NumberDifference]:
@@ -122,7 +141,9 @@ def joint_differences(pair: Pair, body: int, bounds: Tolerances) -> list[NumberD
     before, after = pair.around(body)
     back = before.inverse(), after.inverse()
     carriers = (pair.ours, parents[0][body - 1]), (pair.theirs, parents[1][other - 1])
-    tilt = sum(_turn_slack(robot.joints[carrier - 1]) for robot, carrier in carriers if carrier)
+    tilt = sum(
+        _turn_slack(robot.joints[carrier - 1], bounds) for robot, carrier in carriers if carrier
+    )
     wanted = _wanted_pose(mine, its, (before, after), bounds, tilt)
     if not wanted.unlike:
         return []
@@ -135,7 +156,9 @@ def frame_differences(
 ) -> list[NumberDifference]:
     """Return the numbers of a frame that differ from another's pose in the same body."""
     values = frame.values_of(pose)
-    scales, slack = _scales_of_pose(bounds), (_FRAME * bounds.size,) * 3 + (_FRAME,) * 3
+    scales, slack = _scales_of_pose(bounds), [_FRAME * bounds.size] * 3 + [_FRAME] * 3
+    if other is not None:
+        slack = list(map(max, slack, _own_slacks(other, bounds)))
     unlike = _unlike(frame, values, scales, bounds, slack)
     wanted = _WantedNumbers(frame, values, unlike)
     near = (None,) * len(POSE) if other is None else other.numbers
@@ -165,19 +188,58 @@ def inertia_differences(pair: Pair, body: int, bounds: Tolerances) -> list[Numbe
 
 
 def is_rounded(difference: NumberDifference) -> bool:
-    """Return whether one file has the other's number, rounded to fewer digits."""
+    """Return whether one file has the other's number, rounded to three digits or more."""
     numbers = difference.here_number, difference.there_number
     if numbers[0] is None or numbers[1] is None:
         return False
     coarse, fine = sorted((numbers[0], numbers[1]), key=lambda number: -number.half)
+    if not _is_rounding(coarse, fine):
+        return False
     is_finer = fine.half > 0.0 or difference.unit == "rad"
-    return (
-        is_finer
-        and not coarse.is_implied
-        and coarse.half >= _FINER * fine.half
-        and abs(coarse.value) >= _THREE_DIGITS * coarse.half
-        and abs(coarse.value - fine.value) <= coarse.half * (1.0 + _FLOAT)
-    )
+    is_much_finer = is_finer and coarse.half >= _FINER * fine.half
+    return is_much_finer and abs(coarse.value) >= _THREE_DIGITS * coarse.half
+
+
+def digits_of_rounding(
+    ours: Described, theirs: Described, bodies: Mapping[int, int]
+) -> Digits | None:
+    """Return the digits of a file that has numbers of the other, rounded; None if neither has."""
+    pairs = [
+        pair for body, its in bodies.items() for pair in _number_pairs(ours, theirs, body, its)
+    ]
+    roundings = [
+        (is_ours, coarse)
+        for is_ours, coarse, fine in pairs
+        if abs(coarse.value - fine.value) > coarse.slack
+        and abs(coarse.value) >= _TWO_DIGITS * coarse.half
+        and _is_rounding(coarse, fine)
+    ]
+    if len(roundings) < _BY_CHANCE or len({is_ours for is_ours, _ in roundings}) > 1:
+        return None
+    found = [
+        (-log10(2.0 * coarse.half), floor(log10(abs(coarse.value)))) for _, coarse in roundings
+    ]
+    return Digits(round(max(d + lead for d, lead in found)) + 1, round(max(d for d, _ in found)))
+
+
+def _number_pairs(
+    ours: Described, theirs: Described, body: int, its: int
+) -> Iterator[tuple[bool, WrittenNumber, WrittenNumber]]:
+    """Yield the numbers of a body that both files write, the one of fewer digits first."""
+    parts = zip(ours.inertias[body], theirs.inertias[its], strict=False)
+    forms: list[tuple[_Form, _Form]] = [p for p in parts if p[0].is_about_com == p[1].is_about_com]
+    if body:
+        forms.append((ours.joints[body - 1], theirs.joints[its - 1]))
+    for form, other in forms:
+        for here, there in zip(form.numbers, other.numbers, strict=True):
+            if here is not None and there is not None:
+                is_ours = here.half >= there.half
+                yield is_ours, *((here, there) if is_ours else (there, here))
+
+
+def _is_rounding(coarse: WrittenNumber, fine: WrittenNumber) -> bool:
+    is_near = abs(coarse.value - fine.value) <= coarse.half * (1.0 + _FLOAT)
+    return is_near and coarse.value != 0.0 and not coarse.is_implied and coarse.half > fine.half
 
 
 def _wanted_pose(
@@ -198,25 +260,31 @@ def _wanted_pose(
     unlike = _unlike(form, wanted, scales, bounds)
     if unlike and not bounds.is_rough:
         # Angles may be ill-defined, a turn is not.
-        turn = _turn_slack(other)
-        moved = _slack(values, wanted, other)
+        turn = _turn_slack(other, bounds)
+        moved = _slack(values, wanted, other, bounds)
         lever = tilt * hypot(*form.values[:3])
         slack = (*(each + lever for each in moved[:3]), *(min(each, turn) for each in moved[3:]))
         unlike = _unlike(form, wanted, scales, bounds, slack)
         apart = angle_between(form.pose(), form.pose(wanted))
-        if apart <= turn + _turn_slack(form) + _ROUNDING:
+        if apart <= turn + _turn_slack(form, bounds) + _ROUNDING:
             unlike = tuple(k for k in unlike if k < 3)
     return _WantedNumbers(form, wanted, unlike)
 
 
-def _turn_slack(form: WrittenPose) -> float:
+def _turn_slack(form: WrittenPose, bounds: Tolerances) -> float:
     """Return how far a joint may be turned since its angles are rounded, rad."""
-    return sum(_own_slacks(form)[3:])
+    return sum(_own_slacks(form, bounds)[3:])
 
 
-def _own_slacks(form: _Form) -> list[float]:
+def _own_slacks(form: _Form, bounds: Tolerances) -> list[float]:
     pairs = zip(form.values, form.numbers, strict=True)
-    return [_FLOAT * abs(value) if number is None else number.slack for value, number in pairs]
+    return [_FLOAT * abs(v) if n is None else _own_slack(n, bounds) for v, n in pairs]
+
+
+def _own_slack(number: WrittenNumber, bounds: Tolerances) -> float:
+    if bounds.digits is None or not number.value:
+        return number.slack
+    return max(number.slack, min(number.half, bounds.digits.half(number.value)))
 
 
 def _wanted_inertia(
@@ -257,7 +325,7 @@ def _wanted_part(
         ) -> tuple[float, ...]:
             return values([*bodies[:i], each.body(written), *bodies[i + 1 :]])
 
-        more = _slack(of_part, wanted, each)
+        more = _slack(of_part, wanted, each, bounds)
         slack = [a + b for a, b in zip(slack, more, strict=True)]
     unlike = _unlike(part, wanted, scales, bounds, slack)
     return _WantedNumbers(part, wanted, unlike)
@@ -267,10 +335,11 @@ def _slack(
     values: Callable[[Sequence[float]], tuple[float, ...]],
     wanted: Sequence[float],
     form: _Form,
+    bounds: Tolerances,
 ) -> list[float]:
     """Return how far the values may be off by the rounding of another form, to first order."""
     slack = [0.0] * len(wanted)
-    for k, (value, step) in enumerate(zip(form.values, _own_slacks(form), strict=True)):
+    for k, (value, step) in enumerate(zip(form.values, _own_slacks(form, bounds), strict=True)):
         if step:
             moved = values([*form.values[:k], value + step, *form.values[k + 1 :]])
             slack = [s + abs(m - w) for s, m, w in zip(slack, moved, wanted, strict=True)]
@@ -285,7 +354,7 @@ def _unlike(
     slack: Sequence[float] = (0.0,) * 10,
 ) -> tuple[int, ...]:
     """Return the indices of the numbers that differ from wanted ones by more than is open."""
-    columns = zip(form.values, wanted, scales, slack, _own_slacks(form), strict=False)
+    columns = zip(form.values, wanted, scales, slack, _own_slacks(form, bounds), strict=False)
     return tuple(
         k
         for k, (value, want, scale, others, own) in enumerate(columns)
