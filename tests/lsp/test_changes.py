@@ -8,8 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from lsprotocol import types
 
-from kindsl.frontends.lsp.text.changes import ContentChange, changed
-from kindsl.frontends.lsp.text.lines import Lines
+from kindsl.frontends.lsp.text.lines import ContentChange, Lines, changed
 from kindsl.frontends.lsp.text.row import PlainPiece, Row
 from kindsl.language.text.lines import LineIndex
 

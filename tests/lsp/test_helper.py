@@ -155,7 +155,7 @@ async def test_a_workspace_is_read_once_and_again_where_a_text_has_changed(
 async def test_a_large_workspace_is_read_ahead_and_stopped_at_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(symbols, "_LATER", 0.0)
+    monkeypatch.setattr(symbols, "LATER", 0.0)
     for number in range(4):
         (tmp_path / f"r{number}.kindsl").write_text(GOOD)
     with session_with() as (session, _):

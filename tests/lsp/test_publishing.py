@@ -13,12 +13,11 @@ from tests.lsp.sessions import Told, folder_of, opened, session_with
 from kindsl.frontends.cli import main
 from kindsl.frontends.lsp.handlers.diagnostics import pull
 from kindsl.frontends.lsp.session import calm, publishing
-from kindsl.frontends.lsp.session.analyses import Analyses
-from kindsl.frontends.lsp.session.disk_watch import watch_disk
+from kindsl.frontends.lsp.session.analyses import Version
 from kindsl.frontends.lsp.session.findings import diagnostics
 from kindsl.frontends.lsp.session.publishing import Publisher
 from kindsl.frontends.lsp.session.session import Session
-from kindsl.frontends.lsp.text.document import Document, document
+from kindsl.frontends.lsp.text.document import Document
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.judgement.analysis.twins import compared_twins
 
@@ -47,9 +46,9 @@ async def published(told: Told, uri: str, n: int = 1) -> list[Any]:
 
 
 async def settled(session: Session) -> None:
-    """Wait until the publisher has nothing under way any more."""
-    while tasks := [task for task in session.publisher._tasks.values() if not task.done()]:
-        await asyncio.wait(tasks)
+    """Wait until nothing is under way any more."""
+    while others := asyncio.all_tasks() - {asyncio.current_task()}:
+        await asyncio.wait(others)
     await asyncio.sleep(0.01)
 
 
@@ -140,16 +139,22 @@ async def test_many_findings_are_made_ready_in_the_worker(
     monkeypatch: pytest.MonkeyPatch, number: int, is_here: bool
 ) -> None:
     threads: set[threading.Thread] = set()
+    (found,) = analyse(INTEGER).findings
 
     def noted(*arguments: Any) -> Any:
         threads.add(threading.current_thread())
         return diagnostics(*arguments)
 
+    async def many(*_: object) -> Any:
+        return (found,) * number
+
     monkeypatch.setattr(publishing, "diagnostics", noted)
-    with session_with() as (session, _):
-        (found,) = analyse(INTEGER).findings
-        shown = document(URI, 1, INTEGER, "utf-16")
-        await session.publisher._encoded(shown, (found,) * number)
+    for name in ("findings", "findings_without_twins"):
+        monkeypatch.setattr(Version, name, many)
+    with session_with() as (session, told):
+        opened(session, URI, INTEGER)
+        await published(told, URI)
+        await settled(session)
         assert [thread is threading.current_thread() for thread in threads] == [is_here]
 
 
@@ -157,17 +162,24 @@ async def test_many_findings_are_made_ready_in_the_worker(
 async def test_a_long_document_is_read_before_it_is_checked(
     monkeypatch: pytest.MonkeyPatch, length: int, is_long: bool
 ) -> None:
-    with session_with() as (session, _):
-        shown = document("untitled:r", 1, GOOD.ljust(length), "utf-16")
-        read: list[Document] = []
+    asked: list[str] = []
 
-        async def of(_: Analyses, which: Document) -> Analysis:
-            read.append(which)
-            return analyse(GOOD)
+    async def analysis(_: Version) -> Analysis:
+        asked.append("analysis")
+        return analyse(GOOD)
 
-        monkeypatch.setattr(Analyses, "of", of)
-        await session.publisher._findings_without_twins(shown)
-        assert read == [shown] * is_long
+    async def findings(*_: object) -> Any:
+        asked.append("findings")
+        return ()
+
+    monkeypatch.setattr(Version, "analysis", analysis)
+    for name in ("findings", "findings_without_twins"):
+        monkeypatch.setattr(Version, name, findings)
+    with session_with() as (session, told):
+        opened(session, "untitled:r", GOOD.ljust(length))
+        await published(told, "untitled:r")
+        await settled(session)
+        assert (asked[0] == "analysis") is is_long
 
 
 async def test_what_is_pulled_is_cleared_once_and_pushed_no_more() -> None:
@@ -221,18 +233,18 @@ async def test_what_a_configuration_file_says_wrong_is_told_until_it_is_mended(
         assert problem["message"].startswith("unknown key 'x'") and "version" not in wrong
         assert (problem["severity"], problem["source"]) == (1, "kindsl")
         assert problem["range"]["start"] == {"line": 0, "character": 0}
-        await session.publisher.look_at_broken_files()
+        await session.closed.look_again()
         assert len(await published(told, file.as_uri())) == 1
         file.write_text("")
-        await session.publisher.look_at_broken_files()
+        await session.closed.look_again()
         assert [p["diagnostics"] for p in (await published(told, file.as_uri(), 2))[1:]] == [[]]
         file.write_text("x = 1\n")
-        await session.publisher.look_at_broken_files()
+        await session.closed.look_again()
         assert len(await published(told, file.as_uri())) == 2
-        session.publisher.refresh([file.as_uri()])
+        await session.closed.look([file.as_uri()])
         assert len((await published(told, file.as_uri(), 3))[2]["diagnostics"]) == 1
         file.unlink()
-        await session.publisher.look_at_broken_files()
+        await session.closed.look_again()
         assert (await published(told, file.as_uri(), 4))[3]["diagnostics"] == []
 
 
@@ -323,15 +335,16 @@ async def test_of_a_companion_only_the_version_that_is_shown_is_told(tmp_path: P
         new = session.documents.get(uri)
         assert new is not None
         told.messages.clear()
-        await session.publisher._publish_companion(old)
-        await session.publisher._publish_companion(new)
+        for each in (old, new):
+            session.publisher.schedule(each, 0.0)
+            await settled(session)
         assert [params["version"] for params in told.named(PUBLISH)] == [2]
 
 
 async def test_the_disk_is_looked_at_for_files_that_decide(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("kindsl.frontends.lsp.session.disk_watch._INTERVAL", 0.001)
+    monkeypatch.setattr("kindsl.frontends.lsp.session.closed_configurations.INTERVAL", 0.001)
     with session_with() as (session, told):
         opened(session, (tmp_path / "arm.kindsl").as_uri(), UNBOUND)
         await published(told, (tmp_path / "arm.kindsl").as_uri())
@@ -341,7 +354,7 @@ async def test_the_disk_is_looked_at_for_files_that_decide(
             changes.append(None)
             session.publisher.refresh()
 
-        watching = asyncio.ensure_future(watch_disk(session, session.publisher, changed))
+        watching = asyncio.ensure_future(session.closed.watch(changed))
         await asyncio.sleep(0.02)
         assert changes == []
         file = tmp_path / "kindsl.toml"

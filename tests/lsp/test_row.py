@@ -6,10 +6,8 @@ from itertools import accumulate
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kindsl.frontends.lsp.text.differences import edits_between
 from kindsl.frontends.lsp.text.lines import Lines
-from kindsl.frontends.lsp.text.row import PlainPiece, Row, in_common, n_same
-from kindsl.frontends.lsp.text.sums import Sums
+from kindsl.frontends.lsp.text.row import PlainPiece, Row, Sums, edits_between, in_common, n_same
 from kindsl.language.text.edits import apply_edits
 from kindsl.language.text.lines import LineIndex
 

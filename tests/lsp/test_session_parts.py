@@ -16,21 +16,22 @@ from lsprotocol import types
 from tests.cli.samples import GOOD, UNBOUND, arm
 from tests.lsp.sessions import REFUSAL, folder_of, of_versions, opened, session_with
 
-from kindsl.frontends.lsp.session import disk_watch, memory, previews, progress, symbols
+from kindsl.frontends.lsp.session import closed_configurations, memory, previews, progress, symbols
 from kindsl.frontends.lsp.session import state as session_state
-from kindsl.frontends.lsp.session.binding import bound, posed
+from kindsl.frontends.lsp.session.binding import bound, posed, request_edits
 from kindsl.frontends.lsp.session.closed_configurations import ClosedConfigurations
-from kindsl.frontends.lsp.session.configuration_diagnostics import configuration_problems
-from kindsl.frontends.lsp.session.configuration_files import configuration_of
+from kindsl.frontends.lsp.session.companions import transforms_view
+from kindsl.frontends.lsp.session.configuration_files import (
+    configuration_of,
+    configuration_problems,
+)
 from kindsl.frontends.lsp.session.findings import diagnostics
 from kindsl.frontends.lsp.session.progress import Progress
-from kindsl.frontends.lsp.session.status import tell_status
+from kindsl.frontends.lsp.session.status import status_of
 from kindsl.frontends.lsp.session.tokens import TokenMemory
-from kindsl.frontends.lsp.session.transforms import transforms_view
 from kindsl.frontends.lsp.session.view import plain
 from kindsl.frontends.lsp.session.worker import AbandonedError, Urgency, Worker, start_task
 from kindsl.frontends.lsp.session.workspace import Workspace
-from kindsl.frontends.lsp.session.written import written
 from kindsl.frontends.lsp.text import uris
 from kindsl.frontends.lsp.text.document import document
 from kindsl.frontends.lsp.wire.client import Client
@@ -50,7 +51,7 @@ async def test_what_is_written_is_one_labelled_edit_of_the_version_that_was_seen
     with session_with(of_versions()) as (session, told):
         view = await session.view(opened(session, URI, GOOD, 7))
         told.answers["workspace_apply_edit"] = APPLIED
-        assert await written(session, view, "Rename", [EDIT]) == ""
+        assert await request_edits(view, "Rename", [EDIT]) == ""
         (params,) = told.named("workspace_apply_edit")
         assert params.label == "Rename"
         (change,) = params.edit.document_changes
@@ -64,7 +65,7 @@ async def test_an_editor_that_did_not_write_means_that_the_text_changed(answer: 
     with session_with(of_versions()) as (session, told):
         view = await session.view(opened(session, URI, GOOD))
         told.answers["workspace_apply_edit"] = answer
-        why = await written(session, view, "Rename", [EDIT])
+        why = await request_edits(view, "Rename", [EDIT])
         assert why == "the document has changed in the meantime"
         assert len(told.named("workspace_apply_edit")) == 1
 
@@ -72,7 +73,7 @@ async def test_an_editor_that_did_not_write_means_that_the_text_changed(answer: 
 async def test_nothing_to_write_asks_nobody() -> None:
     with session_with(of_versions()) as (session, told):
         view = await session.view(opened(session, URI, GOOD))
-        assert await written(session, view, "Nothing", []) == ""
+        assert await request_edits(view, "Nothing", []) == ""
         assert told.named("workspace_apply_edit") == []
 
 
@@ -83,14 +84,14 @@ async def test_values_go_into_the_configuration_file_beside_the_edits(tmp_path: 
         session.workspace.add_folders([folder_of(tmp_path)])
         view = await session.view(opened(session, robot.as_uri(), UNBOUND, 3))
         told.answers["workspace_apply_edit"] = APPLIED
-        assert await written(session, view, "Set", [EDIT], [("length", 2.5)]) == ""
+        assert await request_edits(view, "Set", [EDIT], [("length", 2.5)]) == ""
         (params,) = told.named("workspace_apply_edit")
         first, second = params.edit.document_changes
         assert (first.text_document.uri, first.text_document.version) == (robot.as_uri(), 3)
         assert (second.text_document.uri, second.text_document.version) == (file.as_uri(), None)
         assert [edit.new_text for edit in second.edits] == ["2.5"]
         told.messages.clear()
-        assert await written(session, view, "Set", [], [("length", 2.5)]) == ""
+        assert await request_edits(view, "Set", [], [("length", 2.5)]) == ""
         (params,) = told.named("workspace_apply_edit")
         assert [c.text_document.uri for c in params.edit.document_changes] == [file.as_uri()]
 
@@ -104,7 +105,7 @@ async def test_without_a_file_to_write_values_into_nothing_is_written(
     with session_with(of_versions()) as (session, told):
         session.workspace.add_folders([folder_of(tmp_path)])
         view = await session.view(opened(session, (tmp_path / "arm.kindsl").as_uri(), UNBOUND))
-        why = await written(session, view, "Set", [EDIT], [("length", 2.5)])
+        why = await request_edits(view, "Set", [EDIT], [("length", 2.5)])
         assert why == "the configuration file cannot be written"
         assert told.named("workspace_apply_edit") == []
 
@@ -142,7 +143,7 @@ async def test_a_new_file_goes_into_the_innermost_folder_around_the_robot(tmp_pa
         assert bound(session, opened(session, URI, UNBOUND), [("length", 2.0)]) is None
 
 
-async def test_status_counts_freedoms_and_findings() -> None:
+def test_status_counts_freedoms_and_findings() -> None:
     loop = GOOD.replace("children {}", "children { upper via shoulder }")
     for text, dof, state in (
         (GOOD, 2, "ready"),
@@ -150,17 +151,23 @@ async def test_status_counts_freedoms_and_findings() -> None:
         (UNBOUND, 2, "unbound parameters"),
         (loop, None, "broken model"),
     ):
+        analysis = analyse(text)
+        status = {"findings": len(analysis.findings), "dof": dof, "state": state}
+        assert status_of(analysis, analysis.findings) == status
+
+
+async def test_status_is_sent_to_a_client_that_listens() -> None:
+    for announced in ({}, {"kindsl/status": True}):
         with session_with() as (session, told):
-            shown = opened(session, URI, text)
-            findings = analyse(text).findings
-            await tell_status(session, shown, findings)
-            assert told.named("kindsl/status") == []
-            session.client = Client(
-                types.ClientCapabilities(experimental={"kindsl/status": True}), {}
-            )
-            await tell_status(session, shown, findings)
-            status = {"uri": URI, "findings": len(findings), "dof": dof, "state": state}
-            assert status in told.named("kindsl/status")
+            session.client = Client(types.ClientCapabilities(experimental=announced), {})
+            opened(session, URI, GOOD)
+            while not told.named("textDocument/publishDiagnostics"):
+                await asyncio.sleep(0.002)
+            await session.worker.run(lambda: None, Urgency.BACKGROUND)
+            await asyncio.sleep(0.01)
+            sent = told.named("kindsl/status")
+            status = {"uri": URI, "findings": 0, "dof": 2, "state": "ready"}
+            assert sent == ([status] if announced else [])
 
 
 class TestProgress:
@@ -187,7 +194,7 @@ class TestProgress:
     async def test_long_work_asks_once_for_a_token(
         self, answer: Any, monkeypatch: pytest.MonkeyPatch
     ) -> None:
-        monkeypatch.setattr("kindsl.frontends.lsp.session.progress._PATIENCE", 0.0)
+        monkeypatch.setattr("kindsl.frontends.lsp.session.progress.PATIENCE", 0.0)
         with session_with(_shows_progress()) as (session, told):
             told.answers["window_work_done_progress_create"] = answer
             async with Progress(session, "Checking", None) as progress:
@@ -205,7 +212,7 @@ class TestProgress:
     async def test_a_client_that_shows_none_is_not_asked(
         self, monkeypatch: pytest.MonkeyPatch
     ) -> None:
-        monkeypatch.setattr("kindsl.frontends.lsp.session.progress._PATIENCE", 0.0)
+        monkeypatch.setattr("kindsl.frontends.lsp.session.progress.PATIENCE", 0.0)
         with session_with() as (session, told):
             async with Progress(session, "Checking", None) as progress:
                 await progress.report(1, 2)
@@ -539,9 +546,9 @@ async def test_quiet_comes_with_the_last_answer_or_after_a_moment(
             with session.question():
                 assert not session._quiet.is_set()
             assert not session._quiet.is_set()
-            monkeypatch.setattr("kindsl.frontends.lsp.session.state._PATIENCE", 0.01)
+            monkeypatch.setattr("kindsl.frontends.lsp.session.state.PATIENCE", 0.01)
             await asyncio.wait_for(session.until_quiet(), 5)
-            monkeypatch.setattr("kindsl.frontends.lsp.session.state._PATIENCE", 60.0)
+            monkeypatch.setattr("kindsl.frontends.lsp.session.state.PATIENCE", 60.0)
             waiting = asyncio.ensure_future(session.until_quiet())
             await asyncio.sleep(0)
             assert not waiting.done()
@@ -607,9 +614,9 @@ def test_a_file_of_another_tool_is_no_configuration(name: str, is_ours: bool) ->
 
 
 def test_nobody_waits_longer_than_a_second_and_what_nobody_waits_for_two() -> None:
-    waits = (disk_watch._INTERVAL, memory._LATER, previews._FRAME, progress._PATIENCE)
-    assert all(0.0 < wait <= 1.0 for wait in (*waits, session_state._PATIENCE))
-    assert 1.0 < symbols._LATER <= 2.0
+    waits = (closed_configurations.INTERVAL, memory.LATER, previews.FRAME, progress.PATIENCE)
+    assert all(0.0 < wait <= 1.0 for wait in (*waits, session_state.PATIENCE))
+    assert 1.0 < symbols.LATER <= 2.0
 
 
 def test_the_collector_looks_seldom_at_what_is_young_and_old() -> None:
@@ -639,7 +646,8 @@ async def test_only_closed_configuration_files_are_looked_at(tmp_path: Path) -> 
         (tmp_path / "kindsl.toml").unlink()
         await configurations.look()
         assert told == [closed, closed]
-        assert not configurations.is_anything_told
+        await configurations.look()
+        assert told == [closed, closed]
 
 
 async def test_a_file_that_goes_away_while_it_is_read_has_no_problems(

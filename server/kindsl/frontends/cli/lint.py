@@ -68,18 +68,8 @@ def main(arguments: list[str] | None = None) -> int:
     """Run as a command of its own; ends the process if the arguments are the process's."""
     if arguments is None:
         run_and_exit(lambda: main(sys.argv[1:]))
-    options = only_paths(arguments)
-    if options is not None:
-        return run(options)
-    import argparse
-
-    from kindsl.frontends.cli.process import help_formatter
-
-    parser = argparse.ArgumentParser(
-        prog="kdsl-lint", description=__doc__, formatter_class=help_formatter
-    )
-    add_arguments(parser)
-    return run(parser.parse_args(arguments))
+    options = only_paths(arguments) or _parsed(arguments)
+    return run(options)
 
 
 def only_paths(arguments: list[str]) -> SimpleNamespace | None:
@@ -90,6 +80,18 @@ def only_paths(arguments: list[str]) -> SimpleNamespace | None:
     if any(argument.startswith("-") and argument != "-" for argument in arguments):
         return None
     return SimpleNamespace(paths=arguments, **DEFAULTS)
+
+
+def _parsed(arguments: list[str]) -> "argparse.Namespace":
+    import argparse
+
+    from kindsl.frontends.cli.process import help_formatter
+
+    parser = argparse.ArgumentParser(
+        prog="kdsl-lint", description=__doc__, formatter_class=help_formatter
+    )
+    add_arguments(parser)
+    return parser.parse_args(arguments)
 
 
 if __name__ == "__main__":

@@ -113,6 +113,10 @@ class RunOutcome(NamedTuple):
         return sum(file.count(severity) for file in self.files)
 
 
+class UnknownRuleError(Exception):
+    """No rule has a code or name that somebody asked about."""
+
+
 def as_failures(error: "ConfigurationError") -> list[Failure]:
     """Return the errors of a configuration file as failures."""
     return [

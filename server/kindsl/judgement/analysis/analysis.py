@@ -41,17 +41,20 @@ class Analysis:
     """An immutable document; everything else about it is computed when asked for, once.
 
     Attributes:
-        syntax: Its text and syntax, as its targets read it.
         settings: Decisions of the user.
     """
 
     def __init__(self, syntax: SyntaxDocument, settings: Settings = _NO_SETTINGS) -> None:
         self._written = syntax
-        self.syntax = as_read_for(syntax, settings.targets)
         self.settings = settings
         self._apart: Apart = Apart()
         self._findings: Findings | None = None
         self._faults: tuple[Fault, ...] = ()
+
+    @cached_property
+    def syntax(self) -> SyntaxDocument:
+        """Its text and syntax, as its targets read it."""
+        return as_read_for(self._written, self.settings.targets)
 
     @property
     def text(self) -> str:

@@ -4,7 +4,6 @@ import os
 from typing import TYPE_CHECKING, NamedTuple
 
 from kindsl.judgement.config.discovery import upwards
-from kindsl.language.text.regular import require_regular
 
 if TYPE_CHECKING:
     from pathspec import GitIgnoreSpec
@@ -50,8 +49,9 @@ class Ignored(NamedTuple):
         return False
 
     def _with(self, folder: str, file: str) -> "Ignored":
+        if not os.path.isfile(file):
+            return self
         try:
-            require_regular(file)
             with open(file, encoding="utf-8", errors="surrogateescape") as stream:
                 lines = stream.read().splitlines()
         except OSError:

@@ -24,6 +24,11 @@ class Choices(NamedTuple):
     configurations: Configurations | None = None
     editor: Settings | None = None
 
+    def afresh(self) -> "Choices":
+        """Return these choices with configuration files to be read again."""
+        known = self.configurations
+        return self._replace(configurations=known and Configurations(known.fixed))
+
     def configuration_for(self, document: str) -> "Configuration | None":
         """Return the configuration that applies to a document.
 
@@ -61,28 +66,22 @@ def choices_of(args: Any) -> Choices:
     Raises:
         ConfigurationError: A file of parameters, or the configuration file named, is wrong.
     """
+    editor = getattr(args, "editor_settings", None)
+    configurations = None if args.isolated else Configurations(args.config)
+    if configurations is not None and args.config is not None:
+        configurations.above(args.config)
+    bindings: dict[str, Binding] = {}
+    if args.params is not None:
+        from kindsl.judgement.config.configuration_reading import read_parameters
+
+        bindings = read_parameters(args.params)
+    bindings |= {name: Binding(value, origin="--param") for name, value in args.param}
     targets = getattr(args, "target", None)
     select, ignore = getattr(args, "select", None), getattr(args, "ignore", None)
     decisions = Decisions(
         None if targets is None else frozenset(targets),
         None if select is None else tuple(select),
         None if ignore is None else tuple(ignore),
-        bindings=_bindings(args),
+        bindings=bindings,
     )
-    editor = getattr(args, "editor_settings", None)
-    if args.isolated:
-        return Choices(decisions, editor=editor)
-    configurations = Configurations(args.config)
-    if args.config is not None:
-        configurations.above(args.config)
     return Choices(decisions, configurations, editor)
-
-
-def _bindings(args: Any) -> dict[str, Binding]:
-    found: dict[str, Binding] = {}
-    if args.params is not None:
-        from kindsl.judgement.config.configuration_reading import read_parameters
-
-        found = read_parameters(args.params)
-    found.update({name: Binding(value, origin="--param") for name, value in args.param})
-    return found

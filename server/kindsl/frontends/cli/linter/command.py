@@ -9,7 +9,7 @@ from kindsl.frontends.cli.documents.choices import choices_of
 from kindsl.frontends.cli.documents.sources import STDIN, UNNAMED
 from kindsl.frontends.cli.linter.one_document import FixMode
 from kindsl.frontends.cli.linter.run import LintPlan, lint
-from kindsl.frontends.cli.outcome import Failure, RunOutcome, as_failures
+from kindsl.frontends.cli.outcome import Failure, RunOutcome, UnknownRuleError, as_failures
 from kindsl.frontends.cli.output import renderer
 from kindsl.judgement.config.errors import ConfigurationError
 from kindsl.judgement.config.robots import TOOLS_FOLDERS
@@ -34,28 +34,17 @@ def run_lint(args: Any) -> int:
         usage, a document that cannot be read, or a defect of ours.
     """
     try:
-        if args.list_rules or args.explain is not None:
-            return _tell_about_rules(args)
-        wrong = _wrong_usage(args)
-        if wrong:
-            return _unusable(wrong)
-        plan = _plan(args)
-        if args.watch:
-            from kindsl.frontends.cli.linter.watching import watch
+        if not (args.list_rules or args.explain is not None):
+            return _lint_and_report(args)
+        from kindsl.frontends.cli.output.rule_pages import pages
 
-            return watch(plan, lambda outcome: _report(outcome, args))
-        outcome = lint(plan)
-        if plan.choices.decisions.bindings and not args.quiet:
-            from kindsl.frontends.cli.linter.unused_bindings import unused_on_command_line
-
-            write(sys.stderr, unused_on_command_line(outcome.files, plan.choices))
-        if args.write_baseline is not None:
-            from kindsl.frontends.cli.linter.known import with_baseline_written
-
-            outcome = with_baseline_written(outcome, args.write_baseline)
-        return _report(outcome, args)
+        write(sys.stdout, pages(args.explain, args.output_format))
+        return OK
     except ConfigurationError as error:
-        _tell_failures(as_failures(error))
+        _write_failures(as_failures(error))
+        return UNUSABLE
+    except UnknownRuleError as error:
+        write(sys.stderr, f"kdsl-lint: error: {error}\n")
         return UNUSABLE
     except KeyboardInterrupt:
         return INTERRUPTED
@@ -102,8 +91,35 @@ def _plan(args: Any) -> LintPlan:
     )
 
 
+def _lint_and_report(args: Any) -> int:
+    wrong = _wrong_usage(args)
+    if wrong:
+        write(sys.stderr, f"kdsl-lint: error: {wrong}\n")
+        return UNUSABLE
+    plan = _plan(args)
+    if not args.watch:
+        outcome = _linted(plan, args)
+        return _report(outcome, args)
+    from kindsl.frontends.cli.linter.watching import watch
+
+    return watch(plan, lambda outcome: _report(outcome, args))
+
+
+def _linted(plan: LintPlan, args: Any) -> RunOutcome:
+    outcome = lint(plan)
+    if plan.choices.decisions.bindings and not args.quiet:
+        from kindsl.frontends.cli.linter.unused_bindings import unused_on_command_line
+
+        write(sys.stderr, unused_on_command_line(outcome.files, plan.choices))
+    if args.write_baseline is None:
+        return outcome
+    from kindsl.frontends.cli.linter.known import with_baseline_written
+
+    return with_baseline_written(outcome, args.write_baseline)
+
+
 def _report(outcome: RunOutcome, args: Any) -> int:
-    _tell_failures(outcome.failures)
+    _write_failures(outcome.failures)
     write(sys.stderr, "".join(f"{printable(remark)}\n" for remark in outcome.remarks))
     failing = failing_severities(outcome, args.max_warnings)
     failing = frozenset() if args.exit_zero else failing
@@ -115,15 +131,16 @@ def _report(outcome: RunOutcome, args: Any) -> int:
         named = args.stdin_filename or UNNAMED
         write(sys.stdout, "".join(f.text for f in outcome.files if f.path == named))
     write(sys.stderr if is_mended_stdin else sys.stdout, _rendered(outcome, args))
+    status = exit_status(outcome, args.max_warnings, args.exit_zero)
     if args.output_format == "text" and not args.quiet:
         from kindsl.frontends.cli.linter.summary import summary
 
         write(sys.stderr, summary(outcome))
     if args.verbose:
-        from kindsl.frontends.cli.linter.verdict_lines import verdict_lines
+        from kindsl.frontends.cli.linter.summary import verdict_lines
 
         write(sys.stderr, verdict_lines(outcome.files))
-    return exit_status(outcome, args.max_warnings, args.exit_zero)
+    return status
 
 
 def _rendered(outcome: RunOutcome, args: Any) -> str:
@@ -145,31 +162,5 @@ def _report_diff(outcome: RunOutcome, args: Any) -> int:
     return FINDINGS if any(diffs) and not args.exit_zero else OK
 
 
-def _tell_about_rules(args: Any) -> int:
-    from kindsl.frontends.cli.output import rule_pages
-    from kindsl.judgement.rules.registry import all_rules, rule_named
-
-    is_json = args.output_format == "json"
-    if args.explain is None:
-        listed = rule_pages.rule_list_as_json() if is_json else rule_pages.rule_list()
-        write(sys.stdout, listed)
-        return OK
-    rule = rule_named(args.explain)
-    if rule is None:
-        from kindsl.judgement.config.schema import did_you_mean
-
-        known = [name for rule in all_rules() for name in (rule.code, rule.name)]
-        hint = did_you_mean(args.explain.upper(), known).partition(" (known")[0]
-        return _unusable(f"no rule '{args.explain}'{hint}; see --list-rules")
-    page = rule_pages.explained_as_json(rule) if is_json else rule_pages.explained(rule)
-    write(sys.stdout, page)
-    return OK
-
-
-def _tell_failures(failures: Sequence[Failure]) -> None:
+def _write_failures(failures: Sequence[Failure]) -> None:
     write(sys.stderr, "".join(f"{printable(str(failure))}\n" for failure in failures))
-
-
-def _unusable(message: str) -> int:
-    write(sys.stderr, f"kdsl-lint: error: {message}\n")
-    return UNUSABLE

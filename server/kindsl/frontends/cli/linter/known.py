@@ -43,12 +43,12 @@ def stale_remarks(
 def with_baseline_written(outcome: RunOutcome, path: str) -> RunOutcome:
     """Write what was found as known; return the outcome with it known, or with a failure."""
     known = {file.path: [*_identities(file)] for file in outcome.files if _has_blocks(file)}
+    files = [file.with_all_known() if file.path in known else file for file in outcome.files]
     try:
         write_output(path, written({path_in(path, name): known[name] for name in known}))
     except CommandError as error:
         return outcome._replace(failures=[*outcome.failures, *error.failures])
     remark = f"{counted(sum(map(len, known.values())), 'known finding')} written to {path}"
-    files = [file.with_all_known() if file.path in known else file for file in outcome.files]
     return outcome._replace(files=files, remarks=[remark])
 
 

@@ -1,8 +1,12 @@
-"""The summary line of a run."""
+"""The last lines of a run: its summary, and the verdicts of the generators if it is verbose."""
 
-from kindsl.frontends.cli.outcome import RunOutcome
+from collections.abc import Iterator, Sequence
+
+from kindsl.frontends.cli.outcome import LintedFile, RunOutcome
+from kindsl.judgement.config.robots import SUFFIX
 from kindsl.judgement.rules.base import Severity
 from kindsl.language.text.phrases import counted
+from kindsl.language.text.printable import printable
 
 
 def summary(outcome: RunOutcome) -> str:
@@ -25,6 +29,27 @@ def summary(outcome: RunOutcome) -> str:
     return line + (f"; {n_fixable} fixable with --fix\n" if n_fixable else "\n")
 
 
+def verdict_lines(files: Sequence[LintedFile]) -> str:
+    """Return a line for each generator, with the document's name where there are several."""
+    documents = [file for file in files if _is_robot(file)]
+    return "".join(
+        f"{printable(f'{file.path}: ' if len(documents) > 1 else '')}{line}\n"
+        for file in documents
+        for line in _verdicts(file)
+    )
+
+
 def _counts(outcome: RunOutcome) -> str:
     counts = ((severity, outcome.count(severity)) for severity in Severity)
     return ", ".join(counted(number, severity) for severity, number in counts if number)
+
+
+def _verdicts(file: LintedFile) -> Iterator[str]:
+    from kindsl.judgement.analysis.analysis import analyse
+    from kindsl.judgement.analysis.verdicts import verdicts
+
+    return map(str, verdicts(analyse(file.text)))
+
+
+def _is_robot(file: LintedFile) -> bool:
+    return file.path.endswith(SUFFIX) or "." not in file.path.rpartition("/")[2]

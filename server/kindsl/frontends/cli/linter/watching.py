@@ -12,7 +12,7 @@ from kindsl.frontends.cli.outcome import Failure, RunOutcome
 from kindsl.judgement.analysis.twins import watched_files
 from kindsl.judgement.config.baseline import baseline_path
 from kindsl.judgement.config.configuration_reading import read_configuration
-from kindsl.judgement.config.discovery import Configurations, nearest_configuration
+from kindsl.judgement.config.discovery import nearest_configuration
 from kindsl.judgement.config.errors import ConfigurationError
 from kindsl.language.text.saves import Stamp, stamp
 
@@ -33,7 +33,7 @@ def watch(plan: LintPlan, report: Callable[[RunOutcome], int]) -> int:
                 is_first = False
                 if sys.stdout.isatty():
                     print(_CLEAR, end="", flush=True)
-                outcome = lint(_afresh(plan))
+                outcome = lint(plan._replace(choices=plan.choices.afresh()))
                 status = report(outcome)
                 print("watching for changes, Ctrl-C to stop", file=sys.stderr, flush=True)
                 # As before the run: what was saved during it may not have been read.
@@ -66,12 +66,3 @@ def _named_by(path: str) -> list[str]:
         return [baseline_path(configuration), *watched_files(configuration.twin_files)]
     except ConfigurationError:
         return []
-
-
-def _afresh(plan: LintPlan) -> LintPlan:
-    """Return the plan with configuration files to be read again."""
-    known = plan.choices.configurations
-    if known is None:
-        return plan
-    choices = plan.choices._replace(configurations=Configurations(known.fixed))
-    return plan._replace(choices=choices)

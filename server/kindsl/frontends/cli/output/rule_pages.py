@@ -2,9 +2,33 @@
 
 from typing import Any
 
+from kindsl.frontends.cli.outcome import UnknownRuleError
 from kindsl.judgement.rules.base import Rule
 from kindsl.judgement.rules.page_files import page_address
 from kindsl.judgement.rules.registry import all_rules, page_of
+from kindsl.language.text.nearest import hint, nearest_word
+
+
+def pages(name: str | None, output_format: str) -> str:
+    """Return the page of a rule, or the list of all, as text or JSON.
+
+    Raises:
+        UnknownRuleError: No rule has that code or name.
+    """
+    if name is None:
+        return _list_as_json() if output_format == "json" else _list()
+    known = {word.upper(): rule for rule in all_rules() for word in (rule.code, rule.name)}
+    rule = known.get(name.upper())
+    if rule is None:
+        words = (word for rule in known.values() for word in (rule.code, rule.name))
+        near = hint(nearest_word(name.upper(), words), after=",")
+        raise UnknownRuleError(f"no rule '{name}'{near}; see --list-rules")
+    page = page_of(rule)
+    if output_format != "json":
+        return f"# {rule.name} ({rule.code})\n\n{_facts(rule)}\n\n{page}\n"
+    import json
+
+    return json.dumps({**_entry(rule), "explanation": page}, indent=2) + "\n"
 
 
 def summary_of(rule: Rule) -> str:
@@ -12,20 +36,7 @@ def summary_of(rule: Rule) -> str:
     return page_of(rule).partition("\n\n")[0].replace("\n", " ")
 
 
-def explained(rule: Rule) -> str:
-    """Return a rule's page with its heading."""
-    return f"# {rule.name} ({rule.code})\n\n{_facts(rule)}\n\n{page_of(rule)}\n"
-
-
-def explained_as_json(rule: Rule) -> str:
-    """Return a rule and its page as a JSON object."""
-    import json
-
-    return json.dumps({**_entry(rule), "explanation": page_of(rule)}, indent=2) + "\n"
-
-
-def rule_list() -> str:
-    """Return a table of all rules."""
+def _list() -> str:
     rows = [(rule.code, rule.name, rule.severity.value, summary_of(rule)) for rule in all_rules()]
     width = max(len(row[1]) for row in rows)
     return "".join(
@@ -33,8 +44,7 @@ def rule_list() -> str:
     )
 
 
-def rule_list_as_json() -> str:
-    """Return all rules as a JSON array."""
+def _list_as_json() -> str:
     import json
 
     return json.dumps([_entry(rule) for rule in all_rules()], indent=2) + "\n"

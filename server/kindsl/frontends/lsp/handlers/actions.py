@@ -1,16 +1,19 @@
 """Fixes and refactorings."""
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from lsprotocol import types
 
 from kindsl.frontends.lsp.handlers.table import Handlers
 from kindsl.frontends.lsp.session.binding import bound
+from kindsl.frontends.lsp.session.companions import TransformsView
 from kindsl.frontends.lsp.session.findings import diagnostics
-from kindsl.frontends.lsp.session.other_files import other_file_edits
-from kindsl.frontends.lsp.session.transforms import TransformsView
 from kindsl.frontends.lsp.session.view import Sight, View
+from kindsl.frontends.lsp.text import uris
+from kindsl.frontends.lsp.text.document import Document, document
 from kindsl.frontends.lsp.wire.edits import makes_files, text_edits, workspace_edit
+from kindsl.language.text.edits import TextEdit
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -19,6 +22,7 @@ if TYPE_CHECKING:
 
 handlers = Handlers()
 
+_MARK = "\ufeff"
 FIX_ALL = "source.fixAll.kindsl"
 _KINDS = types.CodeActionOptions(
     code_action_kinds=[
@@ -83,7 +87,7 @@ def _action(view: Sight, action: "CodeAction") -> types.CodeAction | None:
         edits.append((binding.document, text_edits(binding.document, [binding.edit])))
         new = [binding.document] if binding.is_new else []
     if action.other_file:
-        other = other_file_edits(view.state, action)
+        other = _other_file_edits(view, action)
         if other is None:
             return None
         edits.append(other)
@@ -100,3 +104,23 @@ def _action(view: Sight, action: "CodeAction") -> types.CodeAction | None:
         is_preferred=action.is_preferred or None,
         edit=workspace_edit(view.client, edits, new),
     )
+
+
+def _other_file_edits(
+    view: Sight, action: "CodeAction"
+) -> tuple[Document, list[types.TextEdit]] | None:
+    """Return the edits of an action's other file; None if it is not as it was when it was read."""
+    path = Path(action.other_file).absolute()
+    try:
+        content = path.read_bytes().decode("utf-8")
+    except (OSError, UnicodeDecodeError):
+        return None
+    opened = view.state.documents.get(uris.uri(path))
+    plain = content.removeprefix(_MARK)
+    found = opened or document(uris.uri(path), None, plain, view.state.documents.encoding)
+    # Offsets count a byte order mark, which editors take off.
+    off = found.text.startswith(_MARK) - content.startswith(_MARK)
+    edits = [e._replace(start=e.start + off, end=e.end + off) for e in action.other_edits]
+    if any(found.text[edit.start : edit.end] != edit.old for edit in edits):
+        return None
+    return found, text_edits(found, [TextEdit(e.start, e.end, e.new) for e in edits])

@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from lsprotocol import types
 
 from kindsl.frontends.lsp.handlers.table import Handlers
+from kindsl.frontends.lsp.session.companions import TransformsView
 from kindsl.frontends.lsp.session.session import Session
-from kindsl.frontends.lsp.session.transforms import TransformsView
 from kindsl.frontends.lsp.session.view import Sight, View, plain
 from kindsl.language.text.facts import Fact
 

@@ -6,7 +6,6 @@ from lsprotocol import types
 from pygls.capabilities import ServerCapabilitiesBuilder
 
 from kindsl.frontends.lsp.handlers.table import Handlers
-from kindsl.frontends.lsp.session.disk_watch import watch_disk
 from kindsl.frontends.lsp.session.session import Session
 from kindsl.frontends.lsp.session.symbols import read_ahead
 from kindsl.frontends.lsp.session.warm_up import warm_up
@@ -45,7 +44,7 @@ async def initialized(session: Session, _: types.InitializedParams) -> None:
         params = types.RegistrationParams(registrations)
         await asked(session.editor.client_register_capability_async(params))
     if session.surroundings.has_files:
-        start_task(watch_disk(session, session.publisher, lambda: refresh(session)))
+        start_task(session.closed.watch(lambda: refresh(session)))
         start_task(read_ahead(session))
     await ask_for_settings(session)
 
@@ -77,7 +76,8 @@ def change_files(session: Session, params: types.DidChangeWatchedFilesParams) ->
     for change in params.changes:
         is_gone = change.type == types.FileChangeType.Deleted
         if is_gone and not session.documents.is_open(change.uri):
-            session.publisher.clear(change.uri)
+            session.closed.forget(change.uri)
+            session.publisher.publish(change.uri, [])
     changed = [change.uri for change in params.changes if _is_configuration(change.uri)]
     if changed:
         session.workspace.forget()
@@ -120,7 +120,8 @@ def refresh(session: Session, changed: Iterable[str] = ()) -> None:
         changed: URIs of the configuration files that are the cause.
     """
     session.news.set()
-    session.publisher.refresh(changed)
+    session.publisher.refresh()
+    start_task(session.closed.look(changed))
     session.previews.refresh()
     editor = session.editor
     for shown, ask in (

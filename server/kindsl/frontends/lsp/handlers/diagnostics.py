@@ -48,10 +48,11 @@ async def pull(session: Session, params: types.DocumentDiagnosticParams) -> Repo
     session.publisher.leave_to_pull(document)
     if not document.is_robot:
         return {"kind": "full", "items": await companion_diagnostics(session, document)}
+    version = await session.analyses.version(document)
     if not session.client.is_told_to_pull:
-        findings = await session.analyses.findings(document)
+        findings = await version.findings()
     else:
-        findings = await session.analyses.findings_without_twins(document)
+        findings = await version.findings_without_twins(Urgency.ANSWER)
         if session.documents.is_current(document):
             findings = session.calm.told(document, findings)
     result_id = result_id_of(document, findings)
@@ -123,7 +124,8 @@ async def _workspace_report(session: Session, uri: str, known: dict[str, str]) -
 
 async def _report(session: Session, document: Document) -> "_Report":
     """Return what is wrong with a document; of a file that is not open only this is kept."""
-    settings = await session.analyses.settings(document)
+    version = await session.analyses.version(document)
+    settings = version.settings
     report = document.facts.get(_REPORT)
     if report is None or report.settings != settings:
         parts = session.client.shows_in_diagnostics
@@ -134,7 +136,7 @@ async def _report(session: Session, document: Document) -> "_Report":
                 logger.error("a rule failed: %s", fault)
             result_id = str(next(_SERIAL))
         else:
-            findings = await session.analyses.findings(document, Urgency.BACKGROUND)
+            findings = await version.findings(Urgency.BACKGROUND)
             items = diagnostics(document, findings, parts)
             result_id = result_id_of(document, findings)
         report = document.facts.keep(_REPORT, _Report(settings, result_id, items))

@@ -7,8 +7,8 @@ from pygls.exceptions import JsonRpcInvalidParams
 
 from kindsl.frontends.lsp.handlers.commands import view_of
 from kindsl.frontends.lsp.handlers.table import Handlers
+from kindsl.frontends.lsp.session.binding import request_edits
 from kindsl.frontends.lsp.session.session import Session
-from kindsl.frontends.lsp.session.written import written
 
 handlers = Handlers()
 
@@ -33,7 +33,7 @@ async def set_component(
         return _answer("", change.reason)
     for parameter, shown in change.preview:
         session.previews.set_parameter(view.document.uri, parameter, shown)
-    reason = await written(session, view, change.label, change.edits, change.bindings)
+    reason = await request_edits(view, change.label, change.edits, change.bindings)
     return _answer("" if reason else change.text, reason)
 
 

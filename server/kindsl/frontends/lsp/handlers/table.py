@@ -7,8 +7,8 @@ there when the request came, however the editor goes on typing meanwhile.
 from collections.abc import Callable
 from typing import Any, NamedTuple, TypeVar
 
+from kindsl.frontends.lsp.session.companions import transforms_view
 from kindsl.frontends.lsp.session.session import Session
-from kindsl.frontends.lsp.session.transforms import transforms_view
 from kindsl.frontends.lsp.text.document import Document
 
 F = TypeVar("F", bound=Callable[..., Any])

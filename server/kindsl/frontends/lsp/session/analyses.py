@@ -3,8 +3,7 @@
 import asyncio
 import logging
 from collections.abc import Callable
-from functools import partial
-from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
+from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar, cast
 
 from kindsl.frontends.lsp.session.worker import Job, Urgency, Worker
 from kindsl.frontends.lsp.session.workspace import Workspace
@@ -36,69 +35,87 @@ class Analyses:
         self._worker = worker
         self._workspace = workspace
 
+    async def version(self, document: Document) -> "Version":
+        """Return a version under the present settings, which are read in the worker."""
+        settings = self._workspace.known_settings(document)
+        if settings is None:
+            settings = await self._worker.run(lambda: self._workspace.read_settings(document))
+        return Version(document, settings, self._worker)
+
     async def of(self, document: Document) -> "Analysis":
         """Return the analysis of a version under the present settings, its model made."""
-        settings = await self.settings(document)
-        known = document.facts.get(_ANALYSIS)
-        if known is not None and known[0] == settings:
+        return await (await self.version(document)).analysis()
+
+    async def findings(self, document: Document) -> "tuple[Diagnostic, ...]":
+        """Return what is wrong with a version under the present settings."""
+        return await (await self.version(document)).findings()
+
+
+class Version(NamedTuple):
+    """A document under the settings that hold for it.
+
+    Attributes:
+        document: One version of it.
+        settings: The decisions of project and editor.
+        worker: Makes the analysis.
+    """
+
+    document: Document
+    settings: "Settings"
+    worker: Worker
+
+    async def analysis(self) -> "Analysis":
+        """Return the analysis, its model made."""
+        known = self.document.facts.get(_ANALYSIS)
+        if known is not None and known[0] == self.settings:
             return known[1]
-        jobs = _jobs(document, settings)
-        make = partial(_analysis, document, settings)
-        return await self._shared(jobs, "analysis", make, Urgency.ANSWER)
+        return await self._shared("analysis", self._made, Urgency.ANSWER)
 
-    async def settings(self, document: Document) -> "Settings":
-        """Return the decisions for a document; files are read in the worker."""
-        known = self._workspace.known_settings(document)
-        if known is not None:
-            return known
-        return await self._worker.run(lambda: self._workspace.read_settings(document))
-
-    async def findings(
-        self, document: Document, urgency: Urgency = Urgency.ANSWER
-    ) -> "tuple[Diagnostic, ...]":
-        """Return what is wrong with a version; twins are read when all else is known."""
-        settings = await self.settings(document)
-        if settings.twins:
-            await self.findings_without_twins(document, urgency)
+    async def findings(self, urgency: Urgency = Urgency.ANSWER) -> "tuple[Diagnostic, ...]":
+        """Return what is wrong; twins are read when all else is known."""
+        if self.settings.twins:
+            await self.findings_without_twins(urgency)
             urgency = Urgency.BACKGROUND
-        return await self._all_findings(document, settings, urgency)
+        return await self._shared(_FINDINGS, self._checked, urgency)
 
-    async def findings_without_twins(
-        self, document: Document, urgency: Urgency = Urgency.ANSWER
-    ) -> "tuple[Diagnostic, ...]":
+    async def findings_without_twins(self, urgency: Urgency) -> "tuple[Diagnostic, ...]":
         """Return all findings if they are known or there are no twins, else those of the text."""
-        settings = await self.settings(document)
-        jobs = _jobs(document, settings)
-        known = jobs.get(_FINDINGS)
-        if not settings.twins or (known is not None and known.future.done()):
-            return await self._all_findings(document, settings, urgency)
+        known = self._jobs.get(_FINDINGS)
+        if not self.settings.twins or (known is not None and known.future.done()):
+            return await self._shared(_FINDINGS, self._checked, urgency)
+        check = lambda: self._made().check_without_twins(self.worker.checkpoint)  # noqa: E731
+        return await self._shared("findings without twins", check, urgency)
 
-        def check() -> "tuple[Diagnostic, ...]":
-            return _analysis(document, settings).check_without_twins(self._worker.checkpoint)
+    @property
+    def _jobs(self) -> "dict[str, _SharedJob[Any]]":
+        """What has been asked of this version; other settings start anew."""
+        return self.document.facts.made_of(_JOBS, self.settings, dict)
 
-        return await self._shared(jobs, "findings without twins", check, urgency)
+    def _made(self) -> "Analysis":
+        """Return the analysis of a version, its model made; only jobs make one."""
+        from kindsl.judgement.analysis.analysis import Analysis
 
-    async def _all_findings(
-        self, document: Document, settings: "Settings", urgency: Urgency
-    ) -> "tuple[Diagnostic, ...]":
-        check = partial(self._check, document, settings)
-        return await self._shared(_jobs(document, settings), _FINDINGS, check, urgency)
+        def made() -> Analysis:
+            analysis = Analysis(self.document.tree, self.settings)
+            analysis.model  # noqa: B018
+            return analysis
 
-    def _check(self, document: Document, settings: "Settings") -> "tuple[Diagnostic, ...]":
+        return self.document.facts.made_of(_ANALYSIS, self.settings, made)
+
+    def _checked(self) -> "tuple[Diagnostic, ...]":
         """Return the findings as long as somebody waits; rules that failed are logged."""
-        analysis = _analysis(document, settings)
-        findings = analysis.check(self._worker.checkpoint)
+        analysis = self._made()
+        findings = analysis.check(self.worker.checkpoint)
         for fault in analysis.faults:
             logger.error("a rule failed: %s", fault.message, exc_info=fault.error)
         return findings
 
-    async def _shared(
-        self, jobs: "dict[str, _SharedJob[Any]]", name: str, work: Callable[[], T], urgency: Urgency
-    ) -> T:
+    async def _shared(self, name: str, work: Callable[[], T], urgency: Urgency) -> T:
         """Await a job that others may wait for, too."""
+        jobs = self._jobs
         job = jobs.get(name)
         if job is None:
-            job = jobs[name] = _SharedJob(self._worker.submit(work, urgency))
+            job = jobs[name] = _SharedJob(self.worker.submit(work, urgency))
         elif job.future.done():
             return cast(T, job.future.result())
         job.waiters += 1
@@ -125,20 +142,3 @@ class _SharedJob(Generic[T]):
         """Leave it out, or end it at its next checkpoint."""
         self._job.is_abandoned = True
         self.future.cancel()
-
-
-def _jobs(document: Document, settings: "Settings") -> "dict[str, _SharedJob[Any]]":
-    """Return what has been asked of a version under these settings; other settings start anew."""
-    return document.facts.made_of(_JOBS, settings, dict)
-
-
-def _analysis(document: Document, settings: "Settings") -> "Analysis":
-    """Return the analysis of a version, its model made; only jobs make one."""
-    from kindsl.judgement.analysis.analysis import Analysis
-
-    def made() -> Analysis:
-        analysis = Analysis(document.tree, settings)
-        analysis.model  # noqa: B018
-        return analysis
-
-    return document.facts.made_of(_ANALYSIS, settings, made)

@@ -1,15 +1,23 @@
-"""Keeps values of parameters and poses in the project's `kindsl.toml`, which may be a new one."""
+"""Changes by hand outside the text, written into it or into the project's `kindsl.toml`."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
+from lsprotocol import types
+
 from kindsl.frontends.lsp.session.state import State
+from kindsl.frontends.lsp.session.view import View
 from kindsl.frontends.lsp.text import uris
 from kindsl.frontends.lsp.text.document import Document, document
+from kindsl.frontends.lsp.wire.client import asked
+from kindsl.frontends.lsp.wire.edits import text_edits, workspace_edit
 from kindsl.judgement.config.errors import ConfigurationError
 from kindsl.judgement.config.file_names import OWN_FILE
 from kindsl.judgement.config.parameter_lines import parameter_lines
 from kindsl.language.text.edits import TextEdit, difference
+
+_CHANGED = "the document has changed in the meantime"
+_NO_FILE = "the configuration file cannot be written"
 
 
 class ConfigurationEdit(NamedTuple):
@@ -64,6 +72,38 @@ def posed(
     if new is None:
         return None
     return ConfigurationEdit(document, is_new, difference(document.text, new))
+
+
+async def request_edits(
+    view: View,
+    label: str,
+    edits: Sequence[TextEdit],
+    bindings: Sequence[tuple[str, float]] = (),
+) -> str:
+    """Have the client make edits of the version that a view shows, as one step of undo.
+
+    Args:
+        view: The document as it was seen.
+        label: Title of the edits, in the imperative.
+        edits: Of the document.
+        bindings: Values of parameters for the configuration file.
+
+    Returns:
+        Why nothing was written, or an empty text.
+    """
+    made: list[tuple[Document, list[types.TextEdit]]] = []
+    if edits:
+        made.append((view.document, text_edits(view.document, edits)))
+    if bindings:
+        binding = bound(view.state, view.document, bindings)
+        if binding is None or binding.is_new:
+            return _NO_FILE
+        made.append((binding.document, text_edits(binding.document, [binding.edit])))
+    if not made:
+        return ""
+    params = types.ApplyWorkspaceEditParams(workspace_edit(view.client, made), label=label)
+    answer = await asked(view.state.editor.workspace_apply_edit_async(params))
+    return "" if answer is not None and answer.applied else _CHANGED
 
 
 def _place(state: State, shown: Document) -> tuple[Document, bool] | None:

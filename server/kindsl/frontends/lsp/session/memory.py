@@ -14,7 +14,7 @@ from kindsl.frontends.lsp.text.document import Document
 from kindsl.frontends.lsp.text.open_documents import Documents
 
 _THRESHOLDS = (10_000, 10, 3)
-_LATER = 0.5
+LATER = 0.5
 
 
 def tune() -> None:
@@ -32,7 +32,7 @@ def collect_after_close(documents: Documents, worker: Worker) -> None:
     pending: list[asyncio.Task[None]] = []
 
     async def collect() -> None:
-        await asyncio.sleep(_LATER)
+        await asyncio.sleep(LATER)
         await worker.run(_collect_all, Urgency.BACKGROUND)
 
     def closed(_: Document) -> None:

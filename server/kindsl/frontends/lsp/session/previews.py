@@ -12,11 +12,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from lsprotocol import types
 
-from kindsl.frontends.lsp.session.binding import ConfigurationEdit, bound, posed
+from kindsl.frontends.lsp.session.binding import ConfigurationEdit, bound, posed, request_edits
 from kindsl.frontends.lsp.session.state import State
 from kindsl.frontends.lsp.session.view import View
 from kindsl.frontends.lsp.session.worker import Urgency, start_task
-from kindsl.frontends.lsp.session.written import written
 from kindsl.frontends.lsp.text import uris
 from kindsl.frontends.lsp.text.document import Document
 from kindsl.frontends.lsp.wire.client import asked
@@ -32,7 +31,7 @@ if TYPE_CHECKING:
     from kindsl.judgement.analysis.diagnostics import Diagnostic
     from kindsl.language.text.span import Span
 
-_FRAME = 0.03
+FRAME = 0.03
 
 
 class _Version(NamedTuple):
@@ -126,7 +125,7 @@ class Previews:
             while (version := self._newest.pop(key, None)) is not None:
                 start = time.monotonic()
                 await self._show(preview, version)
-                await asyncio.sleep(max(_FRAME, time.monotonic() - start))
+                await asyncio.sleep(max(FRAME, time.monotonic() - start))
         finally:
             self._drawing.discard(key)
 
@@ -140,7 +139,8 @@ class Previews:
         """List what is wrong with a document that is shown for the first time."""
         document = self._state.documents.get(uri)
         if document is not None:
-            findings = await self._state.analyses.findings(document, Urgency.DIAGNOSTICS)
+            version = await self._state.analyses.version(document)
+            findings = await version.findings(Urgency.DIAGNOSTICS)
             if self._state.documents.get(uri) is document:
                 self._found(document, findings)
 
@@ -177,7 +177,7 @@ class Previews:
         if document is None or document.text != writing.text:
             return "the document has changed in the meantime"
         view = View(document, await self._state.analyses.of(document), self._state)
-        return await written(self._state, view, writing.label, writing.edits, writing.bindings)
+        return await request_edits(view, writing.label, writing.edits, writing.bindings)
 
     def _keep(self, key: str, wanted: "WriteParameters | KeepPose") -> str:
         """Let the editor write values or a pose; return what to write by hand if it cannot."""

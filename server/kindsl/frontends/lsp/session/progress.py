@@ -16,7 +16,7 @@ T = TypeVar("T")
 
 _AT_A_TIME = 16
 _WHOLE = 100
-_PATIENCE = 0.5
+PATIENCE = 0.5
 
 
 class Progress:
@@ -44,7 +44,7 @@ class Progress:
 
     async def report(self, done: int, total: int) -> None:
         """Tell how much is done of something, when that is a per cent more than told before."""
-        if self._may_begin and time.monotonic() - self._start > _PATIENCE:
+        if self._may_begin and time.monotonic() - self._start > PATIENCE:
             await self._begin()
         percentage = _WHOLE * done // total
         if percentage > self._shown:

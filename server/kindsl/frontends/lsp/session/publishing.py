@@ -1,23 +1,23 @@
 """Diagnostics pushed to the client while someone types."""
 
 import asyncio
-from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
 
 from kindsl.frontends.lsp.session import calm, memory
-from kindsl.frontends.lsp.session.closed_configurations import ClosedConfigurations
+from kindsl.frontends.lsp.session.analyses import Version
 from kindsl.frontends.lsp.session.companions import Mentioned, companion_diagnostics, mentioned
 from kindsl.frontends.lsp.session.findings import diagnostics
 from kindsl.frontends.lsp.session.state import State
-from kindsl.frontends.lsp.session.status import tell_status
+from kindsl.frontends.lsp.session.status import STATUS, status_of
 from kindsl.frontends.lsp.session.worker import Urgency, start_task
 from kindsl.frontends.lsp.text import uris
 from kindsl.frontends.lsp.text.document import Document
 from kindsl.frontends.lsp.wire.protocol import Encoded
 
 if TYPE_CHECKING:
+    from kindsl.judgement.analysis.analysis import Analysis
     from kindsl.judgement.analysis.diagnostics import Diagnostic
 
 _MANY = 200
@@ -30,15 +30,7 @@ class Publisher:
     Documents that the client pulls diagnostics for are left to it, lest each is shown twice.
     """
 
-    __slots__ = (
-        "_checked",
-        "_closed",
-        "_names",
-        "_pulled",
-        "_shown",
-        "_state",
-        "_tasks",
-    )
+    __slots__ = ("_checked", "_names", "_pulled", "_shown", "_state", "_tasks")
 
     def __init__(self, state: State) -> None:
         self._state = state
@@ -46,7 +38,6 @@ class Publisher:
         self._pulled: set[str] = set()
         self._checked: set[str] = set()
         self._shown: set[str] = set()
-        self._closed = ClosedConfigurations(state, self._publish_file)
         self._names: dict[str, Mentioned] = {}
         state.documents.on_open.append(lambda document: self.schedule(document, 0.0))
         state.documents.on_change.append(self._changed)
@@ -65,31 +56,18 @@ class Publisher:
         if self._state.client.can("text_document.diagnostic") and key not in self._pulled:
             self._pulled.add(key)
             if key in self._shown:
-                self._publish(document.uri, None, [])
+                self.publish(document.uri, [])
 
-    def refresh(self, changed: Iterable[str] = ()) -> None:
-        """Publish for all open documents again.
-
-        To a client that pulls, too, unless it can be asked to pull again.
-
-        Args:
-            changed: URIs of the files that are the cause.
-        """
+    def refresh(self) -> None:
+        """Publish for all open documents again, to a client that pulls unless it can be asked."""
         if not self._state.client.is_told_to_pull:
             self._pulled.clear()
         for document in self._state.documents:
             self.schedule(document, 0.0)
-        start_task(self._closed.look(changed))
 
-    async def look_at_broken_files(self) -> None:
-        """Tell what has become of configuration files that something was wrong with."""
-        if self._closed.is_anything_told:
-            await self._closed.look()
-
-    def clear(self, uri: str) -> None:
-        """Show nothing any more for a document that is gone."""
-        self._closed.forget(uri)
-        self._publish(uri, None, [])
+    def publish(self, uri: str, diagnostics: list[dict[str, Any]]) -> None:
+        """Publish for a file that no editor shows."""
+        self._publish(uri, None, diagnostics)
 
     def _changed(self, document: Document) -> None:
         settings = self._state.workspace.editor_settings(document.uri)
@@ -102,8 +80,7 @@ class Publisher:
         self._pulled.discard(key)
         self._checked.discard(key)
         self._names.pop(key, None)
-        self.clear(document.uri)
-        start_task(self._closed.look([document.uri]))
+        self.publish(document.uri, [])
 
     async def _publish_later(self, document: Document, delay: float) -> None:
         if delay:
@@ -111,46 +88,52 @@ class Publisher:
         if not document.is_robot:
             await self._publish_companion(document)
             return
-        first = await self._findings_without_twins(document)
+        version = await self._state.analyses.version(document)
+        first = await self._first_findings(version)
         if uris.key(document.uri) not in self._checked:
             self._checked.add(uris.key(document.uri))
             memory.set_aside()
         if not self._state.documents.is_current(document):
             return
         told = self._state.calm.told(document, first)
-        await self._tell(document, told)
-        findings = await self._state.analyses.findings(document, Urgency.DIAGNOSTICS)
+        await self._tell(version, told)
+        findings = await version.findings(Urgency.DIAGNOSTICS)
         if findings != first:
             told = self._state.calm.told(document, findings)
-            await self._tell_again(document, told)
+            await self._tell_again(version, told)
         if len(told) != len(findings):
             await asyncio.sleep(calm.PATIENCE - delay)
             self._state.calm.settle(document, findings)
-            await self._tell_again(document, findings)
+            await self._tell_again(version, findings)
 
-    async def _tell_again(self, document: Document, findings: "tuple[Diagnostic, ...]") -> None:
-        """Tell more of a version, also to a client that has pulled already."""
-        await self._tell(document, findings)
-        self._ask_to_pull(document)
+    async def _first_findings(self, version: Version) -> "tuple[Diagnostic, ...]":
+        """Return findings without twins, of a long document after the answers that wait."""
+        if version.document.lines.length > _LONG:
+            await version.analysis()  # which is enough for most questions
+        await self._state.until_quiet()
+        return await version.findings_without_twins(Urgency.DIAGNOSTICS)
 
-    async def _tell(self, document: Document, findings: "tuple[Diagnostic, ...]") -> None:
-        """Tell the client and all who listen what was found in a version, if it is shown still."""
+    async def _tell_again(self, version: Version, findings: "tuple[Diagnostic, ...]") -> None:
+        """Send more of a version, also to a client that has pulled already."""
+        await self._tell(version, findings)
+        self._ask_to_pull(version.document)
+
+    async def _tell(self, version: Version, findings: "tuple[Diagnostic, ...]") -> None:
+        """Send the findings of a version to the client and all listeners, if it is still shown."""
+        document = version.document
         shown = await self._encoded(document, findings)
         if self._state.documents.is_current(document):
             if uris.key(document.uri) not in self._pulled:
                 self._send(document.uri, shown, bool(findings))
             for listener in self._state.on_findings:
                 listener(document, findings)
-            if self._state.workspace.broken:
-                await self._closed.look()
-            await self._check_companions(document)
-            await tell_status(self._state, document, findings)
-
-    async def _findings_without_twins(self, document: Document) -> "tuple[Diagnostic, ...]":
-        if document.lines.length > _LONG:
-            await self._state.analyses.of(document)  # which is enough for most questions
-        await self._state.until_quiet()
-        return await self._state.analyses.findings_without_twins(document, Urgency.DIAGNOSTICS)
+            analysis = await version.analysis()
+            self._check_companions(document, analysis)
+            if self._state.client.announces(STATUS):
+                status = await self._state.worker.run(
+                    lambda: status_of(analysis, findings), Urgency.DIAGNOSTICS
+                )
+                self._state.editor.protocol.notify(STATUS, {"uri": document.uri, **status})
 
     async def _encoded(self, document: Document, findings: "tuple[Diagnostic, ...]") -> Encoded:
         """Return findings as they are sent; many are made ready in the worker."""
@@ -171,13 +154,13 @@ class Publisher:
         if self._state.documents.is_current(document) and not is_pulled:
             self._publish(document.uri, document.version, shown)
 
-    async def _check_companions(self, document: Document) -> None:
+    def _check_companions(self, document: Document, analysis: "Analysis") -> None:
         """Check open companions again if names in a robot have changed."""
         companions = [other for other in self._state.documents if not other.is_robot]
         if not companions:
             return
         key = uris.key(document.uri)
-        names = mentioned(await self._state.analyses.of(document))
+        names = mentioned(analysis)
         if self._names.get(key) == names:
             return
         self._names[key] = names
@@ -192,10 +175,6 @@ class Publisher:
         if is_asked:
             self._state.editor.workspace_diagnostic_refresh(None)
         return is_asked
-
-    def _publish_file(self, uri: str, diagnostics: list[dict[str, Any]]) -> None:
-        """Publish for a file that no editor shows."""
-        self._publish(uri, None, diagnostics)
 
     def _publish(self, uri: str, version: int | None, diagnostics: list[dict[str, Any]]) -> None:
         params: dict[str, Any] = {"uri": uri, "diagnostics": diagnostics}

@@ -3,6 +3,7 @@
 from collections.abc import Awaitable, Callable
 from typing import Any
 
+from kindsl.frontends.lsp.session.closed_configurations import ClosedConfigurations
 from kindsl.frontends.lsp.session.previews import Previews
 from kindsl.frontends.lsp.session.publishing import Publisher
 from kindsl.frontends.lsp.session.state import State
@@ -24,12 +25,14 @@ class Session(State):
     Attributes:
         previews: The live previews.
         publisher: Pushes diagnostics.
+        closed: Reports problems of configuration files that are not open.
     """
 
     def __init__(self, editor: Editor, surroundings: Surroundings) -> None:
         super().__init__(editor, surroundings)
         self.previews = Previews(self)
         self.publisher = Publisher(self)
+        self.closed = ClosedConfigurations(self, self.publisher.publish)
 
     def ask_at_once(self, handler: Handler, uri: str, params: Any) -> Awaitable[Any]:
         """Ask a handler about a place of the document as it is now; None without a robot."""

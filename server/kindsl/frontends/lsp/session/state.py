@@ -22,7 +22,7 @@ from kindsl.frontends.lsp.wire.editor import Editor
 if TYPE_CHECKING:
     from kindsl.judgement.analysis.diagnostics import Diagnostic
 
-_PATIENCE = 0.1
+PATIENCE = 0.1
 
 
 class State:
@@ -94,7 +94,7 @@ class State:
         """Wait until no question is open, but not for long: answers go before what is unasked."""
         if not self._quiet.is_set():
             with contextlib.suppress(TimeoutError):
-                await asyncio.wait_for(self._quiet.wait(), _PATIENCE)
+                await asyncio.wait_for(self._quiet.wait(), PATIENCE)
 
     def show_warning(self, message: str) -> None:
         """Tell the user why something that they asked for was not done; from any thread."""

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 TITLE = "Reading robots"
 # Robots are read before anyone asks where that takes long, seconds after the session has begun.
 _MANY = 50
-_LATER = 2.0
+LATER = 2.0
 
 
 class RobotSymbol(NamedTuple):
@@ -40,7 +40,7 @@ _SYMBOLS = Fact[Symbols]("symbols")
 
 async def read_ahead(state: State) -> None:
     """Read a large workspace before anyone asks for a symbol."""
-    await asyncio.sleep(_LATER)
+    await asyncio.sleep(LATER)
     await state.until_quiet()
     robots = await state.open_and_closed()
     if len(robots) > _MANY:

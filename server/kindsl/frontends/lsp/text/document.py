@@ -6,10 +6,8 @@ from typing import TYPE_CHECKING
 from lsprotocol import types
 
 from kindsl.frontends.lsp.text import uris
-from kindsl.frontends.lsp.text.changes import ContentChange, changed
-from kindsl.frontends.lsp.text.differences import edits_between
-from kindsl.frontends.lsp.text.lines import Lines
-from kindsl.frontends.lsp.text.row import PlainPiece, Row
+from kindsl.frontends.lsp.text.lines import ContentChange, Lines, changed
+from kindsl.frontends.lsp.text.row import PlainPiece, Row, edits_between
 from kindsl.judgement.config.file_names import TRANSFORMS_SUFFIX
 from kindsl.language.text.facts import Facts
 from kindsl.language.text.span import Span
@@ -133,8 +131,4 @@ class Document:
 
 def document(uri: str, version: int | None, text: str, encoding: str) -> Document:
     """Return a document that has just been opened or read."""
-    return Document(uri, version, _plain(text), encoding)
-
-
-def _plain(text: str) -> Lines:
-    return Lines(Row([PlainPiece(text)]))
+    return Document(uri, version, Lines(Row([PlainPiece(text)])), encoding)

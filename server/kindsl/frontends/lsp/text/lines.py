@@ -1,11 +1,24 @@
-"""Lines and columns of a text that is held in pieces, found without walking through it."""
+"""Lines and columns of a text that is held in pieces, found without walking through it.
+
+Clients count columns in code units of UTF-8, UTF-16 or UTF-32, everybody else in code points.
+"""
 
 from bisect import bisect_right
+from collections.abc import Sequence
 
-from kindsl.frontends.lsp.text import code_units as convert
+from lsprotocol import types
+
 from kindsl.frontends.lsp.text.row import Piece, Row
 from kindsl.language.text.facts import kept
 from kindsl.language.text.lines import LineIndex
+from kindsl.language.text.span import Span
+
+ContentChange = (
+    types.TextDocumentContentChangePartial | types.TextDocumentContentChangeWholeDocument
+)
+
+UTF8 = types.PositionEncodingKind.Utf8
+UTF32 = types.PositionEncodingKind.Utf32
 
 
 class Lines:
@@ -62,7 +75,7 @@ class Lines:
         start = self.start(line)
         if line > self.last or line < 0:
             return start
-        return start + convert.column(self.line_text(line), max(units, 0), encoding)
+        return start + column(self.line_text(line), max(units, 0), encoding)
 
     def position(self, offset: int, encoding: str) -> tuple[int, int]:
         """Return the line and the client's column of an offset, clamped to the text."""
@@ -72,12 +85,12 @@ class Lines:
 
     def units(self, start: int, offset: int, encoding: str) -> int:
         """Return the width of a stretch, measured on from the last offset with the same start."""
-        if self.row.is_ascii or encoding == convert.UTF32:
+        if self.row.is_ascii or encoding == UTF32:
             return offset - start
         recent_start, recent_offset, units = self._recent
         if recent_start != start or recent_offset > offset:
             recent_offset, units = start, 0
-        units += convert.width(self.row.text(recent_offset, offset), encoding)
+        units += width(self.row.text(recent_offset, offset), encoding)
         self._recent = (start, offset, units)
         return units
 
@@ -89,6 +102,52 @@ class Lines:
         within = bisect_right(starts, offset - origin) - 1
         line = row.ends[number] + within
         return line, origin + starts[within] if within else self.start(line)
+
+
+def changed(lines: Lines, changes: Sequence[ContentChange], encoding: str) -> tuple[Lines, Span]:
+    """Return the lines after some changes, and the stretch that they touched.
+
+    Each change is in the positions that the one before it has left.
+    """
+    row = lines.row.copy()
+    before = after = row.length
+    for change in changes:
+        start, end = _place(Lines(row), change, encoding)
+        before, after = min(before, start), min(after, row.length - end)
+        row.replace(start, end, change.text)
+    return Lines(row), Span(before, row.length - after)
+
+
+def width(text: str, encoding: str) -> int:
+    """Return the number of code units of a text."""
+    if encoding == UTF32 or text.isascii():
+        return len(text)
+    if encoding == UTF8:
+        return len(text.encode("utf-8", "surrogatepass"))
+    return len(text) + sum(character > "\uffff" for character in text)
+
+
+def column(text: str, units: int, encoding: str) -> int:
+    """Return how many characters lie before a number of code units, at most all.
+
+    A number that points inside a character counts as its beginning.
+    """
+    if encoding == UTF32 or text.isascii():
+        return min(units, len(text))
+    for index, character in enumerate(text):
+        units -= width(character, encoding)
+        if units < 0:
+            return index
+    return len(text)
+
+
+def _place(lines: Lines, change: ContentChange, encoding: str) -> tuple[int, int]:
+    """Return what a change replaces; the places of a range may come in either order."""
+    if isinstance(change, types.TextDocumentContentChangeWholeDocument):
+        return 0, lines.length
+    ends = change.range.start, change.range.end
+    start, end = sorted(lines.offset(end.line, end.character, encoding) for end in ends)
+    return start, end
 
 
 @kept

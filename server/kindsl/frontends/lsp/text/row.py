@@ -5,11 +5,12 @@ derived from it; what all of them add up to is kept as running sums, so that a n
 copy of three lists and what it touches.
 """
 
-from bisect import bisect_left
-from collections.abc import Callable, Sequence
+from bisect import bisect_left, bisect_right
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import accumulate
 from typing import Protocol
 
-from kindsl.frontends.lsp.text.sums import Sums
+from kindsl.language.text.edits import TextEdit
 from kindsl.language.text.facts import Fact, Facts
 
 # What is compared in one go: of ten thousand pieces nearly all are the same.
@@ -33,6 +34,47 @@ class PlainPiece:
     def __init__(self, text: str) -> None:
         self.text = text
         self.facts = Facts()
+
+
+class Sums:
+    """The sum of all numbers before each place of a row; the last is that of all."""
+
+    __slots__ = ("_sums",)
+
+    def __init__(self, numbers: Iterable[int]) -> None:
+        self._sums = [0, *accumulate(numbers)]
+
+    def copy(self) -> "Sums":
+        """Return the same sums, to be changed apart from these."""
+        copied = Sums(())
+        copied._sums = self._sums.copy()
+        return copied
+
+    def __getitem__(self, place: int) -> int:
+        """Return the sum of the numbers before a place."""
+        return self._sums[place]
+
+    @property
+    def total(self) -> int:
+        """The sum of all numbers."""
+        return self._sums[-1]
+
+    def last_up_to(self, value: int) -> int:
+        """Return the last place whose sum is at most a value."""
+        return bisect_right(self._sums, value) - 1
+
+    def first_from(self, value: int) -> int:
+        """Return the first place whose sum is at least a value."""
+        return bisect_left(self._sums, value)
+
+    def replace(self, first: int, last: int, numbers: Iterable[int]) -> None:
+        """Put numbers for those from `first` to `last`, exclusive."""
+        new = list(accumulate(numbers, initial=self._sums[first]))
+        shift = new[-1] - self._sums[last]
+        self._sums[first : last + 1] = new
+        if shift:
+            behind = first + len(new)
+            self._sums[behind:] = [each + shift for each in self._sums[behind:]]
 
 
 class Row:
@@ -115,6 +157,28 @@ class Row:
         self.ends.replace(first, last, map(_line_ends, pieces))
 
 
+def edits_between(pieces: Sequence[Piece], starts: Sequence[int], row: Row) -> Iterator[TextEdit]:
+    """Yield disjoint edits that lead from a text in pieces to one that shares most of them.
+
+    Args:
+        pieces: Of the text before.
+        starts: Their offsets, and its length.
+        row: The text after.
+    """
+    before, after = in_common(pieces, row.pieces)
+    stop = len(pieces) - after
+    numbers = {id(pieces[number]): number for number in range(before, stop)}
+    done, new = before, ""
+    for piece in row.pieces[before : len(row.pieces) - after]:
+        number = numbers.get(id(piece), -1)
+        if number < done:
+            new += piece.text
+            continue
+        yield from _edit(pieces[done:number], starts[done], new)
+        done, new = number + 1, ""
+    yield from _edit(pieces[done:stop], starts[done], new)
+
+
 def in_common(some: Sequence[Piece], others: Sequence[Piece]) -> tuple[int, int]:
     """Return how many pieces two rows share from the start, and how many of the rest at the end."""
     n_some, n_others = len(some), len(others)
@@ -140,6 +204,20 @@ def n_same(limit: int, are_same: Callable[[int, int], bool]) -> int:
             longer = range(first + 1, stop)
             return first + bisect_left(longer, True, key=lambda end: not are_same(first, end))
     return limit
+
+
+def _edit(pieces: Sequence[Piece], start: int, new: str) -> Iterator[TextEdit]:
+    """Yield the least edit that puts a text for some pieces, if they are not that text."""
+    old = "".join([piece.text for piece in pieces])
+    if old == new:
+        return
+    shorter = min(len(old), len(new))
+    n_old, n_new = len(old), len(new)
+    before = n_same(shorter, lambda a, b: old[a:b] == new[a:b])
+    after = n_same(
+        shorter - before, lambda a, b: old[n_old - b : n_old - a] == new[n_new - b : n_new - a]
+    )
+    yield TextEdit(start + before, start + n_old - after, new[before : n_new - after])
 
 
 def _line_ends(piece: Piece) -> int:
