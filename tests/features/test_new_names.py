@@ -1,9 +1,13 @@
 """Another name: every place that gets it, the names that nothing can have, who has one already."""
 
+from pathlib import Path
+
 import pytest
 from tests.features.samples import ARM, PARAMETRIC
 from tests.support.cursor import at_cursor
+from tests.support.documents import SOUND_EXAMPLES
 
+from kindsl.frontends.features.names_in_text import symbols_in_text
 from kindsl.frontends.features.navigation import (
     bound_parameter,
     definitions,
@@ -262,6 +266,26 @@ def test_the_letters_of_a_query_stand_in_a_name_in_this_order(
     query: str, name: str, fits: bool
 ) -> None:
     assert is_match(query, name) == fits
+
+
+@pytest.mark.parametrize("path", SOUND_EXAMPLES, ids=lambda path: path.stem)
+def test_names_of_a_text_are_those_of_its_analysis(path: Path) -> None:
+    text = path.read_text()
+    assert sorted(symbols_in_text(text)) == sorted(workspace_symbols(analyse(text), ""))
+
+
+def test_names_are_read_past_comments_and_escapes() -> None:
+    text = (
+        "Robot /* link no { */ R { // link neither {\n"
+        "RobotBase base floating { children { ^link via ^joint1  x via y } }\n"
+        "link ^link { frames { /* } */ f { /* } { */ } g {} } children {} }\n"
+        "p_joint\n// why\nshoulder{} xlink a { } }"
+    )
+    found = [(s.name, s.kind, text[s.start : s.end]) for s in symbols_in_text(text)]
+    assert found == [
+        ("R", "robot", "R"), ("base", "base", "base"), ("link", "link", "^link"),
+        ("f", "frame", "f"), ("g", "frame", "g"), ("shoulder", "joint", "shoulder"),
+    ]  # fmt: skip
 
 
 def test_symbols_of_a_workspace_are_what_has_a_name() -> None:

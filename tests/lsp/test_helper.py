@@ -14,12 +14,11 @@ from tests.cli.samples import GOOD, INTEGER
 from tests.lsp.sessions import folder_of, opened, session_with
 from tests.support.lsp import RawClient
 
+from kindsl.frontends.features import names_in_text
 from kindsl.frontends.lsp.handlers.diagnostics import pull_all
 from kindsl.frontends.lsp.handlers.structure import workspace_symbols
-from kindsl.frontends.lsp.session import symbols
-from kindsl.frontends.lsp.session.helper import HelperProcess
+from kindsl.frontends.lsp.session.helper import HelperProcess, HelperProcesses
 from kindsl.frontends.lsp.session.session import Session
-from kindsl.frontends.lsp.session.symbols import read_ahead
 from kindsl.frontends.lsp.session.worker import Worker
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.robots.comparison.twins import TwinFile
@@ -89,8 +88,8 @@ def test_no_process_outlives_the_server(tmp_path: Path, is_told: bool) -> None:
     (tmp_path / "a.kindsl").write_text(GOOD)
     client = RawClient()
     client.initialize(workspaceFolders=[{"uri": tmp_path.as_uri(), "name": "robots"}])
-    assert client.request("workspace/symbol", {"query": "upper"})
-    (helper,) = children(client.process.pid)
+    assert client.request("workspace/diagnostic", {"previousResultIds": []})
+    helper, *_ = children(client.process.pid)
     if is_told:
         client.request("shutdown")
         client.notify("exit")
@@ -131,44 +130,38 @@ async def test_a_workspace_is_read_once_and_again_where_a_text_has_changed(
     with session_with() as (session, _):
         session.workspace.add_folders([folder_of(tmp_path)])
         jobs = counted(session, monkeypatch)
+        read: list[str] = []
+        names = names_in_text.symbols_in_text
+        monkeypatch.setattr(
+            names_in_text, "symbols_in_text", lambda text: (read.append(text), names(text))[1]
+        )
         opened(session, files[0].as_uri(), GOOD.replace("upper", "shown"))
         found = await named(session, "upper")
         assert found == [(file.as_uri(), "upper") for file in files[1:]]
-        assert len(jobs) == 2 and await named(session, "SHWN") == [(files[0].as_uri(), "shown")]
+        assert await named(session, "SHWN") == [(files[0].as_uri(), "shown")]
         files[1].write_text(GOOD)
         os.utime(files[1], (1, 1))
         await named(session, "")
-        assert len(jobs) == 2
+        assert len(read) == 2
         files[1].write_text(GOOD.replace("upper", "over"))
         assert await named(session, "over") == [(files[1].as_uri(), "over")]
-        assert len(jobs) == 3
+        assert len(read) == 3 and jobs == []
         files[2].write_text(INTEGER)
         reports = await pull_all(session, types.WorkspaceDiagnosticParams([]))
         codes = {each["uri"]: [d["code"] for d in each["items"]] for each in reports["items"]}
         assert codes == {f.as_uri(): ["KD005"] if f is files[2] else [] for f in files}
-        assert len(jobs) == 5
+        assert len(jobs) == 2
         ids = [types.PreviousResultId(each["uri"], each["resultId"]) for each in reports["items"]]
         again = await pull_all(session, types.WorkspaceDiagnosticParams(ids))
-        assert {each["kind"] for each in again["items"]} == {"unchanged"} and len(jobs) == 5
+        assert {each["kind"] for each in again["items"]} == {"unchanged"} and len(jobs) == 2
 
 
-async def test_a_large_workspace_is_read_ahead_and_stopped_at_once(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(symbols, "LATER", 0.0)
-    for number in range(4):
-        (tmp_path / f"r{number}.kindsl").write_text(GOOD)
-    with session_with() as (session, _):
-        session.workspace.add_folders([folder_of(tmp_path)])
-        jobs = counted(session, monkeypatch)
-        monkeypatch.setattr(symbols, "_MANY", 4)
-        await read_ahead(session)
-        assert jobs == []
-        monkeypatch.setattr(symbols, "_MANY", 3)
-        await read_ahead(session)
-        assert len(jobs) == 4
-        await named(session, "upper")
-        assert len(jobs) == 4
+async def test_jobs_are_shared_out_among_as_many_processes_as_are_wanted() -> None:
+    helper = HelperProcesses(Worker(), 3)
+    processes = await asyncio.gather(*(helper.run(os.getpid) for _ in range(9)))
+    assert len(set(processes)) == 3 and {processes.count(each) for each in processes} == {3}
+    helper.stop()
+    assert await helper.run(os.getpid) == os.getpid()
 
 
 def children(process: int) -> list[int]:

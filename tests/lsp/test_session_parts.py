@@ -16,7 +16,7 @@ from lsprotocol import types
 from tests.cli.samples import GOOD, UNBOUND, arm
 from tests.lsp.sessions import REFUSAL, folder_of, of_versions, opened, session_with
 
-from kindsl.frontends.lsp.session import closed_configurations, memory, previews, progress, symbols
+from kindsl.frontends.lsp.session import closed_configurations, memory, previews, progress
 from kindsl.frontends.lsp.session import state as session_state
 from kindsl.frontends.lsp.session.binding import bound, posed, request_edits
 from kindsl.frontends.lsp.session.closed_configurations import ClosedConfigurations
@@ -613,10 +613,9 @@ def test_a_file_of_another_tool_is_no_configuration(name: str, is_ours: bool) ->
             assert (configuration_of(shown) is not None) is is_ours
 
 
-def test_nobody_waits_longer_than_a_second_and_what_nobody_waits_for_two() -> None:
+def test_nobody_waits_longer_than_a_second() -> None:
     waits = (closed_configurations.INTERVAL, memory.LATER, previews.FRAME, progress.PATIENCE)
     assert all(0.0 < wait <= 1.0 for wait in (*waits, session_state.PATIENCE))
-    assert 1.0 < symbols.LATER <= 2.0
 
 
 def test_the_collector_looks_seldom_at_what_is_young_and_old() -> None:

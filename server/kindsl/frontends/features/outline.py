@@ -167,9 +167,13 @@ def workspace_symbols(analysis: Analysis, query: str) -> tuple[WorkspaceSymbol, 
 
 
 def is_match(query: str, name: str) -> bool:
-    """Return whether a name has the letters of a query in this order."""
-    letters = iter(name.casefold())
-    return all(letter in letters for letter in query.casefold() if not letter.isspace())
+    """Return whether the letters of a query stand in a name in this order."""
+    folded, place = name.casefold(), 0
+    for letter in query.casefold():
+        place = place if letter.isspace() else folded.find(letter, place) + 1
+        if not place and not letter.isspace():
+            return False
+    return True
 
 
 def _all(analysis: Analysis) -> Iterator[WorkspaceSymbol]:

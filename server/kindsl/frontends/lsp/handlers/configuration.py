@@ -7,7 +7,6 @@ from pygls.capabilities import ServerCapabilitiesBuilder
 
 from kindsl.frontends.lsp.handlers.table import Handlers
 from kindsl.frontends.lsp.session.session import Session
-from kindsl.frontends.lsp.session.symbols import read_ahead
 from kindsl.frontends.lsp.session.warm_up import warm_up
 from kindsl.frontends.lsp.session.worker import start_task
 from kindsl.frontends.lsp.session.workspace import CONFIGURATION_FILES
@@ -45,7 +44,6 @@ async def initialized(session: Session, _: types.InitializedParams) -> None:
         await asked(session.editor.client_register_capability_async(params))
     if session.surroundings.has_files:
         start_task(session.closed.watch(lambda: refresh(session)))
-        start_task(read_ahead(session))
     await ask_for_settings(session)
 
 

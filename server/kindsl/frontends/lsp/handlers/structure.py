@@ -8,11 +8,12 @@ from kindsl.frontends.lsp.handlers.table import Handlers
 from kindsl.frontends.lsp.session.configuration_files import configuration_links
 from kindsl.frontends.lsp.session.progress import Progress
 from kindsl.frontends.lsp.session.session import Session
-from kindsl.frontends.lsp.session.symbols import TITLE, RobotSymbol, all_symbols
+from kindsl.frontends.lsp.session.symbols import TITLE, all_symbols
 from kindsl.frontends.lsp.session.view import View
+from kindsl.frontends.lsp.text.document import Document
 
 if TYPE_CHECKING:
-    from kindsl.frontends.features.outline import DocumentSymbol
+    from kindsl.frontends.features.outline import DocumentSymbol, WorkspaceSymbol
 
 KINEMATIC_TREE = "kindsl/kinematicTree"
 
@@ -71,20 +72,20 @@ async def workspace_symbols(
 
     found: list[dict[str, Any]] = []
     progress = Progress(session, TITLE, params.work_done_token)
-    async for uri, symbols in all_symbols(session, await session.open_and_closed(), progress):
+    async for robot, symbols in all_symbols(session, await session.open_and_closed(), progress):
         matching = (each for each in symbols if is_match(params.query, each.name))
-        found += [_found_in(uri, symbol) for symbol in matching]
+        found += [_found_in(robot, symbol) for symbol in matching]
         if len(found) >= _MOST_SYMBOLS:
             break
     return found[:_MOST_SYMBOLS]
 
 
-def _found_in(uri: str, symbol: RobotSymbol) -> dict[str, Any]:
+def _found_in(robot: Document, symbol: "WorkspaceSymbol") -> dict[str, Any]:
     """Return a symbol in the protocol's form."""
     return {
         "name": symbol.name,
         "kind": _KINDS[symbol.kind].value,
-        "location": {"uri": uri, "range": symbol.range},
+        "location": {"uri": robot.uri, "range": robot.wire_range(symbol.start, symbol.end)},
         "containerName": symbol.container,
     }
 

@@ -1,7 +1,7 @@
-"""Long work about closed files in a process of its own, so that nobody waits for it who types.
+"""Long work about closed files in processes of its own, so that nobody waits for it who types.
 
-The process is started when there is something to do, and ends when its standard input does, so
-whenever the server ends.
+There are as many as processors, at a lower priority. They are started when there is something to
+do, and end when their standard input does, so whenever the server ends.
 """
 
 import asyncio
@@ -24,6 +24,9 @@ from kindsl.frontends.lsp.session.worker import Urgency, Worker
 T = TypeVar("T")
 
 logger = logging.getLogger(__name__)
+
+# Of nineteen steps of priority: answers to a typist go first on a machine that is busy.
+_LESS_URGENT = 10
 
 
 class Helper(Protocol):
@@ -50,6 +53,23 @@ class WorkerHelper:
         """Leave the worker to others."""
 
 
+class HelperProcesses:
+    """Does long work in as many processes as there are processors, each job in the idlest."""
+
+    def __init__(self, worker: Worker, number: int | None = None) -> None:
+        self._processes = [HelperProcess(worker) for _ in range(number or os.cpu_count() or 1)]
+
+    async def run(self, job: Callable[..., T], *arguments: Any) -> T:
+        """Await a job."""
+        idlest = min(self._processes, key=lambda each: each.n_waiting)
+        return await idlest.run(job, *arguments)
+
+    def stop(self) -> None:
+        """End the processes; who still waits for an answer is cancelled."""
+        for process in self._processes:
+            process.stop()
+
+
 class HelperProcess:
     """Does long work in a process of its own, or in the worker where there can be none.
 
@@ -63,6 +83,11 @@ class HelperProcess:
         self._requests: queue.SimpleQueue[bytes | None]
         self._process: subprocess.Popen[bytes] | None = None
         self._starts_left = 2
+
+    @property
+    def n_waiting(self) -> int:
+        """Of how many jobs the answer is waited for."""
+        return len(self._waiting)
 
     async def run(self, job: Callable[..., T], *arguments: Any) -> T:
         """Await a job; what it raises is raised here."""
@@ -155,6 +180,8 @@ def _write(requests: "queue.SimpleQueue[bytes | None]", pipe: IO[bytes]) -> None
 def serve() -> None:
     """Do the jobs that come on standard input until it ends; answer on standard output."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    if hasattr(os, "nice"):
+        os.nice(_LESS_URGENT)
     answers = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # what a job might print is no answer
     while True:

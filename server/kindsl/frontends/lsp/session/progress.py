@@ -14,7 +14,8 @@ from kindsl.frontends.lsp.session.state import State
 S = TypeVar("S")
 T = TypeVar("T")
 
-_AT_A_TIME = 16
+# So few that what they take in the message loop holds up no answer.
+_AT_A_TIME = 8
 _WHOLE = 100
 PATIENCE = 0.5
 

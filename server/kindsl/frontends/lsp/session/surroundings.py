@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
-from kindsl.frontends.lsp.session.helper import Helper, HelperProcess, WorkerHelper
+from kindsl.frontends.lsp.session.helper import Helper, HelperProcesses, WorkerHelper
 from kindsl.frontends.lsp.session.worker import Worker
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ class Surroundings(NamedTuple):
 
 def process() -> Surroundings:
     """Return what a process offers: a thread, and a server on the loopback interface."""
-    return Surroundings(Worker(), _preview_server, HelperProcess)
+    return Surroundings(Worker(), _preview_server, HelperProcesses)
 
 
 def _preview_server(on_reveal: "OnReveal", on_edit: "OnEdit") -> "DocumentPreviews":

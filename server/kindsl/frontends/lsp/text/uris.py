@@ -1,15 +1,18 @@
 """Names of documents: URIs as clients spell them, one key for all spellings, and paths."""
 
 import re
+from functools import lru_cache
 from pathlib import Path
-from urllib.parse import unquote, urlsplit
+from urllib.parse import unquote
 
 from pygls.uris import to_fs_path
 
 _THIS_MACHINE = re.compile(r"^file://localhost/", re.IGNORECASE)
+_QUERY = re.compile(r"[?#]")
 _DRIVE = re.compile(r"^(file:///)([A-Za-z]):")
 
 
+@lru_cache(1 << 14)
 def key(uri: str) -> str:
     """Return one name for all spellings: decoded, this machine unnamed, the drive in lower case."""
     decoded = _THIS_MACHINE.sub("file:///", unquote(uri))
@@ -29,4 +32,4 @@ def uri(file: Path) -> str:
 
 def basename(uri: str) -> str:
     """Return the last part of a URI's path."""
-    return unquote(urlsplit(uri).path).rpartition("/")[2]
+    return unquote(_QUERY.split(uri, 1)[0].rpartition("/")[2])
