@@ -149,8 +149,8 @@ def test_junit_fails_where_the_run_does(kdsl_lint: Runner, folder: Path) -> None
 def test_sarif_keeps_the_worst_of_more_findings_than_github_takes(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    assert sarif_format._MOST_RESULTS == 25_000
-    monkeypatch.setattr(sarif_format, "_MOST_RESULTS", 25)
+    assert sarif_format.MOST_RESULTS == 25_000
+    monkeypatch.setattr(sarif_format, "MOST_RESULTS", 25)
     text = arm(reach="1")
     findings = kindsl.parse(text).findings
     worst = min(findings, key=lambda f: f.severity != "error")

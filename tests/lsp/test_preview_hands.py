@@ -160,8 +160,8 @@ async def test_a_click_shows_the_place_in_the_editor_without_leaving_it() -> Non
     for capabilities in (showing(), None):
         with session_with(capabilities) as (session, told):
             opened(session, URI, GOOD)
-            session.previews._reveal("untitled:absent", Span(0, 5), None)
-            session.previews._reveal(URI, Span(0, 5), None)
+            session.previews.reveal("untitled:absent", Span(0, 5), None)
+            session.previews.reveal(URI, Span(0, 5), None)
             if capabilities is None:
                 await asyncio.sleep(0.01)
                 assert told.named("window_show_document") == []
@@ -175,14 +175,14 @@ async def test_what_was_dragged_is_written_into_the_version_that_it_was_made_for
     with session_with(of_versions()) as (session, told):
         opened(session, URI, GOOD)
         told.answers["workspace_apply_edit"] = types.ApplyWorkspaceEditResult(applied=True)
-        assert await session.previews._write(URI, WRITING) == ""
+        assert await session.previews.write(URI, WRITING) == ""
         (params,) = told.named("workspace_apply_edit")
         assert params.label == "Move the elbow"
         for uri, writing in (
             ("untitled:absent", WRITING),
             (URI, WRITING._replace(text=f"{GOOD}\n")),
         ):
-            why = await session.previews._write(uri, writing)
+            why = await session.previews.write(uri, writing)
             assert why == "the document has changed in the meantime"
         assert len(told.named("workspace_apply_edit")) == 1
 
@@ -195,7 +195,7 @@ async def test_values_are_kept_in_the_file_that_is_there(tmp_path: Path, answer:
         told.answers["workspace_apply_edit"] = answer
         session.workspace.add_folders([folder_of(tmp_path)])
         opened(session, robot.as_uri(), UNBOUND)
-        assert session.previews._keep(robot.as_uri(), WANTED) == ""
+        assert session.previews.keep(robot.as_uri(), WANTED) == ""
         (params,) = await until_told(told, "workspace_apply_edit")
         assert params.label == "Give parameters values"
         (change,) = params.edit.document_changes
@@ -215,9 +215,9 @@ async def test_values_are_kept_in_a_new_file_where_the_client_makes_one(tmp_path
             session.workspace.add_folders([folder_of(tmp_path)])
             opened(session, robot.as_uri(), UNBOUND)
             opened(session, URI, UNBOUND)
-            assert session.previews._keep(robot.as_uri(), WANTED) == kept
-            assert session.previews._keep(URI, WANTED) == by_hand
-            assert session.previews._keep("untitled:absent", WANTED) == by_hand
+            assert session.previews.keep(robot.as_uri(), WANTED) == kept
+            assert session.previews.keep(URI, WANTED) == by_hand
+            assert session.previews.keep("untitled:absent", WANTED) == by_hand
             if kept:
                 await asyncio.sleep(0.01)
                 assert told.named("workspace_apply_edit") == []
@@ -239,14 +239,14 @@ async def test_a_pose_is_kept_in_the_file_that_is_there_or_told(tmp_path: Path) 
         opened(session, robot.as_uri(), UNBOUND)
         opened(session, URI, UNBOUND)
         for uri in (robot.as_uri(), URI, "untitled:absent"):
-            assert session.previews._keep(uri, pose) == by_hand
+            assert session.previews.keep(uri, pose) == by_hand
         file.write_text("wrong = 1\n")
-        assert session.previews._keep(robot.as_uri(), pose) == by_hand
+        assert session.previews.keep(robot.as_uri(), pose) == by_hand
     file.write_text("[parameters]\n")
     with session_with(of_versions()) as (session, told):
         session.workspace.add_folders([folder_of(tmp_path)])
         opened(session, robot.as_uri(), UNBOUND)
-        assert session.previews._keep(robot.as_uri(), pose) == ""
+        assert session.previews.keep(robot.as_uri(), pose) == ""
         (params,) = await until_told(told, "workspace_apply_edit")
         assert params.label == "Keep pose 'stand'"
         (change,) = params.edit.document_changes

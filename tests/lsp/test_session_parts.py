@@ -6,7 +6,6 @@ import math
 import threading
 from array import array
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -519,11 +518,11 @@ async def test_a_session_answers_about_robots_only_and_counts_its_questions() ->
         opened(session, "untitled:kindsl.toml", "")
 
         def handler(view: Any, params: Any) -> Any:
-            return view.document.uri, params, session._quiet.is_set()
+            return view.document.uri, params, session.is_quiet
 
         for ask in (session.ask_at_once, session.ask, session.ask_judged):
             assert await ask(handler, URI, 3) == (URI, 3, False)
-            assert session._quiet.is_set()
+            assert session.is_quiet
             assert await ask(handler, "untitled:kindsl.toml", 3) is None
             assert await ask(handler, "untitled:absent", 3) is None
 
@@ -532,8 +531,8 @@ async def test_a_session_answers_about_robots_only_and_counts_its_questions() ->
 async def test_long_documents_are_asked_in_the_worker(length: int, is_here: bool) -> None:
     with session_with() as (session, _):
         here, asked = threading.current_thread(), []
-        view: Any = SimpleNamespace(document=document(URI, 1, " " * length, "utf-16"))
-        await session._read(view, lambda: asked.append(threading.current_thread()))
+        opened(session, URI, " " * length)
+        await session.ask(lambda *_: asked.append(threading.current_thread()), URI, None)
         assert [thread is here for thread in asked] == [is_here]
 
 
@@ -544,8 +543,8 @@ async def test_quiet_comes_with_the_last_answer_or_after_a_moment(
         await asyncio.wait_for(session.until_quiet(), 5)
         with session.question():
             with session.question():
-                assert not session._quiet.is_set()
-            assert not session._quiet.is_set()
+                assert not session.is_quiet
+            assert not session.is_quiet
             monkeypatch.setattr("kindsl.frontends.lsp.session.state.PATIENCE", 0.01)
             await asyncio.wait_for(session.until_quiet(), 5)
             monkeypatch.setattr("kindsl.frontends.lsp.session.state.PATIENCE", 60.0)

@@ -111,7 +111,7 @@ class RawClient:
                     return self.messages.pop(index)
             message = self._arrived.get(timeout=timeout)
             assert message is not None, f"the server ended: {self.stderr}"
-            self._keep(message)
+            self.keep(message)
 
     def codes(self, uri: str) -> list[str]:
         """Wait for the next diagnostics that are published for a document; return their codes."""
@@ -162,7 +162,7 @@ class RawClient:
     def stderr(self) -> str:
         return b"".join(self._errors).decode()
 
-    def _keep(self, message: dict[str, Any]) -> None:
+    def keep(self, message: dict[str, Any]) -> None:
         if "method" in message and "id" in message:
             self._reply(message)
         self.messages.append(message)
@@ -197,10 +197,10 @@ class RawClient:
 class StrictClient(RawClient):
     """Also holds what comes against the specification."""
 
-    def _keep(self, message: dict[str, Any]) -> None:
+    def keep(self, message: dict[str, Any]) -> None:
         found = list(faults(message, self.asked))
         assert found == [], found
-        super()._keep(message)
+        super().keep(message)
 
 
 @contextmanager

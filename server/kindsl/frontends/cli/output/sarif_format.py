@@ -31,7 +31,7 @@ _ROOT = "SRCROOT"
 _ORDER = (Severity.ERROR, Severity.WARNING, Severity.INFORMATION, Severity.HINT)
 # GitHub refuses a run with more results than this, shows so many places of one result, and takes
 # names and descriptions of that length.
-_MOST_RESULTS = 25_000
+MOST_RESULTS = 25_000
 _MOST_PLACES = 100
 _LONGEST_TEXT = 1024
 
@@ -40,8 +40,8 @@ def render(outcome: RunOutcome) -> str:
     """Return a SARIF log with one run."""
     found = list(fingerprints(outcome))
     n_found = len(found)
-    if len(found) > _MOST_RESULTS:
-        found = sorted(found, key=lambda f: _ORDER.index(f[1].severity))[:_MOST_RESULTS]
+    if len(found) > MOST_RESULTS:
+        found = sorted(found, key=lambda f: _ORDER.index(f[1].severity))[:MOST_RESULTS]
     run = {
         "tool": {"driver": _driver()},
         "columnKind": "unicodeCodePoints",
@@ -85,7 +85,7 @@ def _shortened(text: str) -> str:
 def _invocation(outcome: RunOutcome, n_left_out: int) -> dict[str, Any]:
     notifications = [_notification(failure) for failure in outcome.failures]
     if n_left_out:
-        text = f"{counted(n_left_out, 'further finding')} left out: GitHub takes {_MOST_RESULTS}"
+        text = f"{counted(n_left_out, 'further finding')} left out: GitHub takes {MOST_RESULTS}"
         notifications.append({"level": "note", "message": {"text": text}})
     return {
         "executionSuccessful": not outcome.failures,

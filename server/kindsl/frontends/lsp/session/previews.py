@@ -152,18 +152,18 @@ class Previews:
                     await preview.start()
                 except (ImportError, OSError, RuntimeError) as error:
                     raise RequestFailed(f"the preview cannot start: {error}") from None
-                preview.on_write = self._keep
+                preview.on_write = self.keep
                 self._preview = preview
         return self._preview
 
     def _load(self) -> "DocumentPreviews":
         try:
-            return self._state.surroundings.new_previews(self._reveal, self._write)
+            return self._state.surroundings.new_previews(self.reveal, self.write)
         except ImportError as error:
             hint = "install with: pip install 'kindsl[preview]'"
             raise RequestFailed(f"the preview needs {error.name}; {hint}") from None
 
-    def _reveal(self, key: str, span: "Span", _: Any) -> None:
+    def reveal(self, key: str, span: "Span", _: Any) -> None:
         """Show in the editor what was clicked in a page."""
         document = self._state.documents.get(key)
         if document is not None and self._state.client.can("window.show_document.support"):
@@ -171,7 +171,7 @@ class Previews:
             shown = types.ShowDocumentParams(document.uri, False, True, selection)
             start_task(asked(self._state.editor.window_show_document_async(shown)))
 
-    async def _write(self, key: str, writing: "Writing") -> str:
+    async def write(self, key: str, writing: "Writing") -> str:
         """Write what was dragged in a page into the document, if it is still the one shown."""
         document = self._state.documents.get(key)
         if document is None or document.text != writing.text:
@@ -179,7 +179,7 @@ class Previews:
         view = View(document, await self._state.analyses.of(document), self._state)
         return await request_edits(view, writing.label, writing.edits, writing.bindings)
 
-    def _keep(self, key: str, wanted: "WriteParameters | KeepPose") -> str:
+    def keep(self, key: str, wanted: "WriteParameters | KeepPose") -> str:
         """Let the editor write values or a pose; return what to write by hand if it cannot."""
         document, client = self._state.documents.get(key), self._state.client
         made, lines, label = self._kept(document, wanted)

@@ -90,6 +90,11 @@ class State:
             if not self._questions:
                 self._quiet.set()
 
+    @property
+    def is_quiet(self) -> bool:
+        """True if no question is open."""
+        return not self._questions
+
     async def until_quiet(self) -> None:
         """Wait until no question is open, but not for long: answers go before what is unasked."""
         if not self._quiet.is_set():

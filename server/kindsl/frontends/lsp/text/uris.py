@@ -3,12 +3,11 @@
 import re
 from functools import lru_cache
 from pathlib import Path
-from urllib.parse import unquote
+from urllib.parse import unquote, urlsplit
 
 from pygls.uris import to_fs_path
 
 _THIS_MACHINE = re.compile(r"^file://localhost/", re.IGNORECASE)
-_QUERY = re.compile(r"[?#]")
 _DRIVE = re.compile(r"^(file:///)([A-Za-z]):")
 
 
@@ -30,6 +29,7 @@ def uri(file: Path) -> str:
     return file.absolute().as_uri()
 
 
+@lru_cache(1 << 14)
 def basename(uri: str) -> str:
     """Return the last part of a URI's path."""
-    return unquote(_QUERY.split(uri, 1)[0].rpartition("/")[2])
+    return unquote(urlsplit(uri).path).rpartition("/")[2]
