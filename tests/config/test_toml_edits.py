@@ -125,8 +125,8 @@ NAN = float("nan")
 def test_values_are_the_same_if_toml_cannot_tell_them_apart(
     one: object, other: object, is_same: bool
 ) -> None:
-    assert is_same(one, other) is is_same
-    assert is_same(other, one) is is_same
+    assert is_same_value(one, other) is is_same
+    assert is_same_value(other, one) is is_same
 
 
 def test_several_values_are_one_edit() -> None:
