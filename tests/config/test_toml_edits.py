@@ -12,7 +12,7 @@ from tests.config.toml_layouts import DOCUMENT, NAMES, Layout, layouts
 from kindsl.judgement.config.configuration import Configuration
 from kindsl.judgement.config.configuration_reading import configuration_of
 from kindsl.judgement.config.errors import ConfigurationError
-from kindsl.judgement.config.toml_edits import binding_edit, renaming_edits
+from kindsl.judgement.config.toml_edits import binding_edit, is_equal, renaming_edits
 from kindsl.language.text.edits import apply_edits
 
 FOLDER = Path("/project")
@@ -125,8 +125,8 @@ NAN = float("nan")
 def test_values_are_the_same_if_toml_cannot_tell_them_apart(
     one: object, other: object, is_same: bool
 ) -> None:
-    assert is_same_value(one, other) is is_same
-    assert is_same_value(other, one) is is_same
+    assert is_equal(one, other) is is_same
+    assert is_equal(other, one) is is_same
 
 
 def test_several_values_are_one_edit() -> None:

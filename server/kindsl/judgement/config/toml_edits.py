@@ -76,7 +76,7 @@ def with_other_numbers(text: str, keys: KeyPath, numbers: Mapping[str, float]) -
             del written[name]
         written.update(numbers)
         made = tomlkit.dumps(parsed)
-        return made if is_same_value(tomllib.loads(made), expected) else None
+        return made if is_equal(tomllib.loads(made), expected) else None
     except (TOMLKitError, ValueError):
         return None
 
@@ -140,7 +140,7 @@ def _binding_edits(text: str, place: KeyPath, name: str, value: float) -> Iterat
         except (TOMLKitError, ValueError):
             continue
         # Nothing is lost but an old value.
-        if is_same_value(after, expected) and (is_bound or edit.start == edit.end):
+        if is_equal(after, expected) and (is_bound or edit.start == edit.end):
             yield edit
 
 
@@ -178,14 +178,12 @@ def _set(
     table[_TABLE] = parameters
 
 
-def is_same_value(one: object, other: object) -> bool:
+def is_equal(one: object, other: object) -> bool:
     """Return whether two values of TOML are equal; not a number equals itself."""
     if isinstance(one, dict) and isinstance(other, dict):
-        return one.keys() == other.keys() and all(
-            is_same_value(one[key], other[key]) for key in one
-        )
+        return one.keys() == other.keys() and all(is_equal(one[key], other[key]) for key in one)
     if isinstance(one, list) and isinstance(other, list):
-        return len(one) == len(other) and all(map(is_same_value, one, other))
+        return len(one) == len(other) and all(map(is_equal, one, other))
     return type(one) is type(other) and (one == other or (one != one and other != other))
 
 
