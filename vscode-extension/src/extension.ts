@@ -4,6 +4,7 @@ import { LANGUAGE } from "./clientOptions";
 import { BrowserPages } from "./browserPages";
 import { onDocument, registerCommands, type Commands } from "./commands";
 import { selectInterpreter } from "./interpreterChoice";
+import { EarlyCompletion } from "./earlyCompletion";
 import { EitherScreen } from "./eitherScreen";
 import { previewAddress } from "./frameScreen";
 import type { Home } from "./home";
@@ -52,6 +53,7 @@ export function activate(context: vscode.ExtensionContext): Api {
   );
   void followPythonExtension(context, own);
   void own.restart();
+  context.subscriptions.push(new EarlyCompletion(own));
   openFirstPreview(context, previews);
   return api;
 }

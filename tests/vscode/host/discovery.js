@@ -82,6 +82,21 @@ exports.run = async () => {
       await configure("interpreter", [places.good]);
     },
 
+    "a completion that is asked for before the server runs is answered": async () => {
+      await vscode.workspace.fs.delete(fileUri("may-run"));
+      await set("interpreter", [places.held]);
+      const place = new vscode.Position(3, 5);
+      const asked = vscode.commands.executeCommand("vscode.executeCompletionItemProvider", uri, place);
+      const first = await Promise.race([asked, new Promise((resolve) => setTimeout(resolve, 300, "waits"))]);
+      assert.equal(first, "waits");
+      await vscode.workspace.fs.writeFile(fileUri("may-run"), new Uint8Array());
+      assert.ok((await asked).items.some(({ insertText }) => insertText !== undefined));
+      await configure("interpreter", [places.good]);
+      const again = await vscode.commands.executeCommand("vscode.executeCompletionItemProvider", uri, place);
+      const labels = again.items.map(({ label }) => label.label ?? label);
+      assert.equal(new Set(labels).size, labels.length, "each once");
+    },
+
     "the built-in Python may be asked for": async () => {
       const problems = await problemsOf(() => configure("interpreter", ["built-in"]));
       assert.equal(await api.settled(), "running");

@@ -1,6 +1,7 @@
 // The extension where there is no process to start: the same server in a worker, the same page in the panel.
 import * as vscode from "vscode";
 import { registerCommands } from "../commands";
+import { EarlyCompletion } from "../earlyCompletion";
 import { PageScreen, readPage } from "../pageScreen";
 import { registerPasting } from "../pasting";
 import { Previews } from "../preview";
@@ -22,6 +23,7 @@ export function activate(context: vscode.ExtensionContext): void {
   context.subscriptions.push(log, own, previews, status, new KinematicTree(own));
   context.subscriptions.push(...registerCommands(own, previews, log), ...registerPasting(own));
   void own.restart();
+  context.subscriptions.push(new EarlyCompletion(own));
 }
 
 export async function deactivate(): Promise<void> {
