@@ -14,7 +14,7 @@ const LIBRARIES = ["pygls", "lsprotocol", "attrs", "cattrs", "typing_extensions"
 const PYODIDE_FILES = ["pyodide.js", "pyodide.asm.js", "pyodide.asm.wasm", "python_stdlib.zip"];
 const FETCHED = ["server.snap.gz", "site.zip", "pyodide.asm.wasm", "python_stdlib.zip"]; // what takes a browser long
 // What needs NumPy or a disk to write on, and the page, which is no Python.
-const LEFT_OUT = /kindsl[\\/](codegen|preview[\\/]page)$|__pycache__$/;
+const LEFT_OUT = /kindsl[\\/](products[\\/]codegen|frontends[\\/]preview[\\/]page)$|__pycache__$/;
 const REHEARSED = ["broken_arm.kindsl", "quadruped.kindsl"];
 
 // Python keeps it as the name of the program: no path of this machine belongs into the image.

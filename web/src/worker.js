@@ -22,7 +22,7 @@ self.onmessage = async ({ data: { base, useImage = true, tellsProgress = false }
     const loaded = performance.now();
     py.FS.writeFile("/lib/site.zip", await site);
     if (!isImage) py.runPython("import sys; sys.path.insert(0, '/lib/site.zip')");
-    const receive = py.pyimport("kindsl.lsp.browser").start((/** @type {string} */ text) => self.postMessage(JSON.parse(text)));
+    const receive = py.pyimport("kindsl.frontends.lsp.browser").start((/** @type {string} */ text) => self.postMessage(JSON.parse(text)));
     const take = (/** @type {Message} */ data) => (data.method === "kindsl/writeFile" ? writeFile(py, data.params) : receive(JSON.stringify(data)));
     self.onmessage = ({ data }) => take(data);
     early.forEach(take);

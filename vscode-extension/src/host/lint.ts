@@ -4,7 +4,7 @@ import * as path from "node:path";
 import type { Pyodide } from "./pyodide";
 import { ReadOnlyFiles, virtual } from "./readOnlyFiles";
 
-const RUN = "from kindsl.cli.guest import run; run";
+const RUN = "from kindsl.frontends.cli.guest import run; run";
 
 interface Bytes {
   toJs(): Uint8Array;

@@ -4,7 +4,7 @@ import { StreamMessageReader } from "vscode-jsonrpc/node";
 import type { Pyodide } from "./pyodide";
 import { placeOf, ReadOnlyFiles } from "./readOnlyFiles";
 
-const START = "from kindsl.lsp import browser; lambda post: browser.start(post, has_files=True)";
+const START = "from kindsl.frontends.lsp import browser; lambda post: browser.start(post, has_files=True)";
 
 interface Folder {
   readonly uri: string;
