@@ -2,8 +2,7 @@
 
 import pytest
 
-from kindsl.judgement.analysis.poses import PoseError, pose_named
-from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.analysis.settings import PoseError, Settings, pose_named
 
 SETTINGS = Settings(poses={"stand": {"hip": 0.5}, "odd": {"hip": 0.5, "tail": 1.0}})
 

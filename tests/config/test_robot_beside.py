@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from kindsl.judgement.config.beside import robot_beside
+from kindsl.judgement.config.robots import robot_beside
 
 NAMES = {"a.kindsl": "A", "b.kindsl": "B"}
 

@@ -61,7 +61,7 @@ def run(args: argparse.Namespace) -> int:
     """
     analysis = read_document(args.file, choices_of(args))
     require_parameters(args.file, analysis)
-    from kindsl.judgement.analysis.poses import PoseError
+    from kindsl.judgement.analysis.settings import PoseError
     from kindsl.products.reports.card import card_page
     from kindsl.products.reports.page.rendering import rendered, with_pictures
 

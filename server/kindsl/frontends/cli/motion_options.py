@@ -5,8 +5,7 @@ import json
 import sys
 
 from kindsl.frontends.cli.documents.sources import STDIN
-from kindsl.judgement.analysis.poses import PoseError, pose_named
-from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.analysis.settings import PoseError, Settings, pose_named
 from kindsl.language.text.regular import require_regular
 from kindsl.products.reports.motions import (
     KEYS,

@@ -81,7 +81,7 @@ def run(args: argparse.Namespace) -> int:
 
 def _run(args: argparse.Namespace) -> int:
     from kindsl.frontends.preview.assets import PreviewUnavailableError
-    from kindsl.judgement.analysis.poses import PoseError
+    from kindsl.judgement.analysis.settings import PoseError
 
     try:
         other = _other(args) if args.compare else None

@@ -25,7 +25,7 @@ from kindsl.frontends.preview.meshes import (
 )
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.diagnostics import Diagnostic
-from kindsl.judgement.analysis.poses import pose_named
+from kindsl.judgement.analysis.settings import pose_named
 from kindsl.robots.interchange.mesh_files import MeshFile
 from kindsl.robots.mechanism.linkage import Linkage
 from kindsl.robots.scene.messages import (

@@ -16,10 +16,9 @@ from kindsl.judgement.analysis.check_run import (
     go_on,
 )
 from kindsl.judgement.analysis.diagnostics import Diagnostic, Findings, Resolver
-from kindsl.judgement.analysis.explained import is_explained
 from kindsl.judgement.analysis.known_findings import Apart, blocks_of, set_apart
 from kindsl.judgement.analysis.settings import Settings, is_enabled, severity_of
-from kindsl.judgement.analysis.syntax_findings import syntax_findings
+from kindsl.judgement.analysis.syntax_findings import is_explained, syntax_findings
 from kindsl.judgement.rules.base import Finding, Rule
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.registry import all_rules, checking_rules

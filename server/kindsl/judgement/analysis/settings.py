@@ -1,10 +1,12 @@
 """A user's decisions about the rules: selection, severities, targets, values."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import NamedTuple
 
 from kindsl.judgement.rules.base import Rule, Severity
 from kindsl.language.semantics.parameters import Binding, JointProperties
+from kindsl.language.text.nearest import hint, nearest_word
+from kindsl.language.text.phrases import listed
 from kindsl.robots.comparison.twins import TwinFile
 
 _FIRST_DIGITS_OF_SYNTAX = "KD0"
@@ -42,6 +44,27 @@ class Settings(NamedTuple):
         known = self.bindings
         new = {name: known.get(name, Binding(v))._replace(value=v) for name, v in values.items()}
         return self._replace(bindings={**known, **new})
+
+
+class PoseError(ValueError):
+    """There is no such pose, or it is not of this robot; the message says so."""
+
+
+def pose_named(settings: Settings, name: str, joints: Collection[str]) -> Mapping[str, float]:
+    """Return the positions of a pose, radians and metres; joints that it does not name are zero.
+
+    Raises:
+        PoseError: No pose has this name, or it names a joint that the robot does not have.
+    """
+    if name not in settings.poses:
+        known = f" (known: {', '.join(settings.poses)})" if settings.poses else ""
+        near = hint(nearest_word(name, settings.poses), after=",") or known
+        raise PoseError(f"kindsl.toml names no pose '{name}'{near}")
+    pose = settings.poses[name]
+    strange = [f"'{joint}'" for joint in pose if joint not in joints]
+    if strange:
+        raise PoseError(f"pose '{name}' names {listed(strange)}, which the robot does not have")
+    return pose
 
 
 def is_enabled(rule: Rule, settings: Settings) -> bool:

@@ -1,4 +1,4 @@
-"""The parser's problems, as findings of the syntax rules."""
+"""The parser's problems, as findings of the syntax rules, and the findings that they explain."""
 
 from collections.abc import Iterator
 
@@ -9,10 +9,11 @@ from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Place
 from kindsl.language.syntax.comment_problems import UNDECODABLE
 from kindsl.language.syntax.document import SyntaxDocument
-from kindsl.language.syntax.tree import Island, Problem, Repair
-from kindsl.language.text.facts import Fact
+from kindsl.language.syntax.tree import Island, Node, Problem, Repair, Token
+from kindsl.language.text.facts import Fact, kept
 
 _REPORT = "KD011"
+_NAME_PLACE = 1
 _PASTED = Fact[dict[int, Finding]]("findings of pasted passages")
 
 
@@ -104,3 +105,37 @@ def _finding(island: Island, problem: Problem) -> Finding:
 def _fix(island: Island, repair: Repair) -> Fix:
     changes = tuple(Replacement(Place(island, e.start, e.end), e.text) for e in repair.edits)
     return Fix(repair.title, changes, repair.is_safe)
+
+
+def is_explained(finding: Finding) -> bool:
+    """Return whether a finding is where syntax was repaired, so that it may be about the repair."""
+    island, at = finding.at.island, finding.at
+    if not island.problems:
+        return False
+    return any(start <= at.start and at.end <= end for start, end in _repaired_spans(island))
+
+
+@kept
+def _repaired_spans(island: Island) -> list[tuple[int, int]]:
+    return [span for node in island.nodes for span in _spans(island, node)]
+
+
+def _spans(island: Island, block: Node) -> list[tuple[int, int]]:
+    """Return the spans of a block's repaired head and sections; a nameless block whole."""
+    # Imported for broken islands only, since it delays the linter's start.
+    from kindsl.language.syntax.mending import is_repaired
+
+    skipped = [token.start for token in island.skipped]
+    head = [child for child in block.children[:4] if isinstance(child, Token)]
+    if len(head) > _NAME_PLACE and head[_NAME_PLACE].is_missing:
+        return [(block.start, block.end)]
+    spans = []
+    if any(map(is_repaired, head)):
+        spans.append((head[0].start, head[-1].end))
+    for section in block.children:
+        if isinstance(section, Node):
+            start, end = section.start, section.end
+            is_cut = any(start <= place < end for place in skipped)
+            if is_cut or any(map(is_repaired, section.tokens())):
+                spans.append((start, end))
+    return spans

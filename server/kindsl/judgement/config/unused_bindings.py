@@ -1,4 +1,4 @@
-"""KD404: unused bindings, limits and twins in a configuration file."""
+"""KD404 and KD902: unused bindings, limits and twins in a configuration file; unreadable twins."""
 
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
@@ -13,9 +13,11 @@ from kindsl.judgement.config.toml_places import KeyPath
 from kindsl.judgement.rules.base import Severity
 from kindsl.judgement.rules.checks.kd404_unused_binding import RULE
 from kindsl.judgement.rules.checks.kd404_unused_binding import unused_bindings as vain_bindings
+from kindsl.judgement.rules.checks.kd902_twin_unreadable import RULE as UNREADABLE
 from kindsl.judgement.rules.subject import DOCUMENT, Subject, SubjectKind
 
 _TWIN = "twin"
+_NOT_TRUSTED = "it is outside the folders of a workspace that is not trusted"
 _WORD = re.compile(r"\w+")
 
 
@@ -64,6 +66,35 @@ def unused_bindings(
         for bound in _unused(configuration, used, others)
     ]
     return sorted(findings, key=lambda finding: finding.start)
+
+
+def unreadable_twins(
+    configuration: Configuration,
+    settings: Settings,
+    may_read: Callable[[str], bool] | None = None,
+) -> list[Diagnostic]:
+    """Return the twins that cannot be read, in the order of the file.
+
+    Args:
+        configuration: The file.
+        settings: Decisions about the rule.
+        may_read: Whether a file may be read here; None where all may.
+    """
+    if not (configuration.twins and is_enabled(UNREADABLE, settings)):
+        return []
+    # Imported where a twin is named, since it delays the linter's start.
+    from kindsl.judgement.analysis.twins import read_twin
+
+    found = []
+    for _, twin, (start, end) in configuration.twins:
+        is_allowed = may_read is None or may_read(twin.path)
+        severity = severity_of(UNREADABLE, None if is_allowed else Severity.INFORMATION, settings)
+        problem = read_twin(twin) if is_allowed else _NOT_TRUSTED
+        if isinstance(problem, str):
+            message = f"twin '{twin.label}' cannot be read: {problem}"
+            code, name = UNREADABLE.code, UNREADABLE.name
+            found.append(Diagnostic(code, name, severity, message, start, end))
+    return found
 
 
 def words_of(text: str) -> Names:

@@ -5,7 +5,7 @@ from math import degrees
 from typing import Any
 
 from kindsl.judgement.analysis.analysis import Analysis
-from kindsl.judgement.analysis.poses import pose_named
+from kindsl.judgement.analysis.settings import pose_named
 from kindsl.judgement.rules.inertia.shapes import shape_verdicts
 from kindsl.language.text.phrases import counted
 from kindsl.mechanics.rigid.body import principal_moments_about_com

@@ -10,7 +10,7 @@ from kindsl.frontends.cli.outcome import Failure, LintedFile
 from kindsl.judgement.config import unused_bindings as vain
 from kindsl.judgement.config.configuration import Configuration
 from kindsl.judgement.config.robots import Obstacle, walked
-from kindsl.judgement.config.unreadable_twins import unreadable_twins
+from kindsl.judgement.config.unused_bindings import unreadable_twins
 from kindsl.judgement.rules.checks.kd404_unused_binding import unused_bindings as vain_bindings
 
 

@@ -79,7 +79,7 @@ async def _transforms_diagnostics(state: State, document: Document) -> "Sequence
 
 def _robot_beside(state: State, document: Document) -> Document | None:
     from kindsl.judgement.analysis.analysis import analyse
-    from kindsl.judgement.config.beside import robot_beside
+    from kindsl.judgement.config.robots import robot_beside
     from kindsl.language.syntax.transforms_text import read_transforms
 
     def name_of(file: str) -> str | None:

@@ -186,8 +186,7 @@ async def _unused_bindings(state: State, document: Document) -> "list[Diagnostic
                     yield str(path), words_of(path.read_text("utf-8", "replace"))
 
     def check() -> "list[Diagnostic]":
-        from kindsl.judgement.config.unreadable_twins import unreadable_twins
-        from kindsl.judgement.config.unused_bindings import unused_bindings
+        from kindsl.judgement.config.unused_bindings import unreadable_twins, unused_bindings
 
         configuration = configuration_of(document)
         if configuration is None:
