@@ -40,14 +40,14 @@ class PinocchioModel:
         first = 6 if bodies.is_floating else 0
         # Where each of our velocities is among pinocchio's, and the reverse for joints.
         places = [first + depth_first.index(link) for link, _ in bodies.links()]
-        self._order = [*ANGULAR_FIRST[:first], *places]
+        self.order = [*ANGULAR_FIRST[:first], *places]
         self._joint_order = [link - 1 for link in depth_first]
         # pinocchio knows rotors; friction is added here.
         if bodies.drives is not None:
-            self.model.armature = self._v(np.zeros(6), bodies.drives.armature)
+            self.model.armature = self.motion(np.zeros(6), bodies.drives.armature)
 
     def poses(self, q: Array) -> dict[str, Array]:
-        pin.framesForwardKinematics(self.model, self.data, self._q(q))
+        pin.framesForwardKinematics(self.model, self.data, self.configuration(q))
         poses = {
             name: self.data.oMi[self._joints[joint]].homogeneous
             for joint, name in enumerate(self.bodies.link_names, start=1)
@@ -58,69 +58,72 @@ class PinocchioModel:
 
     def frame_jacobian(self, q: Array, name: str) -> Array:
         frame = self.model.getFrameId(name)
-        J = pin.computeFrameJacobian(self.model, self.data, self._q(q), frame, pin.LOCAL)
-        return np.reshape(J, (6, -1))[ANGULAR_FIRST][:, self._order]
+        J = pin.computeFrameJacobian(self.model, self.data, self.configuration(q), frame, pin.LOCAL)
+        return np.reshape(J, (6, -1))[ANGULAR_FIRST][:, self.order]
 
     def joint_space_inertia(self, q: Array) -> Array:
-        M = self._symmetric(pin.crba(self.model, self.data, self._q(q)))
-        return M[np.ix_(self._order, self._order)]
+        M = self._symmetric(pin.crba(self.model, self.data, self.configuration(q)))
+        return M[np.ix_(self.order, self.order)]
 
     def bias_torque(self, q: Array, qd: Array, base_velocity: Array) -> Array:
-        v = self._v(base_velocity, qd)
-        bias = pin.nonLinearEffects(self.model, self.data, self._q(q), v)[self._order]
+        v = self.motion(base_velocity, qd)
+        bias = pin.nonLinearEffects(self.model, self.data, self.configuration(q), v)[self.order]
         return bias + np.concatenate((np.zeros(len(bias) - len(qd)), self._friction(qd)))
 
     def inverse_dynamics(
         self, q: Array, qd: Array, qdd: Array, base_velocity: Array
     ) -> tuple[Array, Array]:
         """Return joint forces and base acceleration (zero for a fixed base)."""
-        first = len(self._order) - len(q)
+        first = len(self.order) - len(q)
         M, bias = self.joint_space_inertia(q), self.bias_torque(q, qd, base_velocity)
         wrench = bias[:first] + M[:first, first:] @ qdd
         base_acceleration = -np.linalg.solve(M[:first, :first], wrench) if first else np.zeros(6)
-        a = self._v(base_acceleration, qdd)
-        v = self._v(base_velocity, qd)
-        tau = pin.rnea(self.model, self.data, self._q(q), v, a)[self._order][first:]
+        a = self.motion(base_acceleration, qdd)
+        v = self.motion(base_velocity, qd)
+        tau = pin.rnea(self.model, self.data, self.configuration(q), v, a)[self.order][first:]
         return tau + self._friction(qd), base_acceleration
 
     def forward_dynamics(
         self, q: Array, qd: Array, tau: Array, base_velocity: Array
     ) -> tuple[Array, Array]:
-        v, force = self._v(base_velocity, qd), self._v(np.zeros(6), tau - self._friction(qd))
-        a = pin.aba(self.model, self.data, self._q(q), v, force)[self._order]
-        first = len(self._order) - len(q)
+        v, force = (
+            self.motion(base_velocity, qd),
+            self.motion(np.zeros(6), tau - self._friction(qd)),
+        )
+        a = pin.aba(self.model, self.data, self.configuration(q), v, force)[self.order]
+        first = len(self.order) - len(q)
         return a[first:], a[:first] if first else np.zeros(6)
 
     def center_of_mass(self, q: Array) -> Array:
         """Return that of the moving bodies only if the base is fixed."""
-        return pin.centerOfMass(self.model, self.data, self._q(q)).copy()
+        return pin.centerOfMass(self.model, self.data, self.configuration(q)).copy()
 
     def center_of_mass_jacobian(self, q: Array) -> Array:
-        return pin.jacobianCenterOfMass(self.model, self.data, self._q(q))[:, self._order]
+        return pin.jacobianCenterOfMass(self.model, self.data, self.configuration(q))[:, self.order]
 
     def kinetic_energy(self, q: Array, qd: Array, base_velocity: Array) -> float:
-        v = self._v(base_velocity, qd)
-        return float(pin.computeKineticEnergy(self.model, self.data, self._q(q), v))
+        v = self.motion(base_velocity, qd)
+        return float(pin.computeKineticEnergy(self.model, self.data, self.configuration(q), v))
 
     def _friction(self, qd: Array) -> Array:
         drives = self.bodies.drives
         return drives.force(qd, 0.0 * qd) if drives is not None else 0.0 * qd
 
     def centroidal_momentum_matrix(self, q: Array) -> Array:
-        A = pin.computeCentroidalMap(self.model, self.data, self._q(q))
-        return np.reshape(A, (6, -1))[ANGULAR_FIRST][:, self._order]
+        A = pin.computeCentroidalMap(self.model, self.data, self.configuration(q))
+        return np.reshape(A, (6, -1))[ANGULAR_FIRST][:, self.order]
 
     def centroidal_momentum_drift(self, q: Array, qd: Array, base_velocity: Array) -> Array:
-        v = self._v(base_velocity, qd)
-        rate = np.reshape(pin.dccrba(self.model, self.data, self._q(q), v), (6, -1)) @ v
+        v = self.motion(base_velocity, qd)
+        rate = np.reshape(pin.dccrba(self.model, self.data, self.configuration(q), v), (6, -1)) @ v
         return rate[ANGULAR_FIRST]
 
     def frame_motion(
         self, q: Array, qd: Array, qdd: Array, v0: Array, a0: Array, name: str
     ) -> tuple[Array, Array]:
         """Return velocity and acceleration of a frame's origin, in its own coordinates."""
-        v, a = self._v(v0, qd), self._v(a0, qdd)
-        pin.forwardKinematics(self.model, self.data, self._q(q), v, a)
+        v, a = self.motion(v0, qd), self.motion(a0, qdd)
+        pin.forwardKinematics(self.model, self.data, self.configuration(q), v, a)
         pin.updateFramePlacements(self.model, self.data)
         frame = self.model.getFrameId(name)
         asked = (self.model, self.data, frame, pin.LOCAL)
@@ -129,35 +132,44 @@ class PinocchioModel:
         return velocity, acceleration
 
     def joint_space_inertia_inverse(self, q: Array) -> Array:
-        n = len(self._order)
-        found = pin.computeMinverse(self.model, self.data, self._q(q))
+        n = len(self.order)
+        found = pin.computeMinverse(self.model, self.data, self.configuration(q))
         inverse = self._symmetric(np.reshape(found, (n, n)))
-        return inverse[np.ix_(self._order, self._order)]
+        return inverse[np.ix_(self.order, self.order)]
 
     def coriolis_matrix(self, q: Array, qd: Array, base_velocity: Array) -> Array:
-        v = self._v(base_velocity, qd)
-        C = pin.computeCoriolisMatrix(self.model, self.data, self._q(q), v)
-        return np.reshape(C, (len(v), -1))[np.ix_(self._order, self._order)]
+        v = self.motion(base_velocity, qd)
+        C = pin.computeCoriolisMatrix(self.model, self.data, self.configuration(q), v)
+        return np.reshape(C, (len(v), -1))[np.ix_(self.order, self.order)]
 
     def constrained_forward_dynamics(
         self, q: Array, qd: Array, tau: Array, base_velocity: Array, names: list[str], rows: slice
     ) -> tuple[Array, Array, Array]:
         """Return accelerations, the base's first, what acts on frames, and their inertia."""
-        v, force = self._v(base_velocity, qd), self._v(np.zeros(6), tau - self._friction(qd))
+        v, force = (
+            self.motion(base_velocity, qd),
+            self.motion(np.zeros(6), tau - self._friction(qd)),
+        )
         jacobians, drifts = [], []
         for name in names:
             _, drift = self.frame_motion(q, qd, 0.0 * qd, base_velocity, np.zeros(6), name)
             frame = self.model.getFrameId(name)
             R = self.data.oMf[frame].rotation
             turned = np.kron(np.eye(2), R)
-            J = pin.computeFrameJacobian(self.model, self.data, self._q(q), frame, pin.LOCAL)
+            J = pin.computeFrameJacobian(
+                self.model, self.data, self.configuration(q), frame, pin.LOCAL
+            )
             jacobians.append((turned @ np.reshape(J, (6, -1))[ANGULAR_FIRST])[rows])
             drifts.append((turned @ drift)[rows])
         J, drift = np.concatenate(jacobians), np.concatenate(drifts)
-        a = pin.forwardDynamics(self.model, self.data, self._q(q), v, force, J, drift, 0.0)
+        a = pin.forwardDynamics(
+            self.model, self.data, self.configuration(q), v, force, J, drift, 0.0
+        )
         forces = self.data.lambda_c.copy()
-        M_inverse = np.linalg.inv(self._symmetric(pin.crba(self.model, self.data, self._q(q))))
-        return a[self._order], forces, np.linalg.inv(J @ M_inverse @ J.T)
+        M_inverse = np.linalg.inv(
+            self._symmetric(pin.crba(self.model, self.data, self.configuration(q)))
+        )
+        return a[self.order], forces, np.linalg.inv(J @ M_inverse @ J.T)
 
     @staticmethod
     def _symmetric(M: Array) -> Array:
@@ -168,11 +180,11 @@ class PinocchioModel:
         mass, com = self.bodies.masses[body], self.bodies.coms[body]
         return pin.Inertia(mass, com, self.bodies.inertias[body] - point_inertia(mass, com))
 
-    def _q(self, q: Array) -> Array:
+    def configuration(self, q: Array) -> Array:
         base = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0] if self.bodies.is_floating else []
         return np.concatenate((base, q[self._joint_order]))
 
-    def _v(self, base: Array, joints: Array) -> Array:
+    def motion(self, base: Array, joints: Array) -> Array:
         ordered = joints[self._joint_order]
         return (
             np.concatenate((base[ANGULAR_FIRST], ordered)) if self.bodies.is_floating else ordered
