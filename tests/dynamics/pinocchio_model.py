@@ -44,10 +44,10 @@ class PinocchioModel:
         self._joint_order = [link - 1 for link in depth_first]
         # pinocchio knows rotors; friction is added here.
         if bodies.drives is not None:
-            self.model.armature = self.motion(np.zeros(6), bodies.drives.armature)
+            self.model.armature = self.v_of(np.zeros(6), bodies.drives.armature)
 
     def poses(self, q: Array) -> dict[str, Array]:
-        pin.framesForwardKinematics(self.model, self.data, self.configuration(q))
+        pin.framesForwardKinematics(self.model, self.data, self.q_of(q))
         poses = {
             name: self.data.oMi[self._joints[joint]].homogeneous
             for joint, name in enumerate(self.bodies.link_names, start=1)
@@ -58,16 +58,16 @@ class PinocchioModel:
 
     def frame_jacobian(self, q: Array, name: str) -> Array:
         frame = self.model.getFrameId(name)
-        J = pin.computeFrameJacobian(self.model, self.data, self.configuration(q), frame, pin.LOCAL)
+        J = pin.computeFrameJacobian(self.model, self.data, self.q_of(q), frame, pin.LOCAL)
         return np.reshape(J, (6, -1))[ANGULAR_FIRST][:, self.order]
 
     def joint_space_inertia(self, q: Array) -> Array:
-        M = self._symmetric(pin.crba(self.model, self.data, self.configuration(q)))
+        M = self._symmetric(pin.crba(self.model, self.data, self.q_of(q)))
         return M[np.ix_(self.order, self.order)]
 
     def bias_torque(self, q: Array, qd: Array, base_velocity: Array) -> Array:
-        v = self.motion(base_velocity, qd)
-        bias = pin.nonLinearEffects(self.model, self.data, self.configuration(q), v)[self.order]
+        v = self.v_of(base_velocity, qd)
+        bias = pin.nonLinearEffects(self.model, self.data, self.q_of(q), v)[self.order]
         return bias + np.concatenate((np.zeros(len(bias) - len(qd)), self._friction(qd)))
 
     def inverse_dynamics(
@@ -78,52 +78,52 @@ class PinocchioModel:
         M, bias = self.joint_space_inertia(q), self.bias_torque(q, qd, base_velocity)
         wrench = bias[:first] + M[:first, first:] @ qdd
         base_acceleration = -np.linalg.solve(M[:first, :first], wrench) if first else np.zeros(6)
-        a = self.motion(base_acceleration, qdd)
-        v = self.motion(base_velocity, qd)
-        tau = pin.rnea(self.model, self.data, self.configuration(q), v, a)[self.order][first:]
+        a = self.v_of(base_acceleration, qdd)
+        v = self.v_of(base_velocity, qd)
+        tau = pin.rnea(self.model, self.data, self.q_of(q), v, a)[self.order][first:]
         return tau + self._friction(qd), base_acceleration
 
     def forward_dynamics(
         self, q: Array, qd: Array, tau: Array, base_velocity: Array
     ) -> tuple[Array, Array]:
         v, force = (
-            self.motion(base_velocity, qd),
-            self.motion(np.zeros(6), tau - self._friction(qd)),
+            self.v_of(base_velocity, qd),
+            self.v_of(np.zeros(6), tau - self._friction(qd)),
         )
-        a = pin.aba(self.model, self.data, self.configuration(q), v, force)[self.order]
+        a = pin.aba(self.model, self.data, self.q_of(q), v, force)[self.order]
         first = len(self.order) - len(q)
         return a[first:], a[:first] if first else np.zeros(6)
 
     def center_of_mass(self, q: Array) -> Array:
         """Return that of the moving bodies only if the base is fixed."""
-        return pin.centerOfMass(self.model, self.data, self.configuration(q)).copy()
+        return pin.centerOfMass(self.model, self.data, self.q_of(q)).copy()
 
     def center_of_mass_jacobian(self, q: Array) -> Array:
-        return pin.jacobianCenterOfMass(self.model, self.data, self.configuration(q))[:, self.order]
+        return pin.jacobianCenterOfMass(self.model, self.data, self.q_of(q))[:, self.order]
 
     def kinetic_energy(self, q: Array, qd: Array, base_velocity: Array) -> float:
-        v = self.motion(base_velocity, qd)
-        return float(pin.computeKineticEnergy(self.model, self.data, self.configuration(q), v))
+        v = self.v_of(base_velocity, qd)
+        return float(pin.computeKineticEnergy(self.model, self.data, self.q_of(q), v))
 
     def _friction(self, qd: Array) -> Array:
         drives = self.bodies.drives
         return drives.force(qd, 0.0 * qd) if drives is not None else 0.0 * qd
 
     def centroidal_momentum_matrix(self, q: Array) -> Array:
-        A = pin.computeCentroidalMap(self.model, self.data, self.configuration(q))
+        A = pin.computeCentroidalMap(self.model, self.data, self.q_of(q))
         return np.reshape(A, (6, -1))[ANGULAR_FIRST][:, self.order]
 
     def centroidal_momentum_drift(self, q: Array, qd: Array, base_velocity: Array) -> Array:
-        v = self.motion(base_velocity, qd)
-        rate = np.reshape(pin.dccrba(self.model, self.data, self.configuration(q), v), (6, -1)) @ v
+        v = self.v_of(base_velocity, qd)
+        rate = np.reshape(pin.dccrba(self.model, self.data, self.q_of(q), v), (6, -1)) @ v
         return rate[ANGULAR_FIRST]
 
     def frame_motion(
         self, q: Array, qd: Array, qdd: Array, v0: Array, a0: Array, name: str
     ) -> tuple[Array, Array]:
         """Return velocity and acceleration of a frame's origin, in its own coordinates."""
-        v, a = self.motion(v0, qd), self.motion(a0, qdd)
-        pin.forwardKinematics(self.model, self.data, self.configuration(q), v, a)
+        v, a = self.v_of(v0, qd), self.v_of(a0, qdd)
+        pin.forwardKinematics(self.model, self.data, self.q_of(q), v, a)
         pin.updateFramePlacements(self.model, self.data)
         frame = self.model.getFrameId(name)
         asked = (self.model, self.data, frame, pin.LOCAL)
@@ -133,13 +133,13 @@ class PinocchioModel:
 
     def joint_space_inertia_inverse(self, q: Array) -> Array:
         n = len(self.order)
-        found = pin.computeMinverse(self.model, self.data, self.configuration(q))
+        found = pin.computeMinverse(self.model, self.data, self.q_of(q))
         inverse = self._symmetric(np.reshape(found, (n, n)))
         return inverse[np.ix_(self.order, self.order)]
 
     def coriolis_matrix(self, q: Array, qd: Array, base_velocity: Array) -> Array:
-        v = self.motion(base_velocity, qd)
-        C = pin.computeCoriolisMatrix(self.model, self.data, self.configuration(q), v)
+        v = self.v_of(base_velocity, qd)
+        C = pin.computeCoriolisMatrix(self.model, self.data, self.q_of(q), v)
         return np.reshape(C, (len(v), -1))[np.ix_(self.order, self.order)]
 
     def constrained_forward_dynamics(
@@ -147,8 +147,8 @@ class PinocchioModel:
     ) -> tuple[Array, Array, Array]:
         """Return accelerations, the base's first, what acts on frames, and their inertia."""
         v, force = (
-            self.motion(base_velocity, qd),
-            self.motion(np.zeros(6), tau - self._friction(qd)),
+            self.v_of(base_velocity, qd),
+            self.v_of(np.zeros(6), tau - self._friction(qd)),
         )
         jacobians, drifts = [], []
         for name in names:
@@ -156,19 +156,13 @@ class PinocchioModel:
             frame = self.model.getFrameId(name)
             R = self.data.oMf[frame].rotation
             turned = np.kron(np.eye(2), R)
-            J = pin.computeFrameJacobian(
-                self.model, self.data, self.configuration(q), frame, pin.LOCAL
-            )
+            J = pin.computeFrameJacobian(self.model, self.data, self.q_of(q), frame, pin.LOCAL)
             jacobians.append((turned @ np.reshape(J, (6, -1))[ANGULAR_FIRST])[rows])
             drifts.append((turned @ drift)[rows])
         J, drift = np.concatenate(jacobians), np.concatenate(drifts)
-        a = pin.forwardDynamics(
-            self.model, self.data, self.configuration(q), v, force, J, drift, 0.0
-        )
+        a = pin.forwardDynamics(self.model, self.data, self.q_of(q), v, force, J, drift, 0.0)
         forces = self.data.lambda_c.copy()
-        M_inverse = np.linalg.inv(
-            self._symmetric(pin.crba(self.model, self.data, self.configuration(q)))
-        )
+        M_inverse = np.linalg.inv(self._symmetric(pin.crba(self.model, self.data, self.q_of(q))))
         return a[self.order], forces, np.linalg.inv(J @ M_inverse @ J.T)
 
     @staticmethod
@@ -180,11 +174,11 @@ class PinocchioModel:
         mass, com = self.bodies.masses[body], self.bodies.coms[body]
         return pin.Inertia(mass, com, self.bodies.inertias[body] - point_inertia(mass, com))
 
-    def configuration(self, q: Array) -> Array:
+    def q_of(self, q: Array) -> Array:
         base = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0] if self.bodies.is_floating else []
         return np.concatenate((base, q[self._joint_order]))
 
-    def motion(self, base: Array, joints: Array) -> Array:
+    def v_of(self, base: Array, joints: Array) -> Array:
         ordered = joints[self._joint_order]
         return (
             np.concatenate((base[ANGULAR_FIRST], ordered)) if self.bodies.is_floating else ordered

@@ -98,13 +98,13 @@ def test_pinocchio_agrees(seed: int) -> None:
     base = [values["v0"], values["a0"]] if is_floating else [None, None]
     q, qd, qdd, tau = (values[key] for key in ("q", "qd", "qdd", "tau"))
     order = np.ix_(theirs.order, theirs.order)
-    v, a = theirs.motion(values["v0"], qd), theirs.motion(values["a0"], qdd)
-    expected = pin.computeRNEADerivatives(theirs.model, theirs.data, theirs.configuration(q), v, a)
+    v, a = theirs.v_of(values["v0"], qd), theirs.v_of(values["a0"], qdd)
+    expected = pin.computeRNEADerivatives(theirs.model, theirs.data, theirs.q_of(q), v, a)
     found = ours.inverse_dynamics_derivatives(q, qd, qdd, *base, values["g"])
     for mine, other in zip(found[:2], expected[:2], strict=True):
         np.testing.assert_allclose(mine, other[order], rtol=1e-9, atol=1e-9)
-    force = theirs.motion(np.zeros(6), tau)
-    pin.computeABADerivatives(theirs.model, theirs.data, theirs.configuration(q), v, force)
+    force = theirs.v_of(np.zeros(6), tau)
+    pin.computeABADerivatives(theirs.model, theirs.data, theirs.q_of(q), v, force)
     found = ours.forward_dynamics_derivatives(q, qd, tau, base[0], values["g"])
     inverse = np.triu(theirs.data.Minv) + np.triu(theirs.data.Minv, 1).T
     expected = (theirs.data.ddq_dq, theirs.data.ddq_dv, inverse)
