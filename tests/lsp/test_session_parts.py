@@ -17,7 +17,7 @@ from tests.lsp.sessions import REFUSAL, folder_of, of_versions, opened, session_
 
 from kindsl.frontends.lsp.session import closed_configurations, memory, previews, progress
 from kindsl.frontends.lsp.session import state as session_state
-from kindsl.frontends.lsp.session.binding import bound, posed, request_edits
+from kindsl.frontends.lsp.session.binding import bound, pose_edit, request_edits
 from kindsl.frontends.lsp.session.closed_configurations import ClosedConfigurations
 from kindsl.frontends.lsp.session.companions import transforms_view
 from kindsl.frontends.lsp.session.configuration_files import (
@@ -28,7 +28,7 @@ from kindsl.frontends.lsp.session.findings import diagnostics
 from kindsl.frontends.lsp.session.progress import Progress
 from kindsl.frontends.lsp.session.status import status_of
 from kindsl.frontends.lsp.session.tokens import TokenMemory
-from kindsl.frontends.lsp.session.view import plain
+from kindsl.frontends.lsp.session.view import without_marks
 from kindsl.frontends.lsp.session.worker import AbandonedError, Urgency, Worker, start_task
 from kindsl.frontends.lsp.session.workspace import Workspace
 from kindsl.frontends.lsp.text import uris
@@ -119,7 +119,7 @@ async def test_a_pose_is_kept_where_the_file_can_be_extended(
     (tmp_path / "kindsl.toml").write_text(text)
     with session_with() as (session, _):
         robot = opened(session, (tmp_path / "arm.kindsl").as_uri(), UNBOUND)
-        assert (posed(session, robot, "home", {"shoulder": 1.0}) is not None) is is_kept
+        assert (pose_edit(session, robot, "home", {"shoulder": 1.0}) is not None) is is_kept
 
 
 async def test_a_new_file_goes_into_the_innermost_folder_around_the_robot(tmp_path: Path) -> None:
@@ -463,7 +463,7 @@ class TestSight:
     """What handlers ask of a version."""
 
     def test_plain_text_has_no_marks(self) -> None:
-        told = plain("**mass** of `arm_1`, 2\\*3, a\\b")
+        told = without_marks("**mass** of `arm_1`, 2\\*3, a\\b")
         assert told == "mass of arm_1, 2*3, a\\b"
 
     @pytest.mark.parametrize(

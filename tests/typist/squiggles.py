@@ -67,7 +67,7 @@ def passing_squiggles(lines: list[str], *, is_calm: bool = True) -> list[Passing
     documents = Documents()
     calm = Calm(documents)
     documents.open(types.TextDocumentItem(_URI, "kinematics-dsl", 0, ""))
-    calm.told(_typed(documents), ())
+    calm.shown(_typed(documents), ())
     before: Counter[tuple[str, str]] = Counter()
     came: set[tuple[str, str]] = set()
     passed: list[Passing] = []
@@ -76,7 +76,7 @@ def passing_squiggles(lines: list[str], *, is_calm: bool = True) -> list[Passing
         _press(documents, key, version)
         document = _typed(documents)
         findings = Analysis(document.tree, _SETTINGS).findings
-        told = calm.told(document, findings) if is_calm else findings
+        told = calm.shown(document, findings) if is_calm else findings
         now = Counter((each.code, each.message) for each in told)
         came |= set(now - before)
         before = now

@@ -19,7 +19,7 @@ from kindsl.frontends.cli.console import is_terminal, write
 from kindsl.frontends.cli.documents.choices import choices_of
 from kindsl.frontends.cli.documents.document_reading import (
     CommandError,
-    model_told,
+    model_errors,
     note_errors,
     note_readings,
     read_document,
@@ -76,7 +76,7 @@ def run(args: argparse.Namespace) -> int:
         analysis = read_document(args.file, choices_of(args))
         require_syntax(args.file, analysis)
         require_parameters(args.file, analysis)
-        with model_told(args.file, analysis):
+        with model_errors(args.file, analysis):
             mechanism = analysis.mechanism()
         note_readings(args.file, analysis)
         note_errors(args.file, analysis)

@@ -32,7 +32,7 @@ def coloured(text: str, kind: str) -> str:
     return f"\x1b[{_COLOURS[kind]}m{text}\x1b[0m"
 
 
-def plain(text: str, _kind: str) -> str:
+def uncoloured(text: str, _kind: str) -> str:
     """Return a text as it is."""
     return text
 

@@ -22,7 +22,7 @@ from kindsl.frontends.cli.documents.choices import choices_of
 from kindsl.frontends.cli.documents.document_reading import (
     CommandError,
     missing_module,
-    model_told,
+    model_errors,
     note_errors,
     note_readings,
     read_document,
@@ -242,7 +242,7 @@ def _told(args: argparse.Namespace, source: "Source") -> Iterator[None]:
     from kindsl.products.codegen.library import GenerationError
 
     try:
-        with model_told(args.file, source.analysis):
+        with model_errors(args.file, source.analysis):
             yield
     except GenerationError as error:
         raise CommandError([Failure(shown_name(args.file), str(error))], status=1) from None

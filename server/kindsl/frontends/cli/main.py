@@ -83,9 +83,9 @@ def _run(command: str, module: ModuleType, arguments: list[str]) -> int:
     except KeyboardInterrupt:
         return INTERRUPTED
     except Exception as error:
-        from kindsl.frontends.cli.documents.document_reading import told
+        from kindsl.frontends.cli.documents.document_reading import report_error
 
-        return told(error)
+        return report_error(error)
 
 
 def _unknown(command: str) -> str:

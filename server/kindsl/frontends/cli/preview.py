@@ -19,7 +19,7 @@ from kindsl.frontends.cli.documents.document_reading import (
     CommandError,
     read_document,
     read_whole,
-    told,
+    report_error,
 )
 from kindsl.frontends.cli.documents.sources import STDIN, read_source
 from kindsl.frontends.cli.options import add_parameter_arguments
@@ -72,7 +72,7 @@ def run(args: argparse.Namespace) -> int:
     except ImportError as error:
         return _fail(f"{error.msg}; install the preview with: pip install 'kindsl[preview]'")
     except (CommandError, ConfigurationError) as error:
-        return told(error)
+        return report_error(error)
     except OSError as error:
         return _fail(f"{error.filename or args.file}: {error.strerror or error}")
     except KeyboardInterrupt:

@@ -57,7 +57,7 @@ def path_in(baseline: str, document: str) -> str:
     return os.path.relpath(document, folder).replace(os.sep, "/")
 
 
-def written(known: Mapping[str, Iterable[str]]) -> str:
+def baseline_text(known: Mapping[str, Iterable[str]]) -> str:
     """Return the text of a baseline, by document what identifies each of its findings."""
     documents = {path: found for path in sorted(known) if (found := list(known[path]))}
     return json.dumps({_DOCUMENTS: documents}, indent=1, ensure_ascii=False) + "\n"

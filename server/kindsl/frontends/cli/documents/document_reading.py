@@ -44,7 +44,7 @@ class CommandError(Exception):
         return self.status
 
 
-def told(error: Exception) -> int:
+def report_error(error: Exception) -> int:
     """Report what a command cannot do on stderr and return the exit status; raise other errors."""
     if isinstance(error, ConfigurationError):
         error = CommandError(as_failures(error))
@@ -157,7 +157,7 @@ def unbound(path: str, analysis: Analysis, error: "UnboundParameterError") -> Co
 
 
 @contextmanager
-def model_told(path: str, analysis: Analysis) -> Iterator[None]:
+def model_errors(path: str, analysis: Analysis) -> Iterator[None]:
     """Raise CommandError for what is wrong with a document's model, or has no value."""
     from kindsl.robots.mechanism.errors import ModelError, UnboundParameterError
 
@@ -176,7 +176,7 @@ def skeleton_of_document(path: str, analysis: Analysis) -> "Linkage":
         CommandError: It does not describe a mechanism.
     """
     require_syntax(path, analysis)
-    with model_told(path, analysis):
+    with model_errors(path, analysis):
         return analysis.skeleton()
 
 

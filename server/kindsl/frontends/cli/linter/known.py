@@ -8,7 +8,7 @@ from kindsl.frontends.cli.documents.sources import is_decodable
 from kindsl.frontends.cli.documents.writing import write_output
 from kindsl.frontends.cli.outcome import LintedFile, RunOutcome
 from kindsl.judgement.analysis.known_findings import blocks_of, identities, lines_of
-from kindsl.judgement.config.baseline import baseline_path, path_in, read_baseline, written
+from kindsl.judgement.config.baseline import baseline_path, baseline_text, path_in, read_baseline
 from kindsl.judgement.config.configuration import Configuration
 from kindsl.judgement.config.file_names import TRANSFORMS_SUFFIX
 from kindsl.judgement.config.robots import SUFFIX
@@ -45,7 +45,7 @@ def with_baseline_written(outcome: RunOutcome, path: str) -> RunOutcome:
     known = {file.path: [*_identities(file)] for file in outcome.files if _has_blocks(file)}
     files = [file.with_all_known() if file.path in known else file for file in outcome.files]
     try:
-        write_output(path, written({path_in(path, name): known[name] for name in known}))
+        write_output(path, baseline_text({path_in(path, name): known[name] for name in known}))
     except CommandError as error:
         return outcome._replace(failures=[*outcome.failures, *error.failures])
     remark = f"{counted(sum(map(len, known.values())), 'known finding')} written to {path}"

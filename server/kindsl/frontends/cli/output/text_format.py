@@ -3,7 +3,7 @@
 import sys
 from collections.abc import Callable, Iterator, Sequence
 
-from kindsl.frontends.cli.console import coloured, plain, wants_colour
+from kindsl.frontends.cli.console import coloured, uncoloured, wants_colour
 from kindsl.frontends.cli.outcome import LintedFile, RunOutcome
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.language.text.printable import printable
@@ -18,7 +18,7 @@ Paint = Callable[[str, str], str]
 
 def render(outcome: RunOutcome) -> str:
     """Return all findings, repeated ones as one unless all are wanted, in colour if stdout is."""
-    paint = coloured if wants_colour(sys.stdout) else plain
+    paint = coloured if wants_colour(sys.stdout) else uncoloured
     return "".join(
         line + "\n"
         for file in outcome.files

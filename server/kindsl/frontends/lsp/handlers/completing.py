@@ -7,7 +7,7 @@ from lsprotocol import types
 from kindsl.frontends.lsp.handlers.table import Handlers
 from kindsl.frontends.lsp.session.companions import TransformsView
 from kindsl.frontends.lsp.session.session import Session
-from kindsl.frontends.lsp.session.view import Sight, View, plain
+from kindsl.frontends.lsp.session.view import Sight, View, without_marks
 from kindsl.language.text.facts import Fact
 
 if TYPE_CHECKING:
@@ -103,7 +103,7 @@ def _with_documentation(view: View, item: types.CompletionItem) -> types.Complet
     if text is not None:
         formats = f"{_ITEM}.documentation_format"
         is_told = bool(view.client.values(formats))
-        item.documentation = view.markup(text, formats) if is_told else plain(text)
+        item.documentation = view.markup(text, formats) if is_told else without_marks(text)
     return item
 
 

@@ -54,7 +54,7 @@ async def pull(session: Session, params: types.DocumentDiagnosticParams) -> Repo
     else:
         findings = await version.findings_without_twins(Urgency.ANSWER)
         if session.documents.is_current(document):
-            findings = session.calm.told(document, findings)
+            findings = session.calm.shown(document, findings)
     result_id = result_id_of(document, findings)
     if result_id == params.previous_result_id:
         return {"kind": "unchanged", "resultId": result_id}

@@ -53,7 +53,7 @@ def bound(
     return None if edit is None else ConfigurationEdit(document, is_new, edit)
 
 
-def posed(
+def pose_edit(
     state: State, shown: Document, name: str, joints: Mapping[str, float]
 ) -> ConfigurationEdit | None:
     """Return the edit that keeps a pose of a document; None if there is no place for one."""

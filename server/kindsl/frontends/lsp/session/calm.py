@@ -27,7 +27,7 @@ class Calm:
         self._known: dict[str, _Told] = {}
         documents.on_close.append(self._forget)
 
-    def told(
+    def shown(
         self, document: Document, findings: "tuple[Diagnostic, ...]"
     ) -> "tuple[Diagnostic, ...]":
         """Return the findings of a version that are told now: the very same if none is held."""

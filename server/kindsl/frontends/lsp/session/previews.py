@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from lsprotocol import types
 
-from kindsl.frontends.lsp.session.binding import ConfigurationEdit, bound, posed, request_edits
+from kindsl.frontends.lsp.session.binding import ConfigurationEdit, bound, pose_edit, request_edits
 from kindsl.frontends.lsp.session.state import State
 from kindsl.frontends.lsp.session.view import View
 from kindsl.frontends.lsp.session.worker import Urgency, start_task
@@ -202,7 +202,7 @@ class Previews:
         made = None
         if isinstance(wanted, KeepPose):
             if document is not None:
-                made = posed(self._state, document, *wanted)
+                made = pose_edit(self._state, document, *wanted)
             return made, pose_table(*wanted), f"Keep pose '{wanted.name}'"
         if document is not None:
             made = bound(self._state, document, wanted.values.items())

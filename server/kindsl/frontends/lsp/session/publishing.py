@@ -95,11 +95,11 @@ class Publisher:
             memory.set_aside()
         if not self._state.documents.is_current(document):
             return
-        told = self._state.calm.told(document, first)
+        told = self._state.calm.shown(document, first)
         await self._tell(version, told)
         findings = await version.findings(Urgency.DIAGNOSTICS)
         if findings != first:
-            told = self._state.calm.told(document, findings)
+            told = self._state.calm.shown(document, findings)
             await self._tell_again(version, told)
         if len(told) != len(findings):
             await asyncio.sleep(calm.PATIENCE - delay)

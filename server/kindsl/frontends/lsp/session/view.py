@@ -49,7 +49,7 @@ class Sight:
         formats = self.client.values(capability)
         is_known = not formats or types.MarkupKind.Markdown in formats
         kind = types.MarkupKind.Markdown if is_known else types.MarkupKind.PlainText
-        return types.MarkupContent(kind, markdown if is_known else plain(markdown))
+        return types.MarkupContent(kind, markdown if is_known else without_marks(markdown))
 
     def refuse(self, message: str) -> None:
         """Tell the user why something was not done; not again at each save of a broken document."""
@@ -89,6 +89,6 @@ class View(Sight):
             listener(self.document.uri, kind, name)
 
 
-def plain(markdown: str) -> str:
+def without_marks(markdown: str) -> str:
     """Return Markdown without its marks."""
     return _MARKS.sub("", markdown)
