@@ -69,6 +69,5 @@ def _open(stream: TextIO | None) -> TextIO:
 
 
 def _send_nowhere(stream: TextIO | None) -> None:
-    """Drop the unwritten output of a stream."""
     if stream is not None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())

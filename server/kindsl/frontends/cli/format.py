@@ -98,7 +98,6 @@ def _formatted(path: str | Failure, stdin_name: str) -> Formatted | Failure:
 
 
 def _first_problem(document: SyntaxDocument) -> tuple[int, int]:
-    """Return line and column of the first error of syntax."""
     starts = {id(i): start for i, start in zip(document.islands, document.starts, strict=True)}
     first = min(
         (starts[id(island)] + problem.start for island, problem in all_problems(document)),

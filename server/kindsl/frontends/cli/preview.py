@@ -99,7 +99,6 @@ def _run(args: argparse.Namespace) -> int:
 
 
 def _reread(args: argparse.Namespace, file: str) -> "Analysis | str":
-    """Return a document as it is now, or why it cannot be read."""
     try:
         return read_document(file, choices_of(args))
     except (CommandError, ConfigurationError) as error:
@@ -107,7 +106,6 @@ def _reread(args: argparse.Namespace, file: str) -> "Analysis | str":
 
 
 def _other(args: argparse.Namespace) -> "OtherRobot":
-    """Return what the document is compared with."""
     from kindsl.frontends.cli.documents.compared_robots import is_foreign
     from kindsl.frontends.preview.comparing import document_robot, file_robot
 
@@ -154,7 +152,6 @@ def _write(args: argparse.Namespace, other: "OtherRobot | None") -> None:
 
 
 def _meshes(args: argparse.Namespace) -> "MeshSource | None":
-    """Return what to take meshes from, None for nothing."""
     if args.meshes is None:
         return None
     from kindsl.frontends.preview.meshes import MeshSource
@@ -166,7 +163,6 @@ def _meshes(args: argparse.Namespace) -> "MeshSource | None":
 
 
 def _motion(args: argparse.Namespace) -> tuple[str, str] | None:
-    """Return the name and text of the file with a motion, None without one."""
     if args.trajectory is None:
         return None
     return os.path.basename(args.trajectory), read_whole(args.trajectory)

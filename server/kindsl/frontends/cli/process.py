@@ -37,7 +37,6 @@ def run_and_exit(command: Callable[[], int]) -> NoReturn:
 
 
 def _flushed(status: object) -> int:
-    """Flush the output; return the status, or that of a failed write."""
     try:
         if sys.stdout is not None:
             write(sys.stdout, "")

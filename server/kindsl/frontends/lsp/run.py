@@ -52,7 +52,6 @@ async def _serve(
 
 
 def _watch_parent(process_id: int | None, reading: "asyncio.Future[None]") -> None:
-    """Stop reading when the process that started the server ends."""
     if process_id is None or process_id <= 0:
         return
 

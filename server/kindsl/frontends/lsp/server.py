@@ -26,7 +26,6 @@ class KindslLanguageServer(Editor):
 
 
 def _all_handlers() -> Iterator[Handlers]:
-    """Yield the handlers of each module that has some, found by walking their folder."""
     for name in module_names(handlers):
         module = import_module(f"kindsl.frontends.lsp.handlers.{name}")
         if isinstance(found := getattr(module, "handlers", None), Handlers):

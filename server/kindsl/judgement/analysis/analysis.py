@@ -192,7 +192,7 @@ class Analysis:
         return self.resolver.diagnostic(rule, finding, severity)
 
     def _set_apart(self, run: CheckRun) -> Apart:
-        """Return the findings of a run, without suppressed ones, apart from known ones."""
+        """Return the findings of a run without suppressed ones, apart from known ones."""
         with paused_collector():
             found = self._found(run)
         unsilenced = self._without_silenced(found, run)
@@ -213,7 +213,7 @@ class Analysis:
         )
 
     def _without_silenced(self, found: list[Diagnostic], run: CheckRun) -> list[Diagnostic]:
-        """Return what neither comments suppress nor other findings explain, in the text's order."""
+        """Return the findings that neither comments suppress nor others explain, in order."""
         if any("kindsl:" in island.text for island in self.syntax.islands):
             # Imported for such comments only, since it delays the linter's start.
             from kindsl.judgement.analysis.silencing import without_silenced
@@ -225,7 +225,6 @@ class Analysis:
         return sorted(found, key=lambda d: (d.start, d.end, d.code, d.message))
 
     def _codes(self, run: CheckRun) -> list[str]:
-        """Return the codes of the rules that a run has, those of the syntax and of comments too."""
         rules = [rule for rule in all_rules() if is_enabled(rule, self.settings)]
         return [r.code for r in rules if not (run.is_without_twins and r.reads_twins)]
 

@@ -129,7 +129,6 @@ class CheckRun:
         return self._document_findings() + self._body_findings() + self._island_findings()
 
     def _document_findings(self) -> Found:
-        """Return the findings of the rules that see the whole model."""
         versions = self._model.document.versions
         last = versions.get(_OF_DOCUMENT) or versions.keep(_OF_DOCUMENT, {})
         found: Found = []
@@ -146,14 +145,12 @@ class CheckRun:
         return found
 
     def _of_readers(self, rules: Iterable[Rule]) -> _Findings:
-        """Yield the findings of rules that read the same."""
         for rule in rules:
             if rule.check_document is not None:
                 self._checkpoint()
                 yield from self._of(rule, rule.check_document(self._model, self._context))
 
     def _island_findings(self) -> Found:
-        """Return the findings of the rules that see one island at a time."""
         chosen = self._rules.of_islands
 
         def check(declared: Declarations) -> _Findings:
@@ -170,7 +167,6 @@ class CheckRun:
         )
 
     def _body_findings(self) -> Found:
-        """Return the findings of the rules that see one body and the joints on it."""
         chosen = self._rules.of_bodies
         joints_on = self._model.tree.joints_on
 
@@ -221,7 +217,7 @@ class CheckRun:
     def _known(
         self, known: _Known | None, key: _Key, find: Callable[[], Iterable[_RuleFinding]]
     ) -> _Known:
-        """Return what is known, found again where it does not hold any more."""
+        """Return known findings, found again where they no longer hold."""
         if known is not None and known.key == key and known.islands <= self._islands:
             return known
         self._checkpoint()
@@ -244,7 +240,6 @@ class CheckRun:
 
 
 def _islands(found: Found) -> frozenset[Island]:
-    """Return the islands to which findings point."""
     if not found:
         return frozenset()
     fixes = {id(fix): fix for _, f in found for fix in (f.fix, *f.choices) if fix is not None}

@@ -66,7 +66,6 @@ class Findings(tuple[Diagnostic, ...]):
         return tuple(self), self.text
 
     def _repr_html_(self) -> str | None:
-        """Return the HTML for a notebook."""
         return html_of(self)
 
 

@@ -98,7 +98,7 @@ def announced(analysis: Analysis) -> tuple[Diagnostic, ...]:
 
 
 def _refused(analysis: Analysis) -> set[TextFix]:
-    """Return the fixes that are not made even alone; after many tries the rest is believed."""
+    """Return the fixes that are not applied even alone; after many tries the rest is accepted."""
     refused, pending = set[TextFix](), list(_alike(analysis.findings))
     for _ in range(_MOST_TRIES):
         if not pending:
@@ -115,7 +115,7 @@ def _refused(analysis: Analysis) -> set[TextFix]:
 
 
 def _alike(findings: Iterable[Diagnostic]) -> Iterator[list[TextFix]]:
-    """Yield disjoint fixes that are all safe or not, all of syntax or not: each fix once."""
+    """Yield disjoint fixes that agree in being safe and in being of syntax: each fix once."""
     kinds: dict[tuple[bool, bool], dict[TextFix, None]] = {}
     for finding in findings:
         if finding.fix is not None:
@@ -137,7 +137,7 @@ def _round(analysis: Analysis, findings: list[Diagnostic]) -> Made | None:
 def _go_together(
     fixes: Sequence[TextFix], analysis: Analysis, best: Analysis, tried: Analysis
 ) -> bool:
-    """Return whether fixes that were tried do no harm, compared with the best text so far."""
+    """Return whether fixes do no harm, compared with the best text so far."""
     within_digits = any(fix.is_within_digits for fix in fixes)
     done = effect(analysis.syntax, tried.syntax, within_digits=within_digits)
     is_kept = done.verdict is EditEffect.KEEPS or not all(fix.is_safe for fix in fixes)
@@ -151,7 +151,7 @@ def _go_together(
 
 
 def _written(text: str) -> tuple[str, ...]:
-    """Return what two texts share that differ in blanks alone."""
+    """Return a key that texts share that differ in blanks only."""
     remarks = [text[start:end] for start, end in comments(text)]
     return (*(token.text for token in scan(text)), *remarks)
 
@@ -196,6 +196,6 @@ def in_line_style(edit: TextEdit, text: str) -> TextEdit:
 
 
 def _errors(analysis: Analysis) -> Counter[str]:
-    """Return the errors by code; what a baseline knows was there before its block changed."""
+    """Return the errors by code, known ones of a baseline included."""
     found = (*analysis.findings, *analysis.apart.known)
     return Counter(f.code for f in found if f.severity is Severity.ERROR)

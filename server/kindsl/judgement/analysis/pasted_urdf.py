@@ -85,7 +85,7 @@ def _overlaps(one: Located, other: Place) -> bool:
 
 
 def _with_comments(changes: tuple[Replacement, ...], at: Place) -> tuple[Replacement, ...]:
-    """Return changes that leave the comments of the elements where these stood."""
+    """Return changes that leave the comments of the elements in place."""
     written = _COMMENT.findall(at.island.text[at.start : at.end])
     lines = [line.strip() for comment in written for line in comment.splitlines()]
     indent = indentation(at.island.text, at.start)
@@ -141,7 +141,7 @@ def _joints(fragment: Fragment) -> Iterator[str]:
 
 
 def _edges(model: Model, fragment: Fragment) -> Iterator[Replacement]:
-    """Yield what makes links of the document carry those that are given."""
+    """Yield changes that make links of the document parents of the new ones."""
     for index, link in enumerate(fragment.links):
         parent = model.body_named.get(_name(link))
         edges = [_edge(child) for child in fragment.links if child.parent == index]
@@ -162,7 +162,7 @@ def _carrying(parent: Link, edges: list[str]) -> Replacement:
 
 
 def _behind(last: list[Link | Joint], texts: list[list[str]]) -> Iterator[Replacement]:
-    """Yield what writes links and joints behind the last of their kind."""
+    """Yield changes that write links and joints behind the last of their kind."""
     if last[0] is last[1]:
         last, texts = last[:1], [[*texts[0], *texts[1]]]
     for block, written in zip(last, texts, strict=True):

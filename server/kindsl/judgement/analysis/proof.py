@@ -74,7 +74,6 @@ def _kinds(said: Contents) -> Counter[str]:
 def _differing(
     before: Sequence[Island], after: Sequence[Island]
 ) -> tuple[Sequence[Island], Sequence[Island]]:
-    """Return the islands between those that two documents share at both ends."""
     n_first = _n_same(before, after)
     before, after = before[n_first:], after[n_first:]
     n_last = _n_same(before[::-1], after[::-1])
@@ -108,7 +107,7 @@ def _of_number(old: Number, new: Number, within_digits: bool) -> EditEffect:
 
 
 def _has_digits(value: float, written: Number) -> bool:
-    """Return whether a value has the digits of a number, rounded to them or cut off there."""
+    """Return whether a value has the digits of a number, rounded or truncated."""
     assert written.value is not None
     is_rounded = abs(value - written.value) <= written.rounding
     rest = value - written.value if written.value > 0.0 else written.value - value

@@ -71,14 +71,14 @@ def _is_read_by_robcogen2(model: Model) -> bool:
 
 
 def _is_foreign_comment(island: Island, problem: Problem) -> bool:
-    """Return whether bytes of another encoding stand in a comment, which RobCoGen reads over."""
+    """Return whether bytes of another encoding are in a comment, which RobCoGen ignores."""
     if not UNDECODABLE.fullmatch(island.text, problem.start, problem.end):
         return False
     return any(start <= problem.start < end for start, end in island.comments)
 
 
 def _is_foreign_number(island: Island, problem: Problem) -> bool:
-    """Return whether a value has digits of another script alone, which robcogen2 reads as we do."""
+    """Return whether a value only has digits of another script, which robcogen2 reads as we do."""
     if problem.code != "KD004" or problem.repair is None:
         return False
     written = island.text[problem.start : problem.end]

@@ -107,6 +107,6 @@ def _read(path: str) -> "Configuration | ConfigurationError":
 
 
 def _shown(path: str) -> str:
-    """Return a path as people read it: from the working directory, if it lies below."""
+    """Return a path from the working directory if it lies below."""
     relative = os.path.relpath(path)
     return path if relative.startswith("..") else relative

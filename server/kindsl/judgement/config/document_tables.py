@@ -82,7 +82,7 @@ def with_pose(
 def _with_pose(
     configuration: Configuration, text: str, document: str, name: str, joints: Mapping[str, float]
 ) -> Iterator[str]:
-    """Yield ways to tell a pose: in its place, below the document's table, in a new one."""
+    """Yield ways to write a pose: in its place, below the document's table, in a new one."""
     pattern = _pattern(_within(configuration.path, document))
     own = [i for i, each in enumerate(configuration.documents) if each.pattern == pattern]
     told = [i for i in own if name in configuration.documents[i].decisions.poses]
@@ -110,7 +110,6 @@ def _new_document(configuration: Configuration, document: str) -> tuple[str, str
 
 
 def _within(file: str, document: str) -> str:
-    """Return a document's path from the folder of the configuration file."""
     return os.path.relpath(document, os.path.dirname(os.path.abspath(file))).replace(os.sep, "/")
 
 
@@ -120,7 +119,7 @@ def _values(joint: JointProperties) -> str:
 
 
 def _pattern(document: str) -> str:
-    """Return the pattern that matches one path; what patterns mean by a character is escaped."""
+    """Return the pattern that matches one path: special characters are escaped."""
     return "".join(f"\\{letter}" if letter in _GLOB else letter for letter in document)
 
 

@@ -64,7 +64,6 @@ def merged(project: Settings, editor: Settings) -> Settings:
 
 
 def _section(raw: object) -> dict[str, Any]:
-    """Return the section with dotted names unfolded."""
     for around in ("settings", "kindsl"):
         if isinstance(raw, dict) and isinstance(raw.get(around), dict):
             raw = raw[around]

@@ -60,7 +60,6 @@ class Ignored(NamedTuple):
 
 
 def _up_to_repository(folder: str) -> list[str]:
-    """Return a folder and those above it up to a repository's root; empty outside of one."""
     folders = []
     for above in upwards(folder):
         folders.append(above)

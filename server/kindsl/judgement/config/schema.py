@@ -223,7 +223,6 @@ def _string(given: Given) -> str | None:
 
 
 def _strings(given: Given) -> list[tuple[Given, str]]:
-    """Return the strings of a list; a single one counts as a list of it."""
     elements = [given] if isinstance(given.value, str) else given.elements("a list of strings")
     return [(each, found) for each in elements if (found := _string(each)) is not None]
 

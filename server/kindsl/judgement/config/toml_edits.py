@@ -98,7 +98,6 @@ def renaming_edits(text: str, keys: KeyPath, name: str) -> tuple[TextEdit, ...] 
 
 
 def _place(configuration: Configuration, document: str, name: str) -> KeyPath:
-    """Return the keys of the table whose parameters are to be edited."""
     keys = configuration.keys_of(name, document)
     if keys:
         return keys[-1][:-2]

@@ -119,7 +119,6 @@ def _unused(
     used: Mapping[str, Names],
     others: Callable[[], Iterable[tuple[str, Names]]],
 ) -> list[_Bound]:
-    """Return the bindings that no document uses and no other one mentions."""
     unused = _left(configuration, list(_bound(configuration)), used.items())
     return _left(configuration, unused, others()) if unused else []
 
@@ -140,7 +139,6 @@ def _left(
 
 
 def _bound(configuration: Configuration) -> Iterator[_Bound]:
-    """Yield the bindings for all documents, then those for some."""
     yield from _of_table(None, configuration.root, configuration.common)
     for number, table in enumerate(configuration.documents):
         keys: KeyPath = (*configuration.root, "document", number)

@@ -83,7 +83,7 @@ def read_robots(paths: Sequence[str], choices: "Choices") -> ComparedRobots:
 
 
 def _labels(names: Sequence[str]) -> Sequence[str]:
-    """Return what sentences call two files: the ends of their paths that tell them apart."""
+    """Return names for two files in sentences: the ends of their paths that differ."""
     parts = [Path(name).parts for name in names]
     for n in range(1, max(map(len, parts))):
         ends = [str(Path(*each[-n:])) for each in parts]
@@ -93,7 +93,7 @@ def _labels(names: Sequence[str]) -> Sequence[str]:
 
 
 def _document(path: str, label: str, analysis: "Analysis") -> tuple[ComparedRobot, list[Failure]]:
-    """Return the robot of a document, and what is wrong with it where only a part can be read."""
+    """Return the robot of a document, and its defects if only a part can be read."""
     from kindsl.judgement.analysis.compared_document import compared_document
     from kindsl.robots.mechanism.errors import ModelError, UnboundParameterError
     from kindsl.robots.mechanism.reading import partial_linkage

@@ -66,7 +66,6 @@ def versions_of(path: str, commits: Commits) -> Texts:
 
 
 def _text_at(commit: str, place: str, path: str, folder: str) -> str | None:
-    """Return the text of a file, named from the repository's root, None if it does not exist."""
     listed = _git(path, folder, "git fails", "ls-tree", "-z", "--full-tree", commit, "--", place)
     if b" blob " not in listed:
         return None
@@ -75,7 +74,6 @@ def _text_at(commit: str, place: str, path: str, folder: str) -> str | None:
 
 
 def _former_name(place: str, commits: Commits, path: str, folder: str) -> str | None:
-    """Return the former name of a file that was renamed between two commits."""
     options = ("--name-status", "-z", "-M", "--diff-filter=R", "--no-relative", "--no-ext-diff")
     told = _git(path, folder, "git fails", "diff", *options, *commits, "--")
     # A status, the old name, the new one, and so on.

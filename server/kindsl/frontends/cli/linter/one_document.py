@@ -84,7 +84,6 @@ def _checked(task: Task, text: str) -> Checked:
 
 
 def _transforms(task: Task, text: str) -> LintedFile:
-    """Lint a transforms document by the robot beside it."""
     from kindsl.judgement.analysis.transforms_findings import transforms_findings
     from kindsl.judgement.config.robots import robot_beside
     from kindsl.language.syntax.transforms_text import read_transforms

@@ -101,7 +101,6 @@ def _prepared(
 def _unused(
     files: list[LintedFile], configurations: "dict[str, Configuration]", plan: LintPlan
 ) -> list[LintedFile]:
-    """Return the configuration files with their unused bindings."""
     named = any(found.has_bindings or found.twins for found in configurations.values())
     if STDIN in plan.paths or not named:
         return []

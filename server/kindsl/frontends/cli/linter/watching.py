@@ -60,7 +60,6 @@ def stamps(plan: LintPlan) -> dict[str, Stamp | None]:
 
 
 def _named_by(path: str) -> list[str]:
-    """Return the other files that a configuration file names."""
     try:
         configuration = read_configuration(path)
         return [baseline_path(configuration), *watched_files(configuration.twin_files)]

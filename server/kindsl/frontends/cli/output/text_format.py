@@ -37,7 +37,7 @@ def _told(findings: Sequence[Diagnostic], is_verbose: bool) -> list[list[Diagnos
 
 
 def _count(file: LintedFile, others: Sequence[Diagnostic], paint: Paint) -> Iterator[str]:
-    """Yield how many more findings are of the kind of one that was told, and where."""
+    """Yield how many more findings are of the same kind, and where."""
     if others:
         lines = list(dict.fromkeys(str(file.place(finding.start)[0]) for finding in others))
         dots = [f"… {lines[-1]}"] if len(lines) > _MOST_LINES else []
@@ -99,7 +99,6 @@ def _expanded(text: str) -> str:
 
 
 def _width(text: str) -> int:
-    """Return the width of a text on a terminal, in columns."""
     if text.isascii():
         return len(text) + text.count("\t") * (_TAB - 1)
     from unicodedata import combining, east_asian_width

@@ -66,7 +66,6 @@ def _wanted(
 
 
 def _is_wanted(kind: str, only: object) -> bool:
-    """Return whether a kind is one of those asked for, or below one."""
     if not isinstance(only, list | tuple):
         return True
     return any(f"{kind}.".startswith(f"{wanted}.") or not wanted for wanted in map(_text, only))
@@ -109,7 +108,7 @@ def _action(view: Sight, action: "CodeAction") -> types.CodeAction | None:
 def _other_file_edits(
     view: Sight, action: "CodeAction"
 ) -> tuple[Document, list[types.TextEdit]] | None:
-    """Return the edits of an action's other file; None if it is not as it was when it was read."""
+    """Return the edits of an action's other file; None if that has changed since it was read."""
     path = Path(action.other_file).absolute()
     try:
         content = path.read_bytes().decode("utf-8")

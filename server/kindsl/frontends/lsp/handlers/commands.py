@@ -77,7 +77,7 @@ async def difference(
 
 
 async def _of_document(session: Session, uri: object, handler: Callable[[View], Any]) -> Any:
-    """Ask a handler, in the worker, since commands may take long."""
+    """Ask a handler in the worker: commands may take long."""
     view = await view_of(session, uri)
     return await session.worker.run(lambda: handler(view))
 
@@ -95,7 +95,6 @@ async def view_of(session: Session, uri: object) -> View:
 
 
 async def _tell_address(session: Session, url: str) -> None:
-    """Let the editor open an address, or tell it to the user if it cannot."""
     if session.client.can("window.show_document.support"):
         shown = types.ShowDocumentParams(url, external=True)
         answer = await asked(session.editor.window_show_document_async(shown))

@@ -65,7 +65,7 @@ def resolve(session: Session, item: types.CompletionItem) -> Any:
 
 
 def _found(view: View, offset: int, context: types.CompletionContext | None) -> "Completions":
-    """Return all that may be typed to a user who asks, less to an editor that asks unasked."""
+    """Return everything that fits to a user who asks, less to an editor that asks by itself."""
     from kindsl.frontends.features.completion.completion import completions, narrowed, suggestions
 
     kind = _KIND.Invoked if context is None else context.trigger_kind

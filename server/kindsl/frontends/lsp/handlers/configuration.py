@@ -137,7 +137,7 @@ def _is_configuration(uri: str) -> bool:
 
 
 def _registrations(client: Client) -> Iterator[types.Registration]:
-    """Yield what a client is asked to tell of, as far as it can be asked."""
+    """Yield the notifications to ask a client for, as far as it can be asked."""
     if client.can("workspace.did_change_watched_files.dynamic_registration"):
         watchers = [types.FileSystemWatcher(pattern) for pattern in _WATCHED]
         options = types.DidChangeWatchedFilesRegistrationOptions(watchers)
@@ -150,5 +150,5 @@ def _registrations(client: Client) -> Iterator[types.Registration]:
 
 
 def _root(params: types.InitializeParams) -> list[types.WorkspaceFolder]:
-    """Return the one folder of a client that knows no others."""
+    """Return the one folder of a client that does not know workspace folders."""
     return [types.WorkspaceFolder(params.root_uri, "")] if params.root_uri else []

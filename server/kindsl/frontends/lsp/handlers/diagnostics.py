@@ -87,7 +87,6 @@ async def pull_all(session: Session, params: types.WorkspaceDiagnosticParams) ->
 async def _workspace_reports(
     session: Session, params: types.WorkspaceDiagnosticParams
 ) -> AsyncIterator[Report]:
-    """Yield what is wrong with each robot, then with those that are no more."""
     known = {uris.key(each.uri): each.value for each in params.previous_result_ids}
     listed = set()
     async with Progress(session, "Checking robots", params.work_done_token) as progress:
@@ -104,7 +103,6 @@ async def _workspace_reports(
 
 
 def _gone_report(previous: types.PreviousResultId) -> Report:
-    """Return that nothing is wrong any more with a document that is no more."""
     told = {"uri": previous.uri, "version": None, "resultId": _GONE}
     if previous.value == _GONE:
         return {**told, "kind": "unchanged"}
@@ -123,7 +121,7 @@ async def _workspace_report(session: Session, uri: str, known: dict[str, str]) -
 
 
 async def _report(session: Session, document: Document) -> "_Report":
-    """Return what is wrong with a document; of a file that is not open only this is kept."""
+    """Return the findings of a document; of a closed file only this report is kept."""
     version = await session.analyses.version(document)
     settings = version.settings
     report = document.facts.get(_REPORT)
@@ -146,7 +144,7 @@ async def _report(session: Session, document: Document) -> "_Report":
 def _checked(
     uri: str, text: str, encoding: str, settings: "Settings", parts: DiagnosticParts
 ) -> tuple[list[dict[str, Any]], list[str]]:
-    """Return what is wrong with a text, as it is sent, and what is to be logged."""
+    """Return the findings of a text as they are sent, and messages for the log."""
     from kindsl.judgement.analysis.analysis import Analysis
 
     closed = document_of(uri, None, text, encoding)

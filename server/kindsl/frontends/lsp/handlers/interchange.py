@@ -97,7 +97,7 @@ def _document(name: PurePath, text: str) -> tuple[str, tuple[str, ...]]:
 
 
 def _range(session: Session, at: object) -> types.Range | None:
-    """Return what is in the form of a range, None for anything else."""
+    """Return a range in the protocol's form as a range, None for anything else."""
     try:
         return session.editor.protocol.structured(cast("dict[str, object]", at), types.Range)
     except (TypeError, KeyError, ValueError, ExceptionGroup):

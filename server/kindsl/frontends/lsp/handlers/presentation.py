@@ -84,7 +84,7 @@ def _hint(view: View, hint: "InlayHint") -> types.InlayHint:
 
 
 def _command(view: View, lens: "CodeLens") -> types.Command:
-    """Return what a lens does when clicked; nothing, where a client must do it and cannot."""
+    """Return the action of a lens; none where the client would have to do it and cannot."""
     uri = view.document.uri
     if lens.kind == "preview":
         return types.Command(lens.title, "kindsl.preview", arguments=[uri])

@@ -45,7 +45,6 @@ def rename(view: View, params: types.RenameParams) -> types.WorkspaceEdit | None
 def _transforms_edits(
     view: View, params: types.RenameParams
 ) -> list[tuple[Document, list[types.TextEdit]]]:
-    """Return the edits of the transforms document of the same name, if there is one."""
     from kindsl.frontends.features.transforms import renamed_transforms
 
     path = uris.path(view.document.uri)

@@ -81,7 +81,6 @@ async def workspace_symbols(
 
 
 def _found_in(robot: Document, symbol: "WorkspaceSymbol") -> dict[str, Any]:
-    """Return a symbol in the protocol's form."""
     return {
         "name": symbol.name,
         "kind": _KINDS[symbol.kind].value,

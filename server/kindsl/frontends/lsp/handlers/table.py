@@ -90,8 +90,6 @@ class Handlers:
 def _by_kind(
     session: Session, of_robot: Callable[..., Any], of_transforms: Callable[..., Any]
 ) -> Callable[..., Any]:
-    """Return what asks one handler or the other, by what the document is."""
-
     async def ask(document: Document, params: Any) -> Any:
         return of_transforms(await transforms_view(session, document), params)
 

@@ -88,7 +88,6 @@ class Version(NamedTuple):
 
     @property
     def _jobs(self) -> "dict[str, _SharedJob[Any]]":
-        """What has been asked of this version; other settings start anew."""
         return self.document.facts.made_of(_JOBS, self.settings, dict)
 
     def _made(self) -> "Analysis":
@@ -111,7 +110,6 @@ class Version(NamedTuple):
         return findings
 
     async def _shared(self, name: str, work: Callable[[], T], urgency: Urgency) -> T:
-        """Await a job that others may wait for, too."""
         jobs = self._jobs
         job = jobs.get(name)
         if job is None:

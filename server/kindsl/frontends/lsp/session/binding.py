@@ -107,7 +107,6 @@ async def request_edits(
 
 
 def _place(state: State, shown: Document) -> tuple[Document, bool] | None:
-    """Return the configuration file of a document, and whether it is to be made."""
     file = state.workspace.configuration_file(shown)
     if file is not None:
         found = state.documents.get(uris.uri(file))

@@ -72,7 +72,7 @@ def _key(finding: "Diagnostic") -> _Key:
 
 
 def _line_of_edit(document: Document) -> int | None:
-    """Return the line that the last edit is all in, None without one."""
+    """Return the line that contains the whole last edit, None if none does."""
     if document.touched is None:
         return None
     first, last = map(document.lines.line, document.touched)

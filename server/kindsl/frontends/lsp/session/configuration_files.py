@@ -169,7 +169,6 @@ def _document_links(document: Document) -> Iterator[types.DocumentLink]:
 
 
 async def _unused_bindings(state: State, document: Document) -> "list[Diagnostic]":
-    """Return what a configuration file, as it is in the editor, binds in vain."""
     file = uris.path(document.uri)
     if file is None:
         return []
@@ -199,7 +198,6 @@ async def _unused_bindings(state: State, document: Document) -> "list[Diagnostic
 
 
 async def _names_in_open(state: State, folder: Path) -> "dict[str, Names]":
-    """Return the names in the robots below a folder that the editor shows, by path."""
     found = {}
     for robot in state.documents:
         path = uris.path(robot.uri)

@@ -136,7 +136,7 @@ class HelperProcess:
             threading.Thread(target=work, name="kindsl-helper", daemon=True).start()
 
     def _read(self, loop: asyncio.AbstractEventLoop, process: "subprocess.Popen[bytes]") -> None:
-        """Hand on what is answered until the process, or the event loop, has ended."""
+        """Pass answers on until the process, or the event loop, has ended."""
         with contextlib.suppress(RuntimeError), cast(IO[bytes], process.stdout) as answers:
             try:
                 while True:
@@ -154,7 +154,6 @@ class HelperProcess:
                 answer.set_exception(result)
 
     def _lose(self, process: "subprocess.Popen[bytes]", status: int) -> None:
-        """Let all that wait try again: the process has ended."""
         if self._process is process:
             self._process = None
             self._requests.put(None)
@@ -170,7 +169,7 @@ class _LostError(Exception):
 
 
 def _write(requests: "queue.SimpleQueue[bytes | None]", pipe: IO[bytes]) -> None:
-    """Hand on what is asked until nothing more will be, or the process has ended."""
+    """Pass requests on until there are no more, or the process has ended."""
     with contextlib.suppress(OSError), pipe:
         while (request := requests.get()) is not None:
             pipe.write(request)

@@ -110,7 +110,7 @@ class Previews:
         self._follow(_Version(document, findings))
 
     def _follow(self, version: _Version) -> None:
-        """Show a version of a document that is shown, unless a newer one comes first."""
+        """Show a version of a document that has a page, unless a newer one comes first."""
         key = uris.key(version.document.uri)
         if self._preview is None or self._preview.at(key) is None:
             return
@@ -120,7 +120,6 @@ class Previews:
             start_task(self._draw(self._preview, key))
 
     async def _draw(self, preview: "DocumentPreviews", key: str) -> None:
-        """Show the newest version until it is shown, with a pause after each."""
         try:
             while (version := self._newest.pop(key, None)) is not None:
                 start = time.monotonic()
@@ -136,7 +135,7 @@ class Previews:
         await preview.show(uris.key(document.uri), analysis, findings, uris.basename(document.uri))
 
     async def _judge(self, uri: str) -> None:
-        """List what is wrong with a document that is shown for the first time."""
+        """List the findings of a document that is shown for the first time."""
         document = self._state.documents.get(uri)
         if document is not None:
             version = await self._state.analyses.version(document)
@@ -209,6 +208,5 @@ class Previews:
         return made, parameter_table(wanted.values), "Give parameters values"
 
     def _highlight(self, uri: str, kind: str, name: str) -> None:
-        """Light up what the cursor is on; from any thread."""
         if (shown := self._shown(uri)) is not None:
             self._state.loop.call_soon_threadsafe(shown.highlight, kind, name)

@@ -64,7 +64,6 @@ class Progress:
         self._send(types.WorkDoneProgressEnd())
 
     async def _begin(self) -> None:
-        """Ask the client for its consent to a token, then begin."""
         self._may_begin = False
         token = str(uuid.uuid4())
         params = types.WorkDoneProgressCreateParams(token)

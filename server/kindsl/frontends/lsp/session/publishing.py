@@ -114,12 +114,10 @@ class Publisher:
         return await version.findings_without_twins(Urgency.DIAGNOSTICS)
 
     async def _tell_again(self, version: Version, findings: "tuple[Diagnostic, ...]") -> None:
-        """Send more of a version, also to a client that has pulled already."""
         await self._tell(version, findings)
         self._ask_to_pull(version.document)
 
     async def _tell(self, version: Version, findings: "tuple[Diagnostic, ...]") -> None:
-        """Send the findings of a version to the client and all listeners, if it is still shown."""
         document = version.document
         shown = await self._encoded(document, findings)
         if self._state.documents.is_current(document):
@@ -148,14 +146,12 @@ class Publisher:
         return await self._state.worker.run(encoded, Urgency.DIAGNOSTICS)
 
     async def _publish_companion(self, document: Document) -> None:
-        """Publish what is wrong with a companion of robots as it is in the editor."""
         shown = await companion_diagnostics(self._state, document)
         is_pulled = uris.key(document.uri) in self._pulled
         if self._state.documents.is_current(document) and not is_pulled:
             self._publish(document.uri, document.version, shown)
 
     def _check_companions(self, document: Document, analysis: "Analysis") -> None:
-        """Check open companions again if names in a robot have changed."""
         companions = [other for other in self._state.documents if not other.is_robot]
         if not companions:
             return

@@ -73,13 +73,13 @@ class Session(State):
         return await self.worker.run(lambda: self._encoded(ask))
 
     async def _judged(self, handler: Handler, document: Document | None, params: Any) -> Any:
-        """Answer once it is known what is wrong; until then the question holds up nothing."""
+        """Answer once the findings are known; until then the question holds up nothing."""
         if document is not None and document.is_robot:
             await self.analyses.findings(document)
         return await self._answer(handler, document, params, self._read)
 
     def _encoded(self, ask: Callable[[], Any]) -> Encoded:
-        """Answer in the worker, as long as somebody waits for it."""
+        """Answer in the worker as long as somebody waits."""
         result = ask()
         self.worker.checkpoint()
         return self.editor.protocol.encoded(result)

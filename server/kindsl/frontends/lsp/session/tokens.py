@@ -35,7 +35,7 @@ class TokenMemory:
 
 
 def _difference(old: bytes, new: bytes) -> list[dict[str, Any]]:
-    """Return the one edit between what two rows of numbers have in common at either end."""
+    """Return the one edit between the common beginning and the common end of two rows."""
     size = array("I").itemsize
     shorter = min(len(old), len(new)) // size
     prefix = _common(shorter, lambda n: old[: n * size] == new[: n * size])
@@ -51,5 +51,4 @@ def _difference(old: bytes, new: bytes) -> list[dict[str, Any]]:
 
 
 def _common(most: int, is_common: Callable[[int], bool]) -> int:
-    """Return the greatest number up to `most` of which it is true, as of all below it."""
     return bisect_left(range(1, most + 1), True, key=lambda n: not is_common(n))

@@ -167,7 +167,7 @@ class _Project:
         return any(stamp(path) != known for path, known in self._stamps.items())
 
     def _watched(self, twin: "TwinFile") -> "TwinFile":
-        """Return a twin that is another one after each change of its files."""
+        """Return a twin that differs from itself after each change of its files."""
         from kindsl.judgement.analysis.twins import watched_files
 
         files = list(watched_files([twin]))

@@ -95,7 +95,6 @@ class Lines:
         return units
 
     def _line_and_start(self, offset: int) -> tuple[int, int]:
-        """Return the number of the line that an offset is in, and where that begins."""
         row = self.row
         number = row.piece_at(offset)
         starts, origin = _starts(row.pieces[number]), row.lengths[number]
@@ -142,7 +141,7 @@ def column(text: str, units: int, encoding: str) -> int:
 
 
 def _place(lines: Lines, change: ContentChange, encoding: str) -> tuple[int, int]:
-    """Return what a change replaces; the places of a range may come in either order."""
+    """Return the span that a change replaces; the ends of a range may come in either order."""
     if isinstance(change, types.TextDocumentContentChangeWholeDocument):
         return 0, lines.length
     ends = change.range.start, change.range.end

@@ -150,7 +150,6 @@ class Row:
         return row
 
     def _put(self, first: int, last: int, pieces: Sequence[Piece]) -> None:
-        """Put pieces for those from `first` to `last`, exclusive."""
         self._n_wide += sum(map(_is_wide, pieces)) - sum(map(_is_wide, self.pieces[first:last]))
         self.pieces[first:last] = pieces
         self.lengths.replace(first, last, [len(piece.text) for piece in pieces])
@@ -207,7 +206,7 @@ def n_same(limit: int, are_same: Callable[[int, int], bool]) -> int:
 
 
 def _edit(pieces: Sequence[Piece], start: int, new: str) -> Iterator[TextEdit]:
-    """Yield the least edit that puts a text for some pieces, if they are not that text."""
+    """Yield the smallest edit that replaces the text of some pieces, if it changes."""
     old = "".join([piece.text for piece in pieces])
     if old == new:
         return

@@ -65,7 +65,7 @@ class _Frames:
                 has_begun = False
 
     async def _line(self) -> bytes:
-        """Return a line of a header without its end; of one that is too long, a part."""
+        """Return a line of a header without its end, or a part of one that is too long."""
         try:
             line = await self._reader.readuntil(b"\n")
         except asyncio.LimitOverrunError as error:
@@ -77,7 +77,7 @@ class _Frames:
 
 
 def _length(line: bytes) -> int | None:
-    """Return the length that a line of a header tells, None if it tells none."""
+    """Return the length in a line of a header, None if there is none."""
     found = _CONTENT_LENGTH.search(line)
     if found is None:
         return None

@@ -92,14 +92,13 @@ class KindslProtocol(LanguageServerProtocol):
             )
 
     def _refuse_id(self, data: dict[str, Any]) -> None:
-        """Refuse a request whose answer could not name it; an answer is not answered."""
+        """Refuse a request with an id that no answer can carry; an answer is not answered."""
         if "method" in data:
             self._refuse(None, JsonRpcInvalidRequest("the request's id is not a number or string"))
         else:
             logger.warning("an answer without a matching request was ignored")
 
     def _receive_call(self, data: dict[str, Any]) -> None:
-        """Check a request or notification and hand it to its handler."""
         method = data["method"]
         try:
             self._check_life_cycle(method)
@@ -135,7 +134,6 @@ class KindslProtocol(LanguageServerProtocol):
             raise JsonRpcInvalidParams(f"invalid {data['method']}: {reason}") from None
 
     def _receive_response(self, data: dict[str, Any]) -> None:
-        """Hand the client's answer to whoever asked."""
         try:
             message = super().structure_message(data)
         except JsonRpcException as error:
@@ -290,14 +288,12 @@ class KindslProtocol(LanguageServerProtocol):
 
 
 def _is_id(value: object) -> bool:
-    """Return whether a value can name a request: a string or a number that JSON knows."""
     if isinstance(value, float):
         return math.isfinite(value)
     return isinstance(value, str | int) and not isinstance(value, bool)
 
 
 def _sentence(error: BaseException) -> str:
-    """The first line of what an exception says, or its kind."""
     lines = str(error).splitlines()
     return lines[0] if lines else type(error).__name__
 

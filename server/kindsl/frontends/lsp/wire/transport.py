@@ -111,7 +111,6 @@ def _can_be_watched(descriptor: int) -> bool:
 
 
 def _feed(descriptor: int, reader: asyncio.StreamReader, loop: asyncio.AbstractEventLoop) -> None:
-    """Carry blocking reads to the event loop."""
     with contextlib.suppress(RuntimeError):  # the loop has ended
         while chunk := os.read(descriptor, _READ):
             loop.call_soon_threadsafe(reader.feed_data, chunk)
