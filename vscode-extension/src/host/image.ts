@@ -2,12 +2,16 @@
 import * as fs from "node:fs";
 import Module, { createRequire } from "node:module";
 import * as path from "node:path";
-import { gunzipSync } from "node:zlib";
+import { promisify } from "node:util";
+import { gunzip } from "node:zlib";
 import type { LoadPyodide, Pyodide } from "./pyodide";
 
 /** The record behind all else in an archive without a comment. */
 const ARCHIVE_END = "PK\x05\x06";
 const ARCHIVE_END_SIZE = 22; // bytes
+
+/** As large as the image gets; it may be larger. */
+const IMAGE_SIZE = 48 << 20; // bytes
 
 /** What else leads out of Python; a refusal further down would end it as a whole. */
 const SEAL = `
@@ -18,20 +22,28 @@ for name in [name for name in sys.modules if name.startswith("pyodide_js")]:
 
 /** Load the memory image of a folder, which was made with the Pyodide in it. */
 export async function loadImage(base: string): Promise<Pyodide> {
-  const { loadPyodide } = createRequire(path.join(base, "host.js"))("./pyodide.js") as { loadPyodide: LoadPyodide };
+  const image = wholeImage(path.join(base, "server.snap.gz"));
+  image.catch(() => undefined); // who waits for it hears of it
+  const require = createRequire(path.join(base, "host.js"));
+  const { loadPyodide } = require("./pyodide.js") as { loadPyodide: LoadPyodide };
+  require("./pyodide.asm.js"); // which Pyodide would import, and Node parse three times to tell its kind
   const site = wholeArchive(path.join(base, "site.zip"));
   wholeArchive(path.join(base, "python_stdlib.zip")); // which Pyodide reads
-  const image = gunzipSync(fs.readFileSync(path.join(base, "server.snap.gz")));
   const broken = brokenInstance();
   const loading = loadPyodide({
     indexURL: base + path.sep,
     jsglobals: Object.freeze(Object.create(null)) as object,
-    _loadSnapshot: new Uint8Array(image.buffer, image.byteOffset, image.length),
+    _loadSnapshot: image,
   });
   const py = await Promise.race([loading, broken]);
   py.FS.writeFile("/lib/site.zip", site);
   seal(py);
   return py;
+}
+
+/** Unpack the memory image at once, in a thread of its own. */
+function wholeImage(file: string): Promise<Uint8Array> {
+  return promisify(gunzip)(fs.readFileSync(file), { chunkSize: IMAGE_SIZE });
 }
 
 /** Read an archive; of one that was cut short, Python would miss modules one by one. */

@@ -43,5 +43,5 @@ export interface Pyodide {
 export type LoadPyodide = (options: {
   readonly indexURL: string;
   readonly jsglobals: object;
-  readonly _loadSnapshot: Uint8Array;
+  readonly _loadSnapshot: Promise<Uint8Array>;
 }) => Promise<Pyodide>;
