@@ -26,7 +26,7 @@ T = TypeVar("T")
 logger = logging.getLogger(__name__)
 
 # Of nineteen steps of priority: answers to a typist go first on a machine that is busy.
-_LESS_URGENT = 10
+_LESS_URGENT = 5
 
 
 class Helper(Protocol):
