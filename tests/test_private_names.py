@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 TESTS = Path(__file__).parent
-MOST = 80
+MOST = 60
 # NamedTuple's and IPython's protocols.
 PUBLIC = {"_replace", "_asdict", "_fields", "_make", "_repr_html_"}
 OWN = {"self", "cls", "os"}
