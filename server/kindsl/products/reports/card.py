@@ -48,7 +48,7 @@ def card_page(analysis: Analysis, pose: str | None = None) -> Page:
 
 
 def shown_skeleton(analysis: Analysis) -> Linkage | None:
-    """Return what there is to draw of a document, None if there is nothing."""
+    """Return the drawable bodies of a document, None if there are none."""
     return picture(analysis.model, dict(analysis.context.values), None).skeleton
 
 
@@ -126,7 +126,7 @@ def _masses(skeleton: Linkage, facts: dict[str, Any], analysis: Analysis) -> Ite
 
 
 def _shape(analysis: Analysis, name: str) -> str:
-    """Return what is doubtful about a body in a word or two, a dash where nothing is."""
+    """Return the doubts about a body in a word or two, or a dash."""
     body = analysis.model.body_named[name]
     doubts = shape_verdicts(body, analysis.model.tree.joints_on(body), analysis.context)
     return ", ".join(doubt.kind for doubt in doubts) or "-"
@@ -164,7 +164,6 @@ def _parameters(facts: dict[str, Any]) -> Iterator[Block]:
 
 
 def _transforms(analysis: Analysis) -> Iterator[Block]:
-    """Yield each joint's transform with all parameters in it."""
     matrices = []
     for edge in analysis.model.tree.edges:
         if edge.joint is None:

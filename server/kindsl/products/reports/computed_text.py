@@ -40,7 +40,6 @@ def _parts(results: Results) -> Iterator[str]:
 
 
 def _joints(results: Results, k: int) -> str:
-    """Return positions, velocities and forces of the joints."""
     bodies, found, inputs = results.mechanism.bodies, results.quantities, results.inputs
     first = bodies.n_velocities - bodies.n_links
     columns = [inputs["q"][k], inputs["qd"][k]]

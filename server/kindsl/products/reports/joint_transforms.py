@@ -136,7 +136,6 @@ def _product(factor: _Factor) -> str:
 
 
 def _joined(terms: Sequence[str]) -> str:
-    """Return a sum of terms, which may begin with a sign."""
     return " + ".join(terms).replace("+ -", "- ") or "0"
 
 

@@ -81,7 +81,6 @@ def _arm(entry: Entry, sign: int) -> str:
 
 
 def _about_com(numbers: Numbers, sign: int) -> Tensor:
-    """Return the tensor at the CoM, with the products as printed."""
     if numbers.about_com is not None:
         return {entry: numbers.about_com[entry].bounds for entry in PAIRS}
     assert numbers.about_origin is not None

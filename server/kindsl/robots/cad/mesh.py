@@ -104,7 +104,7 @@ def _points(numbers: Sequence[int]) -> list[Point]:
 
 
 def _open_edges(triangles: Iterable[Triangle]) -> list[tuple[Point, Point]]:
-    """Return the edges that have not as many triangles on one side as on the other."""
+    """Return the edges with unequal numbers of triangles on both sides."""
     edges: Counter[tuple[Point, Point]] = Counter()
     for a, b, c in triangles:
         for start, end in ((a, b), (b, c), (c, a)):
@@ -116,7 +116,6 @@ def _open_edges(triangles: Iterable[Triangle]) -> list[tuple[Point, Point]]:
 
 
 def _check_closed(open_edges: Sequence[tuple[Point, Point]], unit: Fraction) -> None:
-    """Raise ShapeError with the place of the first edge, if there is one."""
     if open_edges:
         ends = " to ".join(_place(point, unit) for point in open_edges[0])
         count = f"{len(open_edges)} edges have" if len(open_edges) > 1 else "an edge has"

@@ -100,7 +100,6 @@ def decimal_text(value: Fraction) -> str:
 
 
 def _power_of_ten(factor: Fraction) -> int | None:
-    """Return which power of ten a factor is, None where it is none."""
     whole = max(factor.numerator, factor.denominator)
     power = len(str(whole)) - 1
     if min(factor.numerator, factor.denominator) != 1 or whole != 10**power:

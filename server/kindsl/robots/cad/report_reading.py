@@ -155,7 +155,7 @@ class _ReportReader:
             self.section = ""
 
     def _first(self, line: str, match: re.Match[str], dimension: Dimension) -> Quantity | None:
-        """Return the first number behind a word, its unit behind it or in the remark between."""
+        """Return the first number after a word, with the unit after or before it."""
         for start, end, number in self.style.numbers(line):
             if start >= match.end():
                 remark = _last_unit(match["remark"], dimension)
@@ -302,7 +302,7 @@ def _end_of_heading(line: str) -> int:
 
 
 def _factor(text: str, dimension: Dimension) -> Fraction | None:
-    """Return the factor of a unit that a text begins with, of a label or sign behind it."""
+    """Return the factor of the unit at the start of a text."""
     words = re.split(r"[,;=:]|\b[LIJPXYZ][oc]?[xyz123]{0,2}\b", text, maxsplit=1)[0]
     words = words.strip(" ()[].\xa0")
     while words:
@@ -314,7 +314,7 @@ def _factor(text: str, dimension: Dimension) -> Fraction | None:
 
 
 def _last_unit(heading: str, dimension: Dimension) -> str:
-    """Return the unit that a heading names in brackets or at its end, empty without one."""
+    """Return the unit in a heading, in brackets or at its end, or ""."""
     texts = [match[1] for match in _BRACKETED.finditer(heading)][::-1]
     tail = re.split(r"[:,=]| in ", heading.rstrip(" :"))[-1]
     for text in (*texts, tail):

@@ -127,7 +127,6 @@ def _check(
 
 
 def _geometry(kind: Kind, sizes: Sequence[Fraction]) -> tuple[Fraction, Moments]:
-    """Return a shape's volume and its principal moments per mass."""
     if kind is BOX:
         return _box(*sizes)
     if kind is CYLINDER:
@@ -150,7 +149,7 @@ def _hollow_cylinder(
 
 
 def _capsule(radius: Fraction, length: Fraction) -> tuple[Fraction, Moments]:
-    """Return those of a cylinder with half a ball at each end, a ball if it has no length."""
+    """Return volume and moments of a cylinder between half balls; a ball if its length is zero."""
     rod, balls = radius * radius * length, radius**3 * 4 / 3
     share = rod / (rod + balls)
     ball = radius * radius * 2 / 5

@@ -44,7 +44,7 @@ def mass_properties(text: str) -> MassProperties:
 
 
 def _of_latin_1(text: str) -> str:
-    """Return a text with what is no UTF-8 in it read as Latin-1: old programs write squares so."""
+    """Return a text with bytes that are not UTF-8 read as Latin-1, as old programs write them."""
     return "".join(chr(ord(c) - 0xDC00) if "\udc80" <= c <= "\udcff" else c for c in text)
 
 
@@ -161,7 +161,7 @@ def _is_same(one: Quantity, other: Quantity) -> bool:
 
 
 def _evened(group: list[Quantity]) -> tuple[Quantity, ...]:
-    """Return numbers whose bare zeros are as exact as the finest of them."""
+    """Return numbers with bare zeros as precise as the most precise one."""
     finest = min(one.half for one in group)
     return tuple(one if one.printed else one._replace(half=min(one.half, finest)) for one in group)
 
@@ -187,7 +187,7 @@ def _check_digits(report: Report, numbers: Numbers) -> None:
 
 
 def _reasons_of_both(reasons: dict[int, list[str]]) -> list[str]:
-    """Return the reasons that hold for both signs, else those of the sign that has fewer."""
+    """Return the reasons shared by both signs, or else the shorter list."""
     both = [reason for reason in reasons[1] if reason in reasons[-1]]
     return both or min(reasons[1], reasons[-1], key=len)
 

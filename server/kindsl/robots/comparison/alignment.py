@@ -71,7 +71,7 @@ class _BodyPair(NamedTuple):
 
 
 def base_frames(ours: Linkage, theirs: Linkage) -> list[RigidPose]:
-    """Return where the other's base may be in ours, before it is known which joint is which."""
+    """Return candidates for the other's base in ours before joints are matched."""
     one, other = (Features((), _whole(skeleton)) for skeleton in (ours, theirs))
     return [IDENTITY, *_candidates(one, other)]
 
@@ -79,7 +79,7 @@ def base_frames(ours: Linkage, theirs: Linkage) -> list[RigidPose]:
 def likely_base_frames(
     ours: Linkage, theirs: Linkage, matching: MatchedJoints
 ) -> Iterator[RigidPose]:
-    """Yield where the other's base may be in ours, the best first; our own is one of them."""
+    """Yield candidates for the other's base in ours, the best first; ours is among them."""
     root = _root_pair(ours, theirs, matching, size_of(ours))
     is_likely = _agreement(root, IDENTITY) >= _LIKELY * _agreement(root, IDENTITY, root.ours)
     if is_likely:
@@ -201,7 +201,7 @@ def _pair(
 
 
 def _candidates(ours: Features, theirs: Features) -> Iterator[RigidPose]:
-    """Yield where the other frame may be in ours, from frames that features of both define."""
+    """Yield candidates for the other frame in ours, by frames that both features define."""
     for frame, other in zip(frames_of(ours), frames_of(theirs), strict=True):
         if frame is not None and other is not None:
             back = other.inverse()
@@ -232,7 +232,7 @@ def _n_apart(pair: _BodyPair, frame: RigidPose) -> int:
 
 
 def _on_axis(frame: RigidPose, slides: bool) -> RigidPose:
-    """Return the nearest frame whose z axis is on ours, one way or the other."""
+    """Return the nearest frame whose z axis is ours, either way round."""
     x, y, z = (row[2] for row in frame.rotation)
     side = -1.0 if z < 0.0 else 1.0
     turn = transposed(rotation_from_z((side * x, side * y, side * z)))

@@ -1,4 +1,4 @@
-"""Differences of two robots without any meaning for the mechanics, one sentence each."""
+"""Differences of two robots that do not affect the mechanics, one sentence each."""
 
 from collections.abc import Iterator, Sequence
 from math import degrees, hypot
@@ -35,7 +35,7 @@ def conventions(pair: Pair) -> Iterator[str]:
 
 
 def _own_frames(side: Described) -> set[str]:
-    """Return the frames that are not their link's: nothing else than links is called so."""
+    """Return the frames that do not coincide with their link's."""
     return {frame.name for frame in side.skeleton.frames if _is_elsewhere(frame.pose)}
 
 
@@ -87,7 +87,7 @@ def rounded_numbers(label: str, rounded: Sequence[NumberDifference]) -> Iterator
 
 
 def _limits(pair: Pair) -> Iterator[str]:
-    """Yield the limits that both have and that differ; the first few."""
+    """Yield the first few differing limits."""
     found = list(_different_limits(pair))
     yield from found[:_SHOWN]
     if found[_SHOWN:]:

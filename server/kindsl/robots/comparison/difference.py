@@ -215,7 +215,6 @@ def _tensor_change(old: Iterable[float], new: Iterable[float]) -> float:
 
 
 def _norm(tensor: list[float]) -> float:
-    """Return the root of the sum of the squares of all nine entries."""
     return hypot(*tensor, *tensor[3:])
 
 

@@ -54,7 +54,7 @@ class _ViewAtZero(NamedTuple):
 def matching_frames(
     ours: Linkage, theirs: Linkage
 ) -> Iterator[tuple[AttachedFrame, AttachedFrame]]:
-    """Yield the frames that have one name, as far as a document can write it."""
+    """Yield the frames whose names are equal as a document would write them."""
     its = {writable(frame.name): frame for frame in theirs.frames}
     for frame in ours.frames:
         if other := its.get(writable(frame.name)):
@@ -96,7 +96,7 @@ def matched(
     named: Mapping[str, str],
     frames: Callable[[], Iterable[RigidPose]],
 ) -> MatchedJoints:
-    """Return the matching that leaves the fewest joints alone; names win over shapes.
+    """Return the matching with the fewest unmatched joints; names win over shapes.
 
     Args:
         ours: A robot.
@@ -117,7 +117,7 @@ def matched(
 
 
 def _same_names(ours: Linkage, theirs: Linkage) -> dict[str, str]:
-    """Return the joints of one name: the same, or the same as far as a document can write it."""
+    """Return the joints whose names are equal, or equal once written in a document."""
     written = {writable(name): name for name in theirs.joint_names}
     pairs = {name: written.get(writable(name)) for name in ours.joint_names}
     exact = {name: name for name in ours.joint_names if name in theirs.joint_names}

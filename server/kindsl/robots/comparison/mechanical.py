@@ -190,7 +190,6 @@ def _aligned(
 
 
 def _under(pair: Pair, bounds: Tolerances) -> MechanicalComparison:
-    """Compare under an alignment."""
     matching, alignment = pair.matching, pair.alignment
     structure = tuple(_structure(pair))
     if not _is_one_robot(pair):

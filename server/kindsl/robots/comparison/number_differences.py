@@ -337,7 +337,7 @@ def _slack(
     form: _Form,
     bounds: Tolerances,
 ) -> list[float]:
-    """Return how far the values may be off by the rounding of another form, to first order."""
+    """Return the effect of another form's rounding on the values, to first order."""
     slack = [0.0] * len(wanted)
     for k, (value, step) in enumerate(zip(form.values, _own_slacks(form, bounds), strict=True)):
         if step:
@@ -369,7 +369,7 @@ def _scales_of_pose(bounds: Tolerances) -> tuple[float, ...]:
 def _scales_of_inertia(
     parts: Sequence[MassDistribution], part: WrittenInertia, size: float
 ) -> tuple[float, ...]:
-    """Return the size of what the numbers were computed from."""
+    """Return the magnitudes that the numbers were computed from."""
     mass = sum(abs(each.mass) for each in parts)
     reach = max(hypot(*each.com) for each in parts) + hypot(*part.body_T_frame.translation)
     moments = sum(max(map(abs, each.moments)) for each in parts) + mass * reach * reach
@@ -386,7 +386,7 @@ def _shorter(kind: str, ours: _WantedNumbers, theirs: _WantedNumbers) -> list[Nu
 
 
 def _n_round(wanted: _WantedNumbers, others: _WantedNumbers) -> int:
-    """Return how many round angles would change, where the other file would change others."""
+    """Return how many round angles would change."""
     form, unlike = wanted.form, wanted.unlike
     if isinstance(form, WrittenInertia) or unlike == others.unlike:
         return 0
@@ -434,7 +434,7 @@ def _changes(wanted: _WantedNumbers, indices: Sequence[int]) -> tuple[NumberChan
 
 
 def _reversed(found: NumberDifference) -> NumberDifference:
-    """Return a difference that was found as the other file's, as ours."""
+    """Return a difference with both sides swapped."""
     return found._replace(
         owner=found.other,
         other=found.owner,

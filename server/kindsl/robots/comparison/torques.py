@@ -79,7 +79,6 @@ def _states(skeleton: Linkage) -> _States:
 
 
 def _forces(skeleton: Linkage, states: _States) -> tuple[Array, Array]:
-    """Return inertia matrices and bias forces."""
     mechanics = Mechanics(bodies_of(skeleton), generates_code=False)
     return mechanics.joint_space_inertia(states.q), mechanics.bias_torque(states.q, states.qd)
 
@@ -140,7 +139,7 @@ def _carried(ours: Described, theirs: Described, found: MechanicalComparison) ->
 
 
 def _gap(one: tuple[Array, Array], other: tuple[Array, Array]) -> float:
-    """Return the greatest difference, beside the greatest entry."""
+    """Return the greatest difference relative to the greatest entry."""
     pairs = zip(one, other, strict=True)
     return float(max(np.abs(a - b).max() / max(np.abs(a).max(), _TINY) for a, b in pairs))
 
@@ -148,7 +147,7 @@ def _gap(one: tuple[Array, Array], other: tuple[Array, Array]) -> float:
 def _effect(
     ours: Described, theirs: Described, found: MechanicalComparison, number: NumberDifference
 ) -> float:
-    """Return the greatest change of a force, the base's too, if this number changed alone."""
+    """Return the greatest change of a torque or force by this number alone."""
     its = found.matching.theirs[number.body]
     if number.quantity in INERTIA and not (ours.inertias[number.body] and theirs.inertias[its]):
         # The whole inertia is another.

@@ -21,7 +21,7 @@ _Z = (0.0, 0.0, 1.0)
 
 
 def axis_differences(pair: Pair, body: int) -> Iterator[tuple[NumberDifference, RigidPose]]:
-    """Yield a joint's other axis, and the turn from the other's joint frame to ours.
+    """Yield a joint's differing axis, with the turn from the other's joint frame to ours.
 
     The bodies are taken where they are aligned, then where they are if zeros are the same, too.
     """
@@ -101,6 +101,6 @@ def _part(part: WrittenInertia, back: RigidPose) -> WrittenInertia:
 
 
 def _turn(axis: Vector3) -> RigidPose:
-    """Return the frame whose z is along an axis, one way or the other: a sign is a convention."""
+    """Return the frame whose z is along an axis, either way: a sign is a convention."""
     x, y, z = axis
     return RigidPose(rotation_from_z((x, y, z) if z >= 0.0 else (-x, -y, -z)), _ORIGIN)

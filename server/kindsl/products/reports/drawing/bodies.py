@@ -95,7 +95,7 @@ def _link(
 
 
 def _faced(outline: tuple[Spot, ...], solid: LinkSolid, color: str) -> tuple[Shape, ...]:
-    """Return a solid as it is judged: full, of glass, or striped."""
+    """Return a solid by its diagnosis: full, translucent, or striped."""
     if solid.look not in JUDGED:
         opacity = _GLASS if solid.look == "glass" else 1.0
         return (Polygon(outline, color, EDGE, _EDGE, opacity),)

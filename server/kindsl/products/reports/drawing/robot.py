@@ -65,7 +65,6 @@ def robot_drawing(
 def _marks(
     skeleton: Linkage, poses: Sequence[RigidPose], camera: Camera, colors: Mapping[str, str]
 ) -> Iterator[tuple[str, Deep]]:
-    """Yield marks, each with the part of the picture that it belongs to."""
     length = _AXIS_LENGTH * extent(skeleton).size
     for link, _ in skeleton.links():
         pose = poses[link]

@@ -18,7 +18,6 @@ def review_files(page: Page) -> dict[str, str]:
 
 
 def _without_pictures(page: Page) -> Page:
-    """Return the page as a comment holds it, in which no picture can be."""
     first = next((i for i, block in enumerate(page) if _pictures(block)), None)
     return page if first is None else (*page[: first - 2], *page[first + 1 :])
 

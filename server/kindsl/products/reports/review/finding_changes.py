@@ -30,7 +30,6 @@ def finding_changes(old: Analysis, new: Analysis) -> FindingChanges:
 def _split(
     findings: Sequence[Diagnostic], others: Sequence[Diagnostic]
 ) -> tuple[list[Diagnostic], list[Diagnostic]]:
-    """Return the findings that the others have not, and the rest."""
     left = Counter((f.code, f.message) for f in others)
     alone: list[Diagnostic] = []
     shared: list[Diagnostic] = []

@@ -60,7 +60,6 @@ def _pictures(report: MechanicsReport) -> Iterator[Block]:
 
 
 def _colors(report: MechanicsReport) -> dict[str, str]:
-    """Return the colours of links and frames with a number that differs."""
     names = report.old.robot.skeleton.body_names
     frames = {n.owner: MOVED for n in report.found.numbers if n.kind == "frame"}
     heavy = {names[n.body]: HEAVIER for n in report.found.numbers if n.kind == "link"}

@@ -73,7 +73,6 @@ def renamed_joints(old: Analysis, new: Analysis, found: Difference | None) -> di
 
 
 def _carriers(analysis: Analysis) -> dict[str, str]:
-    """Return the names of links with those of the joints that carry them."""
     edges = analysis.model.tree.edges
     return {str(edge.child.link): str(edge.child.joint) for edge in edges}
 
@@ -149,7 +148,6 @@ def _pictures(old: Analysis, new: Analysis, found: Difference | None) -> Iterato
 
 
 def _colors(found: Difference | None) -> tuple[dict[str, str], dict[str, str]]:
-    """Return the colours of names, before and after."""
     if found is None:
         return {}, {}
     shared = dict.fromkeys((change.link for change in found.masses), HEAVIER)
@@ -161,7 +159,7 @@ def _colors(found: Difference | None) -> tuple[dict[str, str], dict[str, str]]:
 
 
 def _tree(old: Analysis, new: Analysis, found: Difference | None) -> Iterator[Block]:
-    """Yield a tree that changed beside what carried each link before; links that are gone last."""
+    """Yield the changed tree beside each link's former parent; removed links last."""
     links = _renamed_links(found)
     before = {links.get(name, name): text for name, text in _hangs_on(old, links).items()}
     after = _hangs_on(new, {})
@@ -178,7 +176,6 @@ def _tree(old: Analysis, new: Analysis, found: Difference | None) -> Iterator[Bl
 
 
 def _hangs_on(analysis: Analysis, links: Mapping[str, str]) -> dict[str, str]:
-    """Return the parent of each link, in words, by the link's name."""
     facts = robot_facts(analysis)
     base = {facts["base"]["name"]: "base"} if facts["base"] else {}
     carried = {
@@ -215,7 +212,7 @@ def _change(
 
 
 def _balance(old: Mechanics, new: Mechanics) -> Iterator[Block]:
-    """Yield how the centre of mass and the forces that hold the robot shift, at zero."""
+    """Yield the shift of the centre of mass and of the gravity torques at zero."""
     before, after = _com(old), _com(new)
     held, now = _gravity_torques(old), _gravity_torques(new)
     rows = tuple(
