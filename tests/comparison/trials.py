@@ -13,8 +13,9 @@ from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.robots.comparison.document_side import described_document
 from kindsl.robots.comparison.mechanical import MechanicalComparison, compared_mechanics
 from kindsl.robots.comparison.quantities import INERTIA, POSE
+from kindsl.robots.comparison.side import ComparedSide
 from kindsl.robots.comparison.torques import torques
-from kindsl.robots.comparison.written import Described, TextPlace, WrittenNumber
+from kindsl.robots.comparison.written import TextPlace, WrittenNumber
 from kindsl.robots.interchange.comparable import described_robot
 from kindsl.robots.interchange.kindsl_writing import kindsl_text
 from kindsl.robots.interchange.urdf.numbers import numbers_of_urdf
@@ -75,14 +76,14 @@ def random_document(seed: int) -> str:
     return kindsl_text(random_robot(seed))
 
 
-def described_text(text: str) -> tuple[Described, Analysis]:
+def described_text(text: str) -> tuple[ComparedSide, Analysis]:
     analysis = analyse(text)
     skeleton = analysis.skeleton()
     values = analysis.context.values
     return described_document("a.kindsl", analysis.model, values, skeleton), analysis
 
 
-def described_urdf(text: str, is_floating: bool) -> Described:
+def described_urdf(text: str, is_floating: bool) -> ComparedSide:
     read = robot_of_urdf(text, "robot", floating=is_floating)
     return described_robot("b.urdf", read.robot, numbers_of_urdf(text))
 
@@ -143,7 +144,7 @@ def _span(number: WrittenNumber) -> tuple[int, int]:
     return number.at.start, number.at.end
 
 
-def _numbers(described: Described) -> Iterator[tuple[str, str, WrittenNumber]]:
+def _numbers(described: ComparedSide) -> Iterator[tuple[str, str, WrittenNumber]]:
     """Yield the numbers that can be 1 % off, with what they are of."""
     first = 0 if described.skeleton.is_floating else 1
     for parts in described.inertias[first:]:
@@ -175,7 +176,11 @@ def _is_same(one: Linkage, other: Linkage) -> bool:
 
 
 def _result(
-    found: MechanicalComparison, ours: Described, theirs: Described, is_named: bool, is_same: bool
+    found: MechanicalComparison,
+    ours: ComparedSide,
+    theirs: ComparedSide,
+    is_named: bool,
+    is_same: bool,
 ) -> str:
     if found.is_equal:
         return "unseen" if is_same else "missed"

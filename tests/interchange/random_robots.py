@@ -5,7 +5,7 @@ import numpy as np
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import RigidPose, pose_from
 from kindsl.mechanics.spatial.inertia import point_inertia
-from kindsl.robots.mechanism.linkage import Body, Linkage, Part
+from kindsl.robots.mechanism.linkage import BodyPart, Linkage, RigidBody
 
 
 def random_robot(seed: int) -> Linkage:
@@ -15,14 +15,17 @@ def random_robot(seed: int) -> Linkage:
     return Linkage(tuple(bodies), bool(chance.integers(2)), f"robot_{seed}")
 
 
-def _made(chance: np.random.Generator, index: int) -> Body:
+def _made(chance: np.random.Generator, index: int) -> RigidBody:
     frames = [
-        Part(f"frame_{index}_{k}", _pose(chance), is_link=False) for k in range(chance.integers(3))
+        BodyPart(f"frame_{index}_{k}", _pose(chance), is_link=False)
+        for k in range(chance.integers(3))
     ]
     parent = int(chance.integers(index)) if index else None
     kind = str(chance.choice(["revolute", "prismatic"]))
-    link = Part(f"link_{index}", mass=_body(chance))
-    return Body((link, *frames), parent, f"joint_{index}" if index else "", kind, _pose(chance))
+    link = BodyPart(f"link_{index}", mass=_body(chance))
+    return RigidBody(
+        (link, *frames), parent, f"joint_{index}" if index else "", kind, _pose(chance)
+    )
 
 
 def _pose(chance: np.random.Generator) -> RigidPose:

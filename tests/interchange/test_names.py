@@ -8,7 +8,7 @@ from kindsl.judgement.analysis.settings import Settings
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
 from kindsl.robots.interchange.format import ReadRobot
 from kindsl.robots.interchange.kindsl_writing import kindsl_text, written_kindsl
-from kindsl.robots.mechanism.linkage import Body, Linkage, Part
+from kindsl.robots.mechanism.linkage import BodyPart, Linkage, RigidBody
 
 WORDS = ["arm", "Arm", "fr_arm", "arm_link", "arm_joint", "arm_frame", "arm_robot", "arm_2", "link"]
 WORDS += ["union", "end", "floating", "2nd", "a b", "a-b", "é", "", "_", "world", "id", "PI"]
@@ -22,12 +22,12 @@ def robots(draw: st.DrawFn) -> Linkage:
     for index in range(draw(st.integers(2, 5))):
         frames = [_frame(name) for name in draw(st.lists(NAMES, max_size=3))]
         parent = draw(st.integers(0, index - 1)) if index else None
-        bodies.append(Body((Part(draw(NAMES)), *frames), parent, draw(NAMES)))
+        bodies.append(RigidBody((BodyPart(draw(NAMES)), *frames), parent, draw(NAMES)))
     return Linkage(tuple(bodies), draw(st.booleans()), draw(NAMES))
 
 
-def _frame(name: str) -> Part:
-    return Part(name, BESIDE, is_link=False)
+def _frame(name: str) -> BodyPart:
+    return BodyPart(name, BESIDE, is_link=False)
 
 
 @settings(deadline=None)
@@ -65,15 +65,15 @@ def test_each_new_name_is_told_and_no_other(robot: Linkage) -> None:
 
 
 def test_equal_names_are_numbered_from_two() -> None:
-    base = Body((Part("base"), *(_frame("tip") for _ in range(4))))
+    base = RigidBody((BodyPart("base"), *(_frame("tip") for _ in range(4))))
     told = written_kindsl(ReadRobot(Linkage((base,), name="arm"), ())).remarks
     names = ("tip_frame", "tip_2", "tip_3")
     assert told == tuple(f"the frame 'tip' is now '{name}'" for name in names)
 
 
 def test_links_keep_their_names_before_joints_frames_and_the_robot() -> None:
-    base = Body((Part("base"), _frame("arm"), _frame("fr_arm")))
-    arm = Body((Part("arm"),), 0, "arm")
+    base = RigidBody((BodyPart("base"), _frame("arm"), _frame("fr_arm")))
+    arm = RigidBody((BodyPart("arm"),), 0, "arm")
     read = ReadRobot(Linkage((base, arm), name="arm"), ("a note",))
     assert written_kindsl(read).remarks == (
         "a note",

@@ -10,7 +10,7 @@ from kindsl.mechanics.rigid.pose import pose_from
 from kindsl.robots.interchange.kindsl_writing import inertia_texts, joint_text, kindsl_text
 from kindsl.robots.interchange.sdf.sdf_reading import robot_of_sdf
 from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
-from kindsl.robots.mechanism.linkage import Body, Part
+from kindsl.robots.mechanism.linkage import BodyPart, RigidBody
 
 URDF = """<robot name="arm"><link name="base"/><link name="upper"/><link name="camera"/>
 <joint name="shoulder" type="revolute"><parent link="base"/><child link="upper"/>
@@ -61,6 +61,6 @@ def test_an_inertia_has_fifteen_digits_as_numbers_that_were_computed_are_good_fo
 def test_at_a_quarter_turn_about_y_rounding_makes_no_two_angles() -> None:
     zero = (0.0, 0.0, 0.0)
     pose = pose_from(zero, (0.3, pi / 2.0, 0.0)).then(pose_from(zero, (0.0, 0.0, 0.4)))
-    body = Body((Part("upper"),), 0, "shoulder", "revolute", pose)
+    body = RigidBody((BodyPart("upper"),), 0, "shoulder", "revolute", pose)
     x, y, z = rotations(joint_text(body, "shoulder"))[0].split(", ")
     assert (float(x), y, z) == (pytest.approx(0.7, abs=1e-14), "PI/2.0", "0.0")

@@ -93,7 +93,7 @@ def _mechanics(args: argparse.Namespace) -> int:
     from kindsl.robots.comparison.mechanical import compared_mechanics, unknown_joints
 
     read = read_robots((args.old, args.new), choices_of(args))
-    robots, joints = (read.old.robot, read.new.robot), dict(args.joint)
+    robots, joints = (read.old, read.new), dict(args.joint)
     unknown = [Failure("--joint", sentence) for sentence in unknown_joints(*robots, joints)]
     if unknown:
         raise CommandError(unknown)

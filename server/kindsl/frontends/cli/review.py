@@ -112,7 +112,7 @@ def _mechanics(files: list[str], choices: Choices) -> "Page":
     from kindsl.robots.comparison.mechanical import compared_mechanics
 
     read = read_robots(files, choices)
-    report = report_of(read.old, read.new, compared_mechanics(read.old.robot, read.new.robot))
+    report = report_of(read.old, read.new, compared_mechanics(read.old, read.new))
     broken = dict.fromkeys(
         f"{failed.path} has errors: showing the rest" for failed in read.failures
     )

@@ -8,7 +8,7 @@ from pathlib import Path
 from kindsl.frontends.mcp.documents import BoundArguments, built, document
 from kindsl.frontends.mcp.folder import Folder, ToolError
 from kindsl.judgement.analysis.compared_document import compared_document
-from kindsl.robots.comparison.compared_robot import ComparedRobot
+from kindsl.robots.comparison.side import ComparedSide
 from kindsl.robots.interchange.descriptions import ReadDescription, read_description, read_robot
 from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.registry import format_of_suffix
@@ -17,7 +17,7 @@ _EVALUATED = "xacro"
 _OTHER_FILES = re.compile(r"<include\b|\bfile\s*=")
 
 
-def compared_robot(given: str, folder: Folder, parameters: Mapping[str, float]) -> ComparedRobot:
+def compared_robot(given: str, folder: Folder, parameters: Mapping[str, float]) -> ComparedSide:
     """Return the robot of a document, its parameters with these values.
 
     Raises:

@@ -7,13 +7,12 @@ from typing import NamedTuple
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.compared_document import compared_document
 from kindsl.judgement.analysis.twins import read_file, read_twin
-from kindsl.robots.comparison.compared_robot import ComparedRobot
 from kindsl.robots.comparison.mechanical import compared_mechanics
 from kindsl.robots.comparison.number_differences import NumberDifference
 from kindsl.robots.comparison.restated import restated
 from kindsl.robots.comparison.sentences import sentence_of, verdict
+from kindsl.robots.comparison.side import ComparedSide
 from kindsl.robots.comparison.twins import TwinFile
-from kindsl.robots.comparison.written import Described
 from kindsl.robots.mechanism.errors import ModelError, UnboundParameterError
 from kindsl.robots.mechanism.linkage import Linkage
 from kindsl.robots.mechanism.reading import partial_linkage, reachable_linkage
@@ -34,7 +33,7 @@ class OtherRobot(NamedTuple):
     """
 
     name: str
-    read: Callable[[bool], ComparedRobot | str]
+    read: Callable[[bool], ComparedSide | str]
     joints: tuple[tuple[str, str], ...] = ()
     tolerance: float = 0.0
 
@@ -59,14 +58,14 @@ def document_robot(name: str, read: Callable[[], Analysis | str]) -> OtherRobot:
         read: Returns it as it is now, or why it cannot be read.
     """
 
-    def robot(_floating: bool) -> ComparedRobot | str:
+    def robot(_floating: bool) -> ComparedSide | str:
         analysis = read()
         return analysis if isinstance(analysis, str) else _as_far_as_known(name, analysis)
 
     return OtherRobot(name, robot)
 
 
-def _as_far_as_known(name: str, analysis: Analysis) -> ComparedRobot | str:
+def _as_far_as_known(name: str, analysis: Analysis) -> ComparedSide | str:
     model, values = analysis.model, analysis.context.values
     try:
         skeleton = reachable_linkage(model, values)
@@ -81,7 +80,7 @@ def _as_far_as_known(name: str, analysis: Analysis) -> ComparedRobot | str:
 
 def file_robot(name: str, path: str) -> OtherRobot:
     """Return a file of another format or a folder of generated code, read anew when it changes."""
-    return OtherRobot(name, partial(_of_file, name, lambda base: read_file(path, name, base)))
+    return OtherRobot(name, partial(_of_file, lambda base: read_file(path, name, base)))
 
 
 def twin_robots(analysis: Analysis) -> list[OtherRobot]:
@@ -90,15 +89,13 @@ def twin_robots(analysis: Analysis) -> list[OtherRobot]:
 
 
 def _twin_robot(twin: TwinFile) -> OtherRobot:
-    read = partial(_of_file, twin.label, partial(read_twin, twin))
+    read = partial(_of_file, partial(read_twin, twin))
     return OtherRobot(twin.label, read, twin.joints, twin.tolerance)
 
 
-def _of_file(
-    name: str, read: Callable[[bool], Described | str], floating: bool
-) -> ComparedRobot | str:
-    robot = read(floating)
-    return f"cannot be read: {robot}" if isinstance(robot, str) else ComparedRobot(name, robot)
+def _of_file(read: Callable[[bool], ComparedSide | str], floating: bool) -> ComparedSide | str:
+    side = read(floating)
+    return f"cannot be read: {side}" if isinstance(side, str) else side
 
 
 def other_messages(others: Iterable[OtherRobot], chosen: str) -> Messages:
@@ -132,7 +129,7 @@ def compared(
             ComparisonMessage(label, other.name, told_why, False, (), (), ()), None
         )
     ours = compared_document(label, analysis, values, skeleton)
-    found = compared_mechanics(ours.robot, theirs.robot, dict(other.joints), other.tolerance)
+    found = compared_mechanics(ours, theirs, dict(other.joints), other.tolerance)
     message = ComparisonMessage(
         own=label,
         other=other.name,
@@ -142,12 +139,12 @@ def compared(
         structure=found.structure,
         conventions=found.conventions,
     )
-    return ShownComparison(message, restated(skeleton, theirs.robot.skeleton, found))
+    return ShownComparison(message, restated(skeleton, theirs.skeleton, found))
 
 
-def _row(ours: ComparedRobot, theirs: ComparedRobot, number: NumberDifference) -> DifferenceRow:
+def _row(ours: ComparedSide, theirs: ComparedSide, number: NumberDifference) -> DifferenceRow:
     here, there = number.here_number or number.here_near, number.there_number or number.there_near
-    kind, name = _thing(ours.robot.skeleton, number)
+    kind, name = _thing(ours.skeleton, number)
     return DifferenceRow(
         kind=kind,
         name=name,

@@ -22,6 +22,7 @@ from kindsl.judgement.analysis.syntax_findings import is_explained, syntax_findi
 from kindsl.judgement.rules.base import Finding, Rule
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.registry import all_rules, checking_rules
+from kindsl.judgement.rules.xml_elements import CONCERN_XML, begins_as_urdf
 from kindsl.language.semantics.model import Model
 from kindsl.language.syntax.document import SyntaxDocument, parse, paused_collector
 from kindsl.language.syntax.readings import as_read_for
@@ -53,6 +54,8 @@ class Analysis:
     @cached_property
     def syntax(self) -> SyntaxDocument:
         """Its text and syntax, as its targets read it."""
+        if self._written.is_xml:
+            return self._written
         return as_read_for(self._written, self.settings.targets)
 
     @property
@@ -201,13 +204,19 @@ class Analysis:
         return set_apart(unsilenced, blocks_of(self.syntax), self.settings)
 
     def _found(self, run: CheckRun) -> list[Diagnostic]:
-        found = [*syntax_findings(self.syntax, self.model, self.settings.targets)]
-        found += (entry for entry in run.findings() if not is_explained(entry[1]))
+        if self.syntax.is_xml:
+            from kindsl.judgement.analysis.xml_findings import xml_findings
+
+            found = [*xml_findings(self.syntax, self.model, self.settings, run.findings())]
+        else:
+            found = [*syntax_findings(self.syntax, self.model, self.settings.targets)]
+            found += (entry for entry in run.findings() if not is_explained(entry[1]))
         return [self._resolve(rule, finding) for rule, finding in found]
 
     def _run(self, checkpoint: Checkpoint, *, is_without_twins: bool = False) -> CheckRun:
         settings = self.settings
-        rules = running_rules(settings.targets, settings.select, settings.ignore)
+        choice = settings.targets, settings.select, settings.ignore
+        rules = running_rules(*choice, is_xml=self.syntax.is_xml)
         return CheckRun(
             checkpoint, self.model, self.context, rules, is_without_twins=is_without_twins
         )
@@ -231,11 +240,12 @@ class Analysis:
 
 @lru_cache(maxsize=64)
 def running_rules(
-    targets: frozenset[str], select: tuple[str, ...], ignore: tuple[str, ...]
+    targets: frozenset[str], select: tuple[str, ...], ignore: tuple[str, ...], *, is_xml: bool
 ) -> RunningRules:
-    """Return the rules that run under some settings."""
+    """Return the rules that run under some settings, on XML those that concern it."""
     settings = Settings(targets=targets, select=select, ignore=ignore)
-    return by_sight(rule for rule in checking_rules() if is_enabled(rule, settings))
+    enabled = (rule for rule in checking_rules() if is_enabled(rule, settings))
+    return by_sight(rule for rule in enabled if not is_xml or rule.code in CONCERN_XML)
 
 
 # Its name in public is `kindsl.Document`.
@@ -245,4 +255,8 @@ Analysis.__module__ = "kindsl"
 
 def analyse(text: str, settings: Settings = _NO_SETTINGS) -> Analysis:
     """Return the analysis of a text; never raises, whatever the text."""
+    if begins_as_urdf(text):
+        from kindsl.robots.interchange.urdf.document import urdf_document
+
+        return Analysis(urdf_document(text), settings)
     return Analysis(parse(text), settings)

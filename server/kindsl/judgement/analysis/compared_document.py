@@ -6,14 +6,14 @@ from dataclasses import replace
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.places import Located
 from kindsl.language.text.lines import LineIndex
-from kindsl.robots.comparison.compared_robot import ComparedRobot
 from kindsl.robots.comparison.document_side import described_document
+from kindsl.robots.comparison.side import ComparedSide
 from kindsl.robots.mechanism.linkage import Linkage
 
 
 def compared_document(
     name: str, analysis: Analysis, values: Mapping[str, float], skeleton: Linkage
-) -> ComparedRobot:
+) -> ComparedSide:
     """Return the robot of a document, with what its configuration tells of joints.
 
     Args:
@@ -27,5 +27,5 @@ def compared_document(
     def line_of(at: Located) -> int:
         return lines.position(analysis.resolver.span(at)[0])[0] + 1
 
-    robot = described_document(name, analysis.model, values, skeleton)
-    return ComparedRobot(name, replace(robot, properties=analysis.settings.joints), line_of)
+    side = described_document(name, analysis.model, values, skeleton)
+    return replace(side, properties=analysis.settings.joints, line_of=line_of)

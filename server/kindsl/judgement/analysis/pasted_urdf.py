@@ -21,7 +21,7 @@ from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.kindsl_writing import body_text, inertia_texts, joint_text, link_head
 from kindsl.robots.interchange.portable_names import valid_name
 from kindsl.robots.interchange.urdf.fragment import Fragment, fragment_of_urdf
-from kindsl.robots.mechanism.linkage import Body
+from kindsl.robots.mechanism.linkage import RigidBody
 
 _COMMENT = re.compile(r"<!--(.*?)-->", re.DOTALL)
 
@@ -95,7 +95,7 @@ def _with_comments(changes: tuple[Replacement, ...], at: Place) -> tuple[Replace
     return tuple(with_them if change is first else change for change in changes)
 
 
-def _of_inertial(link: Body, at: Place) -> tuple[Replacement, ...]:
+def _of_inertial(link: RigidBody, at: Place) -> tuple[Replacement, ...]:
     from kindsl.language.semantics.lowering import declarations
 
     declared = declarations(at.island)
@@ -123,7 +123,7 @@ def _check(model: Model, fragment: Fragment) -> None:
         raise _NotTakenError(f"link '{lumped[0]}' is fixed to one that is not given")
 
 
-def _links(model: Model, fragment: Fragment, new: list[Body]) -> Iterator[str]:
+def _links(model: Model, fragment: Fragment, new: list[RigidBody]) -> Iterator[str]:
     number = 1 + max((link.id or 0 for link in model.links), default=0)
     for index, link in enumerate(fragment.links):
         is_child = link.joint in fragment.given_joints
@@ -178,9 +178,9 @@ def _properties(body: MassDistribution) -> MassProperties:
     return MassProperties("URDF", mass, (x, y, z), (a, b, c, d, e, f))
 
 
-def _name(link: Body) -> str:
+def _name(link: RigidBody) -> str:
     return valid_name(link.name)
 
 
-def _edge(link: Body) -> str:
+def _edge(link: RigidBody) -> str:
     return f"{_name(link)} via {valid_name(link.joint)}"

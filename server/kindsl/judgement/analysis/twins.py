@@ -8,8 +8,8 @@ from typing import NamedTuple
 from kindsl.language.semantics.model import Model
 from kindsl.robots.comparison.document_side import described_document
 from kindsl.robots.comparison.mechanical import ComparedTwin, compared_mechanics
+from kindsl.robots.comparison.side import ComparedSide
 from kindsl.robots.comparison.twins import TwinFile
-from kindsl.robots.comparison.written import Described
 from kindsl.robots.mechanism.errors import ModelError
 from kindsl.robots.mechanism.reading import whole_linkage
 
@@ -39,12 +39,12 @@ def compared_twins(
     ours = described_document("here", model, values, skeleton)
     for twin in twins:
         theirs = read_twin(twin, skeleton.is_floating)
-        if isinstance(theirs, Described):
+        if isinstance(theirs, ComparedSide):
             found = compared_mechanics(ours, theirs, dict(twin.joints), twin.tolerance)
             yield ComparedTwin(twin, Path(twin.path).is_dir(), found)
 
 
-def read_twin(twin: TwinFile, floating: bool | None = None) -> Described | str:
+def read_twin(twin: TwinFile, floating: bool | None = None) -> ComparedSide | str:
     """Return the robot of a twin, or why it cannot be read.
 
     Args:
@@ -56,7 +56,7 @@ def read_twin(twin: TwinFile, floating: bool | None = None) -> Described | str:
     return read_file(twin.path, twin.label, floating)
 
 
-def read_file(path: str, label: str, floating: bool | None = None) -> Described | str:
+def read_file(path: str, label: str, floating: bool | None = None) -> ComparedSide | str:
     """Return the robot of any file, xacro too, or why it cannot be read.
 
     Args:
@@ -90,7 +90,7 @@ def _stat(path: Path) -> tuple[int, int] | None:
 
 
 @lru_cache(_KEPT)
-def _read(version: _TwinVersion, label: str, floating: bool | None) -> Described | str:
+def _read(version: _TwinVersion, label: str, floating: bool | None) -> ComparedSide | str:
     from kindsl.robots.interchange.descriptions import read_description
     from kindsl.robots.interchange.format import FormatError
 

@@ -103,7 +103,7 @@ def directives(island: Island) -> Iterator[Directive]:
 
 def _opens(text: str, start: int, match: re.Match[str]) -> bool:
     """Return whether a comment begins with a match; behind other words it may be prose."""
-    return not text[start : match.start()].strip("/* \t")
+    return not text[start : match.start()].strip("/*<!- \t")
 
 
 def covered_by(

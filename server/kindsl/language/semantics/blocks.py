@@ -21,8 +21,17 @@ class Vector(Construct):
         self.components = components
 
 
+class FixedAxes(Vector):
+    """Turns about the fixed x, y, z: roll, pitch, yaw."""
+
+    __slots__ = ()
+
+
 class Pose(NamedTuple):
-    """Translation in metres, then rotation: intrinsic x, y, z in radians. None where missing."""
+    """Translation in metres, then rotation in radians. None where missing.
+
+    The rotation is about the x, the new y, the new z axis, unless it is about fixed axes.
+    """
 
     translation: Vector | None
     rotation: Vector | None

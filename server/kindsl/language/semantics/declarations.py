@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import NamedTuple, cast
 
-from kindsl.language.semantics.blocks import Block, Components, Pose, Vector
+from kindsl.language.semantics.blocks import Block, Components, FixedAxes, Pose, Vector
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.places import Name
 from kindsl.language.semantics.sections import Child, Frame, Inertia, JointSections, LinkSections
@@ -13,8 +13,8 @@ from kindsl.language.text.facts import Facts
 from kindsl.mechanics.rigid.joint_kind import JointKind
 
 __all__ = [
-    "Child", "Components", "Declarations", "Frame", "Inertia", "Joint", "Link", "Pose", "ValueKind",
-    "Vector",
+    "Child", "Components", "Declarations", "FixedAxes", "Frame", "Inertia", "Joint", "Link", "Pose",
+    "ValueKind", "Vector",
 ]  # fmt: skip
 
 _NO_POSE = Pose(None, None)

@@ -18,9 +18,19 @@ _Found: TypeAlias = dict[str, Any]
 _NO_NAME = Name("")
 
 
+class OtherIsland(Island):
+    """An island of another syntax, which says itself what it declares."""
+
+    def declared(self) -> Declarations:
+        """Return what it declares."""
+        raise NotImplementedError
+
+
 @kept
 def declarations(island: Island) -> Declarations:
     """Return what an island declares; computed once in its life."""
+    if isinstance(island, OtherIsland):
+        return island.declared()
     robot: Name | None = None
     bases: list[Link] = []
     links: list[Link] = []

@@ -6,14 +6,14 @@ What comes from an island without parameters and constants is computed once in t
 from collections.abc import Mapping
 from math import isfinite
 
-from kindsl.language.semantics.declarations import Inertia, Pose, Vector
+from kindsl.language.semantics.declarations import FixedAxes, Inertia, Pose, Vector
 from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.parameters import island_symbols
 from kindsl.language.syntax.tree import Island
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.language.text.facts import Fact
 from kindsl.mechanics.rigid.body import MassDistribution
-from kindsl.mechanics.rigid.pose import RigidPose, Vector3, pose_from
+from kindsl.mechanics.rigid.pose import RigidPose, Vector3, pose_from, pose_from_fixed_axes
 
 POSES = Fact[dict[Vector, RigidPose]]("poses")
 BODIES = Fact[dict[Inertia, MassDistribution]]("mass distributions")
@@ -30,7 +30,8 @@ def written_pose(pose: Pose, values: Mapping[str, float]) -> RigidPose | None:
     translation, angles = triple(pose.translation, values), triple(pose.rotation, values)
     if translation is None or angles is None:
         return None
-    written = pose_from(translation, angles)
+    is_fixed = isinstance(pose.rotation, FixedAxes)
+    written = (pose_from_fixed_axes if is_fixed else pose_from)(translation, angles)
     if _is_literal(island):
         (known or island.facts.keep(POSES, {}))[pose.translation] = written
     return written

@@ -77,7 +77,10 @@ class SyntaxDocument:
         chunks: Its islands, some neighbours at a time.
         versions: Results about the version that was last looked at: shared by all that
             edits have made of each other.
+        is_xml: Whether it is an XML file, which other rules concern.
     """
+
+    is_xml = False
 
     def __init__(self, chunks: tuple[Chunk, ...], versions: Facts | None = None) -> None:
         self.chunks = chunks

@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
-from kindsl.robots.comparison.compared_robot import ComparedRobot
 from kindsl.robots.comparison.mechanical import MechanicalComparison
 from kindsl.robots.comparison.number_differences import NumberDifference
 from kindsl.robots.comparison.sentences import sentence_of, verdict, without_inertia
+from kindsl.robots.comparison.side import ComparedSide
 
 if TYPE_CHECKING:
     from kindsl.robots.comparison.torques import Torques
@@ -23,27 +23,25 @@ class MechanicsReport(NamedTuple):
         base_parameters: The number of base parameters, and of all inertial parameters.
     """
 
-    old: ComparedRobot
-    new: ComparedRobot
+    old: ComparedSide
+    new: ComparedSide
     found: MechanicalComparison
     torques: "Torques | None" = None
     base_parameters: tuple[int, int] = (0, 0)
 
 
-def report_of(
-    old: ComparedRobot, new: ComparedRobot, found: MechanicalComparison
-) -> MechanicsReport:
+def report_of(old: ComparedSide, new: ComparedSide, found: MechanicalComparison) -> MechanicsReport:
     """Return the report; the dynamics are asked where all joints match and NumPy is there."""
     matching = found.matching
-    if matching.only_ours or matching.only_theirs or old.robot.unknown or new.robot.unknown:
+    if matching.only_ours or matching.only_theirs or old.unknown or new.unknown:
         return MechanicsReport(old, new, found)
     try:
         from kindsl.robots.comparison.torques import n_base_parameters, torques
         from kindsl.robots.mechanism.bodies import bodies_of
     except ModuleNotFoundError:
         return MechanicsReport(old, new, found)
-    parameters = n_base_parameters(bodies_of(old.robot.skeleton))
-    return MechanicsReport(old, new, found, torques(old.robot, new.robot, found), parameters)
+    parameters = n_base_parameters(bodies_of(old.skeleton))
+    return MechanicsReport(old, new, found, torques(old, new, found), parameters)
 
 
 def facts(report: MechanicsReport) -> dict[str, object]:
@@ -58,7 +56,7 @@ def facts(report: MechanicsReport) -> dict[str, object]:
         "structure": list(found.structure),
         "conventions": list(found.conventions),
         "joints": {
-            old.robot.skeleton.joint_names[a - 1]: new.robot.skeleton.joint_names[b - 1]
+            old.skeleton.joint_names[a - 1]: new.skeleton.joint_names[b - 1]
             for a, b in sorted(found.matching.theirs.items())
             if a
         },
@@ -115,7 +113,7 @@ def number_cells(report: MechanicsReport) -> Iterator[tuple[str, ...]]:
 def verdict_of(report: MechanicsReport) -> str:
     """Return what the comparison comes to."""
     dynamics = report.torques
-    if report.found.is_equal and (report.old.robot.unknown or report.new.robot.unknown):
+    if report.found.is_equal and (report.old.unknown or report.new.unknown):
         return "the mechanics are equal as far as both can be read"
     found = verdict(report.found.is_equal, None if dynamics is None else dynamics.is_seen)
     if dynamics is None or dynamics.is_confirmed is None:

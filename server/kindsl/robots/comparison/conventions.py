@@ -10,7 +10,7 @@ from kindsl.robots.comparison.alignment import AlignedJoint
 from kindsl.robots.comparison.matching import writable
 from kindsl.robots.comparison.number_differences import NumberDifference
 from kindsl.robots.comparison.pair import Pair
-from kindsl.robots.comparison.written import Described
+from kindsl.robots.comparison.side import ComparedSide
 
 # Of a frame that is written with few digits, metres and radians.
 _NOTHING = 3e-4
@@ -34,7 +34,7 @@ def conventions(pair: Pair) -> Iterator[str]:
             yield f"{counted(len(only), 'frame')} only {where}: {_some(only)}"
 
 
-def _own_frames(side: Described) -> set[str]:
+def _own_frames(side: ComparedSide) -> set[str]:
     """Return the frames that do not coincide with their link's."""
     return {frame.name for frame in side.skeleton.frames if _is_elsewhere(frame.pose)}
 

@@ -11,13 +11,12 @@ from kindsl.language.syntax.tree import Node
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
 from kindsl.robots.comparison.quantities import POSE
+from kindsl.robots.comparison.side import ComparedSide, exactly_turned
 from kindsl.robots.comparison.written import (
-    Described,
     Numbers,
     WrittenInertia,
     WrittenNumber,
     WrittenPose,
-    exactly_turned,
     written_frame,
 )
 from kindsl.robots.mechanism.link_inertia import NO_INERTIA
@@ -28,7 +27,7 @@ from kindsl.robots.mechanism.total_mass import unknown_bodies
 
 def described_document(
     label: str, model: Model, values: Mapping[str, float], skeleton: Linkage
-) -> Described:
+) -> ComparedSide:
     """Return a document's robot; what cannot be read is named in `unknown`.
 
     Args:

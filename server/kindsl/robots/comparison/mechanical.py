@@ -28,9 +28,10 @@ from kindsl.robots.comparison.number_differences import (
     joint_differences,
 )
 from kindsl.robots.comparison.pair import Pair
+from kindsl.robots.comparison.side import ComparedSide
 from kindsl.robots.comparison.turned_axes import axis_differences, described_with_axis
 from kindsl.robots.comparison.twins import TwinFile
-from kindsl.robots.comparison.written import Described, written_frame
+from kindsl.robots.comparison.written import written_frame
 
 # Of gravity beside ours, radians: as much as the digits of an angle allow.
 _TILT = 3e-4
@@ -83,8 +84,8 @@ class ComparedTwin(NamedTuple):
 
 
 def compared_mechanics(
-    ours: Described,
-    theirs: Described,
+    ours: ComparedSide,
+    theirs: ComparedSide,
     joints: Mapping[str, str] | None = None,
     tolerance: float = 0.0,
 ) -> MechanicalComparison:
@@ -127,7 +128,9 @@ def compared_mechanics(
     return replace(found, structure=(*wrong, *found.structure))
 
 
-def unknown_joints(ours: Described, theirs: Described, joints: Mapping[str, str]) -> Iterator[str]:
+def unknown_joints(
+    ours: ComparedSide, theirs: ComparedSide, joints: Mapping[str, str]
+) -> Iterator[str]:
     """Yield the names in a map of joints that no joint has, one sentence each."""
     sides = (ours, joints, "here"), (theirs, joints.values(), f"in {theirs.label}")
     for side, names, where in sides:
@@ -151,7 +154,7 @@ def _under_rounding(
 
 
 def _with_turned_axes(
-    ours: Described, theirs: Described, bounds: Tolerances, found: MechanicalComparison
+    ours: ComparedSide, theirs: ComparedSide, bounds: Tolerances, found: MechanicalComparison
 ) -> MechanicalComparison:
     """Replace many numbers by one axis where turning it explains them."""
     axes: list[NumberDifference] = []
@@ -174,8 +177,8 @@ def _with_turned_axes(
 
 
 def _aligned(
-    ours: Described,
-    theirs: Described,
+    ours: ComparedSide,
+    theirs: ComparedSide,
     matching: MatchedJoints,
     root: RigidPose,
     bounds: Tolerances,

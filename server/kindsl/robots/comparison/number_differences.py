@@ -8,8 +8,8 @@ from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from
 from kindsl.mechanics.rigid.pose import RigidPose, angle_between
 from kindsl.robots.comparison.pair import Pair
 from kindsl.robots.comparison.quantities import INERTIA, POSE, TURNS
+from kindsl.robots.comparison.side import ComparedSide
 from kindsl.robots.comparison.written import (
-    Described,
     WrittenInertia,
     WrittenNumber,
     WrittenPose,
@@ -201,7 +201,7 @@ def is_rounded(difference: NumberDifference) -> bool:
 
 
 def digits_of_rounding(
-    ours: Described, theirs: Described, bodies: Mapping[int, int]
+    ours: ComparedSide, theirs: ComparedSide, bodies: Mapping[int, int]
 ) -> Digits | None:
     """Return the digits of a file that has numbers of the other, rounded; None if neither has."""
     pairs = [
@@ -223,7 +223,7 @@ def digits_of_rounding(
 
 
 def _number_pairs(
-    ours: Described, theirs: Described, body: int, its: int
+    ours: ComparedSide, theirs: ComparedSide, body: int, its: int
 ) -> Iterator[tuple[bool, WrittenNumber, WrittenNumber]]:
     """Yield the numbers of a body that both files write, the one of fewer digits first."""
     parts = zip(ours.inertias[body], theirs.inertias[its], strict=False)

@@ -5,14 +5,14 @@ from typing import NamedTuple
 from kindsl.mechanics.rigid.pose import RigidPose
 from kindsl.robots.comparison.alignment import Alignment, around
 from kindsl.robots.comparison.matching import MatchedJoints
-from kindsl.robots.comparison.written import Described
+from kindsl.robots.comparison.side import ComparedSide
 
 
 class Pair(NamedTuple):
     """Two robots, their matching bodies, and the other's conventions beside ours."""
 
-    ours: Described
-    theirs: Described
+    ours: ComparedSide
+    theirs: ComparedSide
     matching: MatchedJoints
     alignment: Alignment
 

@@ -7,7 +7,7 @@ from kindsl.mechanics.rigid.body import seen_from
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
 from kindsl.robots.comparison.alignment import around
 from kindsl.robots.comparison.mechanical import MechanicalComparison
-from kindsl.robots.mechanism.linkage import Body, Linkage, Part
+from kindsl.robots.mechanism.linkage import BodyPart, Linkage, RigidBody
 
 
 def restated(ours: Linkage, theirs: Linkage, found: MechanicalComparison) -> Linkage:
@@ -32,15 +32,15 @@ def restated(ours: Linkage, theirs: Linkage, found: MechanicalComparison) -> Lin
             bodies[its] = body._replace(placement=placement)
     for frame in theirs.frames:
         pose = frames[frame.body].then(frame.pose)
-        part = Part(_free(frame.name, taken), pose, is_link=False)
+        part = BodyPart(_free(frame.name, taken), pose, is_link=False)
         bodies[frame.body] = bodies[frame.body]._replace(parts=(*bodies[frame.body].parts, part))
     return replace(theirs, bodies=tuple(bodies))
 
 
-def _in_frame(body: Body, name: str, frame: RigidPose) -> Body:
+def _in_frame(body: RigidBody, name: str, frame: RigidPose) -> RigidBody:
     """Return a body by another name, without frames, its own frame being at a pose."""
     mass = None if body.mass is None else seen_from(body.mass, frame)
-    return body._replace(parts=(Part(name, mass=mass),))
+    return body._replace(parts=(BodyPart(name, mass=mass),))
 
 
 def body_frame(found: MechanicalComparison, body: int | None) -> RigidPose:

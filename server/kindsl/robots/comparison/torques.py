@@ -18,8 +18,8 @@ from kindsl.robots.comparison.alignment import around
 from kindsl.robots.comparison.mechanical import MechanicalComparison
 from kindsl.robots.comparison.number_differences import NumberDifference
 from kindsl.robots.comparison.quantities import INERTIA, POSE
+from kindsl.robots.comparison.side import ComparedSide
 from kindsl.robots.comparison.turned_axes import with_axis
-from kindsl.robots.comparison.written import Described
 from kindsl.robots.mechanism.bodies import bodies_of
 from kindsl.robots.mechanism.linkage import Linkage
 
@@ -58,7 +58,7 @@ class _States(NamedTuple):
     qdd: Array
 
 
-def torques(ours: Described, theirs: Described, found: MechanicalComparison) -> Torques:
+def torques(ours: ComparedSide, theirs: ComparedSide, found: MechanicalComparison) -> Torques:
     """Compare the torques of two robots whose joints all match."""
     states = _states(ours.skeleton)
     own = _forces(ours.skeleton, states)
@@ -116,7 +116,7 @@ def _velocities(ours: Linkage, theirs: Linkage, found: MechanicalComparison) -> 
     return T, offsets
 
 
-def _carried(ours: Described, theirs: Described, found: MechanicalComparison) -> Linkage:
+def _carried(ours: ComparedSide, theirs: ComparedSide, found: MechanicalComparison) -> Linkage:
     """Return our robot with the other's numbers where they differ, in our conventions."""
     one, other = ours.skeleton, theirs.skeleton
     masses, placements = list(one.masses), list(one.placements)
@@ -145,7 +145,7 @@ def _gap(one: tuple[Array, Array], other: tuple[Array, Array]) -> float:
 
 
 def _effect(
-    ours: Described, theirs: Described, found: MechanicalComparison, number: NumberDifference
+    ours: ComparedSide, theirs: ComparedSide, found: MechanicalComparison, number: NumberDifference
 ) -> float:
     """Return the greatest change of a torque or force by this number alone."""
     its = found.matching.theirs[number.body]
@@ -164,7 +164,7 @@ def _effect(
     return float(np.abs(taus[0] - taus[1]).max())
 
 
-def _changed(side: Described, found: MechanicalComparison, number: NumberDifference) -> Linkage:
+def _changed(side: ComparedSide, found: MechanicalComparison, number: NumberDifference) -> Linkage:
     skeleton = side.skeleton
     body = found.matching.theirs[number.body] if number.is_theirs else number.body
     if number.turn is not None:

@@ -12,7 +12,8 @@ from kindsl.mechanics.rigid.pose import RigidPose, Vector3, rotation_from_z
 from kindsl.robots.comparison.number_differences import NumberDifference
 from kindsl.robots.comparison.pair import Pair
 from kindsl.robots.comparison.quantities import AXIS
-from kindsl.robots.comparison.written import Described, WrittenInertia, WrittenPose
+from kindsl.robots.comparison.side import ComparedSide
+from kindsl.robots.comparison.written import WrittenInertia, WrittenPose
 from kindsl.robots.mechanism.linkage import Linkage
 
 _APART = 1e-6
@@ -73,7 +74,7 @@ def with_axis(skeleton: Linkage, body: int, turn: RigidPose) -> Linkage:
     return replace(skeleton, bodies=tuple(bodies))
 
 
-def described_with_axis(robot: Described, body: int, turn: RigidPose) -> Described:
+def described_with_axis(robot: ComparedSide, body: int, turn: RigidPose) -> ComparedSide:
     """Return a robot as `with_axis` does, its numbers as they are written."""
     back, joints, inertias = turn.inverse(), list(robot.joints), list(robot.inertias)
     joints[body - 1] = replace(joints[body - 1], after=joints[body - 1].after.then(turn))

@@ -4,12 +4,11 @@ Two files may write one body about other points and along other axes. A form tel
 file would have to write for a given body or pose, so that numbers are compared with numbers.
 """
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from math import atan2, pi, remainder
 from typing import NamedTuple
 
-from kindsl.language.semantics.parameters import JointProperties
 from kindsl.language.semantics.places import Located
 from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from, shifted
 from kindsl.mechanics.rigid.pose import (
@@ -24,7 +23,6 @@ from kindsl.mechanics.rigid.pose import (
     round_angle,
     transposed,
 )
-from kindsl.robots.mechanism.linkage import Linkage
 
 _ORIGIN = (0.0, 0.0, 0.0)
 _GIMBAL = 1e-9
@@ -160,46 +158,8 @@ class WrittenPose:
         return (*own.translation, *_negated(back))
 
 
-@dataclass(frozen=True, slots=True)
-class Described:
-    """A robot to compare, and how its file writes it.
-
-    Attributes:
-        label: Name of its file.
-        skeleton: Its bodies.
-        inertias: Parts of each body's mass, n + 1 lists of them; a body may have none.
-        joints: The written poses of the n joints.
-        heavy_frames: Frames that are links with a mass of their own: where they are is a
-            convention.
-        frames: The written poses of other frames by name, as far as numbers are written.
-        unknown: Bodies and joints that cannot be read: their numbers are not compared.
-        properties: Limits of joints and the like, by the joint's name, as far as they are told.
-    """
-
-    label: str
-    skeleton: Linkage
-    inertias: tuple[tuple[WrittenInertia, ...], ...]
-    joints: tuple[WrittenPose, ...]
-    heavy_frames: frozenset[str] = frozenset()
-    frames: Mapping[str, WrittenPose] = field(default_factory=dict)
-    unknown: frozenset[str] = frozenset()
-    properties: Mapping[str, JointProperties] = field(default_factory=dict)
-
-
-def exactly_turned(
-    label: str,
-    skeleton: Linkage,
-    inertias: tuple[tuple[WrittenInertia, ...], ...],
-    joints: tuple[WrittenPose, ...],
-    heavy_frames: frozenset[str] = frozenset(),
-) -> Described:
-    """Return a robot whose joints stand at the angles meant: `1.5708` is a quarter turn."""
-    meant = tuple(map(_with_meant_angles, joints))
-    exact = skeleton.with_placements(joint.pose() for joint in meant)
-    return Described(label, exact, inertias, meant, heavy_frames)
-
-
-def _with_meant_angles(joint: WrittenPose) -> WrittenPose:
+def with_meant_angles(joint: WrittenPose) -> WrittenPose:
+    """Return a pose whose angles are the ones meant: `1.5708` is a quarter turn."""
     pairs = zip(joint.values[3:], joint.numbers[3:], strict=True)
     turns = (_meant_angle(value, number) for value, number in pairs)
     return replace(joint, values=(*joint.values[:3], *turns))

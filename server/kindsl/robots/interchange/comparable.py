@@ -6,24 +6,23 @@ from dataclasses import replace
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import IDENTITY
 from kindsl.robots.comparison.quantities import AXIS, INERTIA, POSE
+from kindsl.robots.comparison.side import ComparedSide, exactly_turned
 from kindsl.robots.comparison.written import (
-    Described,
     Numbers,
     WrittenInertia,
     WrittenNumber,
     WrittenPose,
-    exactly_turned,
     written_frame,
 )
 from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.written_numbers import NO_NUMBERS, FileNumbers
-from kindsl.robots.mechanism.linkage import AttachedFrame, Body, Linkage, Part, checked
+from kindsl.robots.mechanism.linkage import AttachedFrame, BodyPart, Linkage, RigidBody, checked
 
 # A number is the one that was read only if it is equal: defaults and macros may have changed it.
 _EQUAL = 1e-9
 
 
-def described_robot(label: str, robot: Linkage, numbers: FileNumbers = NO_NUMBERS) -> Described:
+def described_robot(label: str, robot: Linkage, numbers: FileNumbers = NO_NUMBERS) -> ComparedSide:
     """Return a robot to compare.
 
     Args:
@@ -50,13 +49,13 @@ def described_robot(label: str, robot: Linkage, numbers: FileNumbers = NO_NUMBER
     return replace(described, frames=frames)
 
 
-def _inertias(body: Body, numbers: FileNumbers) -> Iterator[WrittenInertia]:
+def _inertias(body: RigidBody, numbers: FileNumbers) -> Iterator[WrittenInertia]:
     for part in body.parts:
         if part.mass is not None:
             yield _inertia(part, part.mass, numbers)
 
 
-def _inertia(part: Part, mass: MassDistribution, numbers: FileNumbers) -> WrittenInertia:
+def _inertia(part: BodyPart, mass: MassDistribution, numbers: FileNumbers) -> WrittenInertia:
     turn = numbers.turns.get(part.name, IDENTITY.rotation)
     form = WrittenInertia(part.name, part.pose, turn, True, -1.0, (), ())
     values = form.values_of(mass)
@@ -70,7 +69,7 @@ def _frame(frame: AttachedFrame, numbers: FileNumbers) -> WrittenPose:
     return replace(form, numbers=_found(numbers, "frame", frame.name, POSE, form.values))
 
 
-def _pose(body: Body, numbers: FileNumbers) -> WrittenPose:
+def _pose(body: RigidBody, numbers: FileNumbers) -> WrittenPose:
     written = (numbers.found.get(("joint", body.joint, name)) for name in POSE)
     guess = tuple(0.0 if number is None else number.value for number in written)
     form = WrittenPose(body.joint, body.origin, body.written_T_joint, False, guess, ())

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from kindsl.language.text.phrases import counted
 from kindsl.language.text.regular import require_regular
-from kindsl.robots.comparison.written import Described
+from kindsl.robots.comparison.side import ComparedSide
 from kindsl.robots.interchange.comparable import described_robot
 from kindsl.robots.interchange.format import (
     AS_WRITTEN,
@@ -34,7 +34,7 @@ class ReadDescription(NamedTuple):
         tells_base: Whether the file says that the root floats, or that it is fixed.
     """
 
-    robot: Described
+    robot: ComparedSide
     notes: tuple[str, ...] = ()
     tells_base: bool = True
 
@@ -63,7 +63,7 @@ def read_description(path: Path, label: str, floating: bool | None) -> ReadDescr
 
 def read_foreign(
     paths: Iterable[str],
-    documents: Iterable[Described],
+    documents: Iterable[ComparedSide],
     read: Callable[[str, bool | None], ReadDescription],
 ) -> dict[str, ReadDescription]:
     """Return descriptions to compare with documents, or with each other, by their paths.
@@ -129,7 +129,7 @@ def read_robot(
     return ReadDescription(robot, tuple(notes), found.tells_base)
 
 
-def _of_folder(folder: Path, label: str) -> Described:
+def _of_folder(folder: Path, label: str) -> ComparedSide:
     if (folder / MANIFEST).is_file():
         return described_generated(folder, label)
     if is_robcogen_folder(folder):

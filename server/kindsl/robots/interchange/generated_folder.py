@@ -8,14 +8,10 @@ from typing import Any
 
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
-from kindsl.robots.comparison.written import (
-    Described,
-    WrittenInertia,
-    exactly_turned,
-    written_frame,
-)
+from kindsl.robots.comparison.side import ComparedSide, exactly_turned
+from kindsl.robots.comparison.written import WrittenInertia, written_frame
 from kindsl.robots.interchange.format import FormatError
-from kindsl.robots.mechanism.linkage import Body, Linkage, Part, checked
+from kindsl.robots.mechanism.linkage import BodyPart, Linkage, RigidBody, checked
 
 MANIFEST = "kindsl-generated.json"
 KEY = "robot"
@@ -49,7 +45,7 @@ def robot_record(linkage: Linkage) -> dict[str, object]:
     }
 
 
-def described_generated(folder: Path, label: str) -> Described:
+def described_generated(folder: Path, label: str) -> ComparedSide:
     """Return the robot of a folder that `kindsl generate` wrote.
 
     Raises:
@@ -105,12 +101,12 @@ def _linkage(robot: Mapping[str, Any]) -> Linkage:
     links, frames = robot["links"], robot["frames"]
     base = {"name": robot["base"], "inertia": robot["base_inertia"]}
     names = [base["name"], *(link["name"] for link in links)]
-    parts = [[Part(str(each["name"]), mass=_body(each["inertia"]))] for each in (base, *links)]
+    parts = [[BodyPart(str(each["name"]), mass=_body(each["inertia"]))] for each in (base, *links)]
     for f in frames:
-        part = Part(str(f["name"]), _pose(f["pose"]), is_link=False)
+        part = BodyPart(str(f["name"]), _pose(f["pose"]), is_link=False)
         parts[names.index(f["link"])].append(part)
     carried = (
-        Body(
+        RigidBody(
             tuple(own),
             names.index(link["parent"]),
             str(link["joint"]),
@@ -119,7 +115,7 @@ def _linkage(robot: Mapping[str, Any]) -> Linkage:
         )
         for own, link in zip(parts[1:], links, strict=True)
     )
-    return checked(Linkage((Body(tuple(parts[0])), *carried), bool(robot["floating"])))
+    return checked(Linkage((RigidBody(tuple(parts[0])), *carried), bool(robot["floating"])))
 
 
 def _pose(numbers: list[float]) -> RigidPose:

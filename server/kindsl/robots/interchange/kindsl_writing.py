@@ -10,7 +10,7 @@ from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import RigidPose, angles
 from kindsl.robots.interchange.format import ReadRobot, WrittenRobot
 from kindsl.robots.interchange.portable_names import valid_names
-from kindsl.robots.mechanism.linkage import Body, Linkage, Part
+from kindsl.robots.mechanism.linkage import BodyPart, Linkage, RigidBody
 
 # Of lengths and angles; masses and moments have so many digits.
 _DECIMALS = 15
@@ -125,7 +125,9 @@ def link_head(name: str, number: int) -> list[str]:
     return [f"link {name} {{", f"    id = {number}"]
 
 
-def body_text(head: Sequence[str], body: Body, edges: Sequence[str], frames: Sequence[str]) -> str:
+def body_text(
+    head: Sequence[str], body: RigidBody, edges: Sequence[str], frames: Sequence[str]
+) -> str:
     """Return the block of a link.
 
     Args:
@@ -163,14 +165,14 @@ def inertia_texts(body: MassDistribution) -> list[str]:
     return [mass, _vector(map(_number, body.com)), *moments]
 
 
-def _frames(frames: Iterable[Part], names: Iterable[str]) -> Iterable[str]:
+def _frames(frames: Iterable[BodyPart], names: Iterable[str]) -> Iterable[str]:
     for frame, name in zip(frames, names, strict=True):
         yield f"        {name} {{"
         yield from _pose(frame.pose, " " * 12)
         yield "        }"
 
 
-def joint_text(body: Body, name: str) -> str:
+def joint_text(body: RigidBody, name: str) -> str:
     """Return the block of a link's joint."""
     word = "r_joint" if body.kind == "revolute" else "p_joint"
     lines = [f"{word} {name} {{", "    ref_frame {"]

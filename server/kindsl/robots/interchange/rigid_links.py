@@ -12,7 +12,7 @@ from kindsl.mechanics.rigid.body import MassDistribution, Symmetric, seen_from
 from kindsl.mechanics.rigid.joint_kind import JointKind
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3, rotation_from_z
 from kindsl.robots.interchange.format import FormatError
-from kindsl.robots.mechanism.linkage import Body, Linkage, Part
+from kindsl.robots.mechanism.linkage import BodyPart, Linkage, RigidBody
 
 LinkJoint = Literal["", "fixed", "revolute", "prismatic"]
 # What URDF and SDF call the kinds of joints that there are here.
@@ -76,8 +76,8 @@ def linkage_of_links(name: str, base: BaseKind, links: Sequence[RigidLink]) -> L
     """
     for link in links:
         _check_finite(link)
-    bodies: list[Body] = []
-    parts: list[list[Part]] = []
+    bodies: list[RigidBody] = []
+    parts: list[list[BodyPart]] = []
     placed: dict[int, tuple[int, RigidPose]] = {}
     for index in _depth_first(links):
         link = links[index]
@@ -90,8 +90,8 @@ def linkage_of_links(name: str, base: BaseKind, links: Sequence[RigidLink]) -> L
             parts.append([])
         placed[index] = body, body_T_link
         mass = None if link.body is None else seen_from(link.body, body_T_link)
-        frames = (Part(n, body_T_link.then(pose), is_link=False) for n, pose in link.frames)
-        parts[body] += (Part(link.name, body_T_link, mass), *frames)
+        frames = (BodyPart(n, body_T_link.then(pose), is_link=False) for n, pose in link.frames)
+        parts[body] += (BodyPart(link.name, body_T_link, mass), *frames)
     made_of = zip(bodies, parts, strict=True)
     whole = (body._replace(parts=tuple(its)) for body, its in made_of)
     return Linkage(tuple(whole), base == "floating", name)
@@ -152,16 +152,16 @@ def _depth_first(links: Sequence[RigidLink]) -> Iterator[int]:
 
 def _body_of(
     link: RigidLink, base: BaseKind, placed: dict[int, tuple[int, RigidPose]]
-) -> tuple[Body, RigidPose]:
+) -> tuple[RigidBody, RigidPose]:
     """Return the body of a link that moves, or of the root; and the link's frame in its own."""
     if link.parent is None:
-        return Body(()), link.parent_T_joint if base == "fixed" else IDENTITY
+        return RigidBody(()), link.parent_T_joint if base == "fixed" else IDENTITY
     parent, body_T_parent = placed[link.parent]
     joint_T_body = RigidPose(rotation_from_z(link.axis), _AT_ORIGIN)
     pose = body_T_parent.then(link.parent_T_joint).then(joint_T_body)
     origin, written = body_T_parent.then(link.parent_T_origin), link.written_T_joint
     kind: JointKind = "prismatic" if link.joint_kind == "prismatic" else "revolute"
-    body = Body((), parent, link.joint, kind, pose, origin, written.then(joint_T_body))
+    body = RigidBody((), parent, link.joint, kind, pose, origin, written.then(joint_T_body))
     return body, joint_T_body.inverse().then(link.joint_T_link)
 
 

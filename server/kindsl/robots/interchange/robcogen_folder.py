@@ -14,17 +14,11 @@ from typing import NamedTuple
 from kindsl.language.text.lines import LineIndex
 from kindsl.mechanics.rigid.joint_kind import JointKind
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
-from kindsl.robots.comparison.written import (
-    Described,
-    TextPlace,
-    WrittenInertia,
-    WrittenNumber,
-    exactly_turned,
-    written_frame,
-)
+from kindsl.robots.comparison.side import ComparedSide, exactly_turned
+from kindsl.robots.comparison.written import TextPlace, WrittenInertia, WrittenNumber, written_frame
 from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.written_numbers import written_number
-from kindsl.robots.mechanism.linkage import Body, Linkage, Part, checked
+from kindsl.robots.mechanism.linkage import BodyPart, Linkage, RigidBody, checked
 
 _INERTIA_FILES = ("inertia_properties.impl.h", "inertia_properties.cpp", "inertia_properties.h")
 _TRANSFORM_FILES = ("transforms.impl.h", "transforms.cpp", "transforms.h")
@@ -88,7 +82,7 @@ def is_robcogen_folder(folder: Path) -> bool:
     )
 
 
-def described_robcogen(folder: Path, label: str) -> Described:
+def described_robcogen(folder: Path, label: str) -> ComparedSide:
     """Return the robot of a folder of generated C++.
 
     Raises:
@@ -105,13 +99,13 @@ def described_robcogen(folder: Path, label: str) -> Described:
     bodies = [inertias[name] for name in links]
     is_floating = bodies[0] is not None
     masses = (None if body is None else body.body() for body in bodies)
-    parts = [(Part(name, mass=mass),) for name, mass in zip(links, masses, strict=True)]
+    parts = [(BodyPart(name, mass=mass),) for name, mass in zip(links, masses, strict=True)]
     carried = (
-        Body(own, links.index(each.parent), each.joint, each.kind, each.pose)
+        RigidBody(own, links.index(each.parent), each.joint, each.kind, each.pose)
         for own, each in zip(parts[1:], carriers, strict=True)
     )
     try:
-        skeleton = checked(Linkage((Body(parts[0]), *carried), is_floating))
+        skeleton = checked(Linkage((RigidBody(parts[0]), *carried), is_floating))
     except ValueError as error:
         raise FormatError(str(error)) from None
     poses = zip(skeleton.joint_names, skeleton.placements, strict=True)

@@ -18,7 +18,15 @@ _GREATEST = 1e50
 
 
 class XmlError(ValueError):
-    """A text is not XML, or exceeds a limit; one sentence."""
+    """A text is not XML, or exceeds a limit; one sentence.
+
+    Attributes:
+        line: The line that is to blame, from 1.
+    """
+
+    def __init__(self, message: str, line: int = 1) -> None:
+        super().__init__(message)
+        self.line = line
 
 
 class XmlElement(Element):
@@ -27,11 +35,13 @@ class XmlElement(Element):
     Attributes:
         sourceline: The line where it begins, from 1.
         offset: Where its tag begins: in code points of a text, in bytes of a file's content.
+        end: Where its end tag begins, if it has one; counted likewise.
         comments: Before it, or behind it in the line where it ends.
     """
 
     sourceline: int
     offset: int
+    end: int
     comments: tuple[str, ...]
 
 
@@ -79,7 +89,7 @@ class _Reading:
         try:
             self._parser.Parse(content, True)
         except expat.ExpatError as error:
-            raise XmlError(f"not well-formed XML at line {error.lineno}") from error
+            raise XmlError(f"not well-formed XML at line {error.lineno}", error.lineno) from error
         except (LookupError, ValueError) as error:
             if isinstance(error, XmlError):
                 raise
@@ -110,6 +120,7 @@ class _Reading:
     def _end(self, tag: str) -> None:
         self._depth -= 1
         element = cast(XmlElement, self._builder.end(tag))
+        element.end = self._offset(self._parser.CurrentByteIndex)
         self._ended, self._comments = (self._parser.CurrentLineNumber, element), ()
 
     def _comment(self, text: str) -> None:
@@ -124,4 +135,4 @@ class _Reading:
 
     def _refuse(self, what: str) -> NoReturn:
         line = self._parser.CurrentLineNumber
-        raise XmlError(f"{what} at line {line}, which is not supported")
+        raise XmlError(f"{what} at line {line}, which is not supported", line)

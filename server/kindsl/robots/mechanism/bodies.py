@@ -9,7 +9,7 @@ from kindsl.mechanics.dynamics.bodies import Bodies, BodyFrame, Drives
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import RigidPose, Vector3
 from kindsl.mechanics.spatial.arrays import Array
-from kindsl.robots.mechanism.linkage import Body, Linkage, Part
+from kindsl.robots.mechanism.linkage import BodyPart, Linkage, RigidBody
 
 
 def bodies_of(linkage: Linkage) -> Bodies:
@@ -51,13 +51,15 @@ def linkage_of_bodies(bodies: Bodies) -> Linkage:
     """Return the bodies of arrays in plain numbers, numbered like them."""
     poses = map(_pose, bodies.p_R_j, bodies.p_r_j)
     masses = map(_mass_distribution, bodies.masses, bodies.coms, bodies.inertias)
-    parts = [[Part(name, mass=mass)] for name, mass in zip(bodies.body_names, masses, strict=True)]
+    parts = [
+        [BodyPart(name, mass=mass)] for name, mass in zip(bodies.body_names, masses, strict=True)
+    ]
     for f in bodies.frames:
         pose = _pose(f.body_R_frame, f.body_r_frame)
-        parts[f.body].append(Part(f.name, pose, is_link=False))
+        parts[f.body].append(BodyPart(f.name, pose, is_link=False))
     base, *others = map(tuple, parts)
     joints = bodies.parents, bodies.joint_names, bodies.joint_kinds, poses
-    return Linkage((Body(base), *map(Body, others, *joints)), bodies.is_floating)
+    return Linkage((RigidBody(base), *map(RigidBody, others, *joints)), bodies.is_floating)
 
 
 def _pose(R: Array, r: Array) -> RigidPose:

@@ -14,7 +14,7 @@ from kindsl.mechanics.rigid.topology import Topology, check_topology
 _ROUNDING = 1e-14
 
 
-class Part(NamedTuple):
+class BodyPart(NamedTuple):
     """A link, or a frame, that is fixed to a body.
 
     Attributes:
@@ -29,7 +29,7 @@ class Part(NamedTuple):
     mass: MassDistribution | None = None
     is_link: bool = True
 
-    def seen_from(self, pose: RigidPose) -> "Part":
+    def seen_from(self, pose: RigidPose) -> "BodyPart":
         """Return the same part of a body whose frame is at a pose in another frame, in that."""
         mass = None if self.mass is None else seen_from(self.mass, pose)
         return self._replace(pose=pose.then(self.pose), mass=mass)
@@ -40,7 +40,7 @@ class Part(NamedTuple):
         return dist(self.pose.numbers, IDENTITY.numbers) < _ROUNDING
 
 
-class Body(NamedTuple):
+class RigidBody(NamedTuple):
     """A body and the joint that supports it.
 
     Attributes:
@@ -53,7 +53,7 @@ class Body(NamedTuple):
         written_T_joint: The joint frame in the frame that is written.
     """
 
-    parts: tuple[Part, ...]
+    parts: tuple[BodyPart, ...]
     parent: int | None = None
     joint: str = ""
     kind: JointKind = "revolute"
@@ -73,16 +73,16 @@ class Body(NamedTuple):
         return lumped(known) if known else None
 
     @property
-    def frames(self) -> tuple[Part, ...]:
+    def frames(self) -> tuple[BodyPart, ...]:
         """The parts besides its first link: all are frames of it."""
         return self.parts[1:]
 
     @property
-    def frames_elsewhere(self) -> list[Part]:
+    def frames_elsewhere(self) -> list[BodyPart]:
         """The frames that are not the body's own, for which nobody needs another name."""
         return [frame for frame in self.frames if not frame.is_in_place]
 
-    def weighing(self, mass: MassDistribution | None) -> "Body":
+    def weighing(self, mass: MassDistribution | None) -> "RigidBody":
         """Return the same body with another mass distribution, that of its first link."""
         first, *others = self.parts
         parts = (first._replace(mass=mass), *(part._replace(mass=None) for part in others))
@@ -115,7 +115,7 @@ class Linkage:
         name: The robot's name.
     """
 
-    bodies: tuple[Body, ...]
+    bodies: tuple[RigidBody, ...]
     is_floating: bool = False
     name: str = ""
 
@@ -151,7 +151,7 @@ class Linkage:
 
     @cached_property
     def parents(self) -> tuple[int, ...]:
-        """Body index of each link's parent, less than the link's own."""
+        """RigidBody index of each link's parent, less than the link's own."""
         return tuple(body.parent or 0 for body in self.bodies[1:])
 
     @cached_property

@@ -21,7 +21,7 @@ from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import RigidPose, Vector3, pose_from
 from kindsl.robots.mechanism.errors import ModelError, UnboundParameterError, UndecidedValueError
 from kindsl.robots.mechanism.link_inertia import link_inertia, written_inertia
-from kindsl.robots.mechanism.linkage import Body, Linkage, Part, checked
+from kindsl.robots.mechanism.linkage import BodyPart, Linkage, RigidBody, checked
 from kindsl.robots.mechanism.numbering import numbered_by_id, numbered_by_tree, require_base
 
 # Nothing is known of earlier versions.
@@ -113,19 +113,19 @@ def _built(model: Model, edges: Sequence[Edge], reader: _Reader) -> Linkage:
     """
     base = require_base(model)
     index = {base: 0} | {edge.link: i for i, edge in enumerate(edges, 1) if edge.link is not None}
-    frames: dict[Link, list[Part]] = {}
+    frames: dict[Link, list[BodyPart]] = {}
     for name, link, frame in named_frames(index):
-        frames.setdefault(link, []).append(Part(name, reader.pose(frame), is_link=False))
+        frames.setdefault(link, []).append(BodyPart(name, reader.pose(frame), is_link=False))
 
-    def parts(link: Link) -> tuple[Part, ...]:
-        return Part(str(link.name), mass=reader.mass(link)), *frames.get(link, ())
+    def parts(link: Link) -> tuple[BodyPart, ...]:
+        return BodyPart(str(link.name), mass=reader.mass(link)), *frames.get(link, ())
 
-    bodies = [Body(parts(base))]
+    bodies = [RigidBody(parts(base))]
     for edge in edges:
         joint = edge.joint
         if edge.link is not None and joint is not None:
             parent, pose = index[edge.predecessor], reader.pose(joint)
-            bodies.append(Body(parts(edge.link), parent, str(joint.name), joint.kind, pose))
+            bodies.append(RigidBody(parts(edge.link), parent, str(joint.name), joint.kind, pose))
     try:
         return checked(Linkage(tuple(bodies), base.is_floating, model.name))
     except ValueError as error:

@@ -1,6 +1,7 @@
 """Reads two robots of any formats, to compare their mechanics."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -18,7 +19,7 @@ from kindsl.frontends.cli.documents.sources import STDIN, reason
 from kindsl.frontends.cli.documents.versions import require_own
 from kindsl.frontends.cli.outcome import Failure
 from kindsl.judgement.config.robots import is_robot
-from kindsl.robots.comparison.compared_robot import ComparedRobot
+from kindsl.robots.comparison.side import ComparedSide
 from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.registry import format_of_suffix
 
@@ -38,8 +39,8 @@ class ComparedRobots(NamedTuple):
         failures: Defects of a document of which the rest is compared.
     """
 
-    old: ComparedRobot
-    new: ComparedRobot
+    old: ComparedSide
+    new: ComparedSide
     notes: tuple[str, ...]
     failures: tuple[Failure, ...]
 
@@ -65,7 +66,7 @@ def read_robots(paths: Sequence[str], choices: "Choices") -> ComparedRobots:
 
     labels = _labels([shown_name(path) for path in paths])
     label_of = dict(zip(paths, labels, strict=True))
-    sides: dict[str, ComparedRobot] = {}
+    sides: dict[str, ComparedSide] = {}
     failures: list[Failure] = []
     for path, analysis in documents.items():
         sides[path], failed = _document(path, label_of[path], analysis)
@@ -75,8 +76,8 @@ def read_robots(paths: Sequence[str], choices: "Choices") -> ComparedRobots:
     def read(path: str, floating: bool | None) -> "ReadDescription":
         return _foreign(path, label_of[path], floating)
 
-    foreign = read_foreign(others, [side.robot for side in sides.values()], read)
-    sides |= {path: ComparedRobot(shown_name(path), read.robot) for path, read in foreign.items()}
+    foreign = read_foreign(others, sides.values(), read)
+    sides |= {p: replace(read.robot, shown=shown_name(p)) for p, read in foreign.items()}
     notes = tuple(note for read in foreign.values() for note in read.notes)
     old, new = (sides[path] for path in paths)
     return ComparedRobots(old, new, notes, tuple(failures))
@@ -92,7 +93,7 @@ def _labels(names: Sequence[str]) -> Sequence[str]:
     return names
 
 
-def _document(path: str, label: str, analysis: "Analysis") -> tuple[ComparedRobot, list[Failure]]:
+def _document(path: str, label: str, analysis: "Analysis") -> tuple[ComparedSide, list[Failure]]:
     """Return the robot of a document, and its defects if only a part can be read."""
     from kindsl.judgement.analysis.compared_document import compared_document
     from kindsl.robots.mechanism.errors import ModelError, UnboundParameterError
@@ -116,8 +117,8 @@ def _document(path: str, label: str, analysis: "Analysis") -> tuple[ComparedRobo
         if found is None:
             raise CommandError(failures) from None
         skeleton = found
-    robot = compared_document(label, analysis, values, skeleton)
-    return robot._replace(name=shown_name(path)), failures
+    side = compared_document(label, analysis, values, skeleton)
+    return replace(side, shown=shown_name(path)), failures
 
 
 def _foreign(path: str, label: str, floating: bool | None) -> "ReadDescription":

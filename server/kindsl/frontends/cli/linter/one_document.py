@@ -13,8 +13,10 @@ from kindsl.judgement.analysis.known_findings import Apart, lines_of, set_apart
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.judgement.analysis.text_fix import prove
 from kindsl.judgement.config.file_names import TRANSFORMS_SUFFIX
+from kindsl.judgement.config.robots import SUFFIX
 from kindsl.judgement.rules.base import Severity
 from kindsl.language.semantics.model import Model
+from kindsl.language.syntax.document import parse
 
 _CODE = "KD004"
 _NAME = "invalid-character"
@@ -69,8 +71,10 @@ def check(task: Task) -> Checked:
 def _checked(task: Task, text: str) -> Checked:
     if task.shown.endswith(TRANSFORMS_SUFFIX):
         return Checked(_transforms(task, text), None)
-    analysis = analyse(text, task.settings)
-    if task.fix_mode is FixMode.NONE or not is_decodable(text):
+    is_document = task.shown.endswith(SUFFIX)
+    analysis = Analysis(parse(text), task.settings) if is_document else analyse(text, task.settings)
+    is_as_written = task.fix_mode is FixMode.NONE or analysis.syntax.is_xml
+    if is_as_written or not is_decodable(text):
         return _outcome(task, analysis)
     from kindsl.frontends.cli.documents.writing import write_text
     from kindsl.judgement.analysis.fixing import fixed, is_fixable, is_safe

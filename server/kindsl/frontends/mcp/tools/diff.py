@@ -12,7 +12,6 @@ from kindsl.frontends.mcp.folder import Folder
 from kindsl.frontends.mcp.robots import compared_robot, read_other
 from kindsl.frontends.mcp.tool import Arguments, Content, Field, text
 from kindsl.products.reports.mechanics import facts, lines, report_of
-from kindsl.robots.comparison.compared_robot import ComparedRobot
 from kindsl.robots.comparison.mechanical import compared_mechanics
 from kindsl.robots.interchange.descriptions import read_foreign
 
@@ -30,11 +29,10 @@ def run(arguments: DiffArguments, folder: Folder) -> list[Content]:
     both, values = (arguments.a, arguments.b), arguments.parameters
     sides = {p: compared_robot(p, folder, values) for p in both if p.endswith(".kindsl")}
     others = [path for path in both if path not in sides]
-    robots = [side.robot for side in sides.values()]
-    foreign = read_foreign(others, robots, partial(read_other, folder))
-    sides |= {path: ComparedRobot(path, read.robot) for path, read in foreign.items()}
+    foreign = read_foreign(others, sides.values(), partial(read_other, folder))
+    sides |= {path: read.robot for path, read in foreign.items()}
     notes = [f"note: {note}" for read in foreign.values() for note in read.notes]
     old, new = (sides[path] for path in both)
-    report = report_of(old, new, compared_mechanics(old.robot, new.robot))
+    report = report_of(old, new, compared_mechanics(old, new))
     found = "\n".join((*lines(report), *notes))
     return [text(found), text(json.dumps(facts(report), indent=1))]

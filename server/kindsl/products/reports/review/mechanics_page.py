@@ -47,8 +47,8 @@ def _numbers(report: MechanicsReport) -> Iterator[Block]:
 
 
 def _pictures(report: MechanicsReport) -> Iterator[Block]:
-    ours = report.old.robot.skeleton
-    theirs = restated(ours, report.new.robot.skeleton, report.found)
+    ours = report.old.skeleton
+    theirs = restated(ours, report.new.skeleton, report.found)
     sides = (("before", report.old.name, ours), ("after", report.new.name, theirs))
     camera = camera_for([point for _, _, skeleton in sides for point in points_of(skeleton)])
     colors = _colors(report)
@@ -60,7 +60,7 @@ def _pictures(report: MechanicsReport) -> Iterator[Block]:
 
 
 def _colors(report: MechanicsReport) -> dict[str, str]:
-    names = report.old.robot.skeleton.body_names
+    names = report.old.skeleton.body_names
     frames = {n.owner: MOVED for n in report.found.numbers if n.kind == "frame"}
     heavy = {names[n.body]: HEAVIER for n in report.found.numbers if n.kind == "link"}
     moved = {names[n.body]: MOVED for n in report.found.numbers if n.kind == "joint"}

@@ -4,6 +4,7 @@ What is kept is what the Kinematics-DSL can say: links with their inertias, join
 and axes. Meshes, materials, limits and whatever other programs add cannot be wrong for us.
 """
 
+from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 from kindsl.language.text.nearest import hint, nearest_name, nearest_word
@@ -14,6 +15,7 @@ from kindsl.robots.interchange.xml_reading import XmlElement, XmlError, finite_n
 
 WORLD = "world"
 _TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
+_SYNTAX, _NUMBER = "KD001", "KD005"
 _ELSEWHERE = (("transmission", "transmission"), ("gazebo", "Gazebo extension"))
 
 
@@ -35,6 +37,27 @@ class Remarkable(NamedTuple):
     elsewhere: tuple[tuple[str, int], ...]
 
 
+class UrdfDefect(NamedTuple):
+    """A defect of a URDF.
+
+    Attributes:
+        code: The rule that it is reported under.
+        element: Where it is.
+        what: What is wrong with the element.
+        attribute: The attribute that is to blame, empty where that is the element.
+    """
+
+    code: str
+    element: Any
+    what: str
+    attribute: str = ""
+
+    @property
+    def message(self) -> str:
+        """The defect in one sentence."""
+        return f"<{_name_of(self.element)}> {self.what}"
+
+
 def checked(content: bytes | str) -> tuple[XmlElement, Remarkable]:
     """Return the root element of a URDF whose tree, poses and masses are sound.
 
@@ -47,19 +70,19 @@ def checked(content: bytes | str) -> tuple[XmlElement, Remarkable]:
         raise UrdfError(f"not a readable URDF: {error}") from error
     if robot.tag != "robot":
         raise UrdfError(f"not a URDF: its root element is <{_name_of(robot)}>, not <robot>")
-    _required(robot, "name")
     joints = robot.findall("joint")
     _add_world(robot, joints)
     links = robot.findall("link")
-    _check_names(links)
-    _check_names(joints)
     if not links:
         raise UrdfError("the URDF has no link")
-    for link in links:
-        _check_link(link)
-    for joint in joints:
-        _check_joint(joint)
-    _check_tree(links, joints)
+    for defect in defects(robot):
+        raise _error(defect.element, defect.what)
+    roots = root_links(links, joints)
+    if len(roots) != 1:
+        told = ", ".join(f"'{name}'" for name in roots[:5]) + (", ..." if len(roots) > 5 else "")
+        raise UrdfError(
+            f"the URDF has {len(roots)} root links, exactly one root link is required: {told}"
+        )
     return robot, _remarkable(robot, links, joints)
 
 
@@ -73,81 +96,123 @@ def _add_world(robot: XmlElement, joints: list[Any]) -> None:
         robot.insert(0, world)
 
 
-def _check_names(elements: list[Any]) -> None:
+def defects(robot: Any) -> Iterator[UrdfDefect]:
+    """Yield what keeps a `<robot>` from being a tree with finite numbers, but for several roots."""
+    links, joints = robot.findall("link"), robot.findall("joint")
+    yield from _missing(robot, "name")
+    yield from _of_names(links, "KD102")
+    yield from _of_names(joints, "KD103")
+    for link in links:
+        yield from _of_link(link)
+    for joint in joints:
+        yield from _of_joint(joint)
+    yield from _of_tree(links, joints)
+
+
+def root_links(links: list[Any], joints: list[Any]) -> list[str]:
+    """Return the links that no joint carries."""
+    carried = {end_of(joint, "child") for joint in joints}
+    return [name for name in (str(link.get("name")) for link in links) if name not in carried]
+
+
+def end_of(joint: Any, which: str) -> str:
+    """Return the link that is a joint's parent or child, empty where none is named."""
+    element = joint.find(which)
+    return "" if element is None else str(element.get("link") or "")
+
+
+def _of_names(elements: list[Any], code: str) -> Iterator[UrdfDefect]:
     seen: dict[str, Any] = {}
     for element in elements:
-        name = _required(element, "name")
-        if not name.strip():
-            raise _error(element, "has an empty name")
-        if name in seen:
+        name = element.get("name")
+        if name is None:
+            yield from _missing(element, "name")
+        elif not name.strip():
+            yield UrdfDefect(_SYNTAX, element, "has an empty name", "name")
+        elif name in seen:
             first = seen[name].sourceline
-            raise _error(element, f"has the name of the {element.tag} in line {first}")
-        seen[name] = element
+            what = f"has the name of the {element.tag} in line {first}"
+            yield UrdfDefect(code, element, what, "name")
+        seen.setdefault(name or "", element)
 
 
-def _check_link(link: Any) -> None:
+def _of_link(link: Any) -> Iterator[UrdfDefect]:
     for inertial in link.findall("inertial"):
-        if inertial.find("mass") is None:
-            raise _error(inertial, f"of link '{link.get('name')}' has no <mass>")
-        numbers_of(inertial.find("mass"), "value", 1)
+        mass = inertial.find("mass")
+        if mass is None:
+            what = f"of link '{link.get('name')}' has no <mass>"
+            yield UrdfDefect("KD008", inertial, what)
+        else:
+            yield from _of_numbers(mass, "value", 1)
         for inertia in inertial.findall("inertia"):
             for name in TENSOR:
-                _required(inertia, name)
-                numbers_of(inertia, name, 1)
-        _check_origin(inertial)
+                yield from _of_numbers(inertia, name, 1)
+        yield from _of_origin(inertial)
 
 
-def _check_joint(joint: Any) -> None:
-    kind = _required(joint, "type")
-    if kind not in _TYPES:
+def _of_joint(joint: Any) -> Iterator[UrdfDefect]:
+    kind = joint.get("type")
+    if kind is None:
+        yield from _missing(joint, "type")
+    elif kind not in _TYPES:
         meant = hint(nearest_word(kind, _TYPES))
-        raise _error(joint, f"has the unknown type '{kind}'{meant}")
+        yield UrdfDefect(_SYNTAX, joint, f"has the unknown type '{kind}'{meant}", "type")
     for end in ("parent", "child"):
         elements = joint.findall(end)
         if len(elements) != 1:
-            raise _error(joint, f"has {len(elements) or 'no'} <{end}>, and needs one")
-        _required(elements[0], "link")
-    _check_origin(joint)
+            what = f"has {len(elements) or 'no'} <{end}>, and needs one"
+            yield UrdfDefect("KD008", joint, what)
+        else:
+            yield from _missing(elements[0], "link")
+    yield from _of_origin(joint)
     for axis in joint.findall("axis") if kind not in ("fixed", "floating") else ():
-        if axis.get("xyz") is not None and not any(x * x for x in numbers_of(axis, "xyz", 3)):
-            raise _error(axis, f"of joint '{joint.get('name')}' has no length")
+        if axis.get("xyz") is not None:
+            found = list(_of_numbers(axis, "xyz", 3))
+            yield from found
+            if not found and not any(x * x for x in numbers_of(axis, "xyz", 3)):
+                what = f"of joint '{joint.get('name')}' has no length"
+                yield UrdfDefect(_NUMBER, axis, what, "xyz")
 
 
-def _check_origin(parent: Any) -> None:
+def _of_origin(parent: Any) -> Iterator[UrdfDefect]:
     for origin in parent.findall("origin"):
         for name in ("xyz", "rpy"):
             if origin.get(name) is not None:
-                numbers_of(origin, name, 3)
+                yield from _of_numbers(origin, name, 3)
         if origin.get("quat_xyzw") is not None:
-            rotation_of(origin)
+            try:
+                rotation_of(origin)
+            except UrdfError as error:
+                what = str(error).partition("> ")[2]
+                yield UrdfDefect(_NUMBER, origin, what, "quat_xyzw")
 
 
-def _check_tree(links: list[Any], joints: list[Any]) -> None:
-    """Raise if a link is missing, has two parents, or is part of a loop."""
+def _of_tree(links: list[Any], joints: list[Any]) -> Iterator[UrdfDefect]:
+    """Yield links that are missing, have two parents, or are part of a loop."""
     names = dict.fromkeys(link.get("name") for link in links)
+    if any(end_of(joint, "parent") == WORLD for joint in joints):
+        names[WORLD] = None
     parent: dict[str, Any] = {}
     for joint in joints:
-        for end in ("parent", "child"):
-            name = joint.find(end).get("link")
-            if name not in names:
-                meant = hint(nearest_name(name, names))
-                raise _error(joint, f"names a link '{name}' that does not exist{meant}")
-        child = joint.find("child").get("link")
+        ends = [joint.find(end) for end in ("parent", "child")]
+        for end in ends:
+            name = None if end is None else end.get("link")
+            if name is not None and name not in names:
+                meant = hint(nearest_name(name, [n for n in names if n is not None]))
+                what = f"names a link '{name}' that does not exist{meant}"
+                yield UrdfDefect("KD105", joint, what)
+        child = end_of(joint, "child")
         if child in parent:
             first = parent[child].get("name")
-            raise _error(joint, f"gives link '{child}' a second parent after joint '{first}'")
-        parent[child] = joint
+            what = f"gives link '{child}' a second parent after joint '{first}'"
+            yield UrdfDefect("KD202", joint, what)
+        elif child and end_of(joint, "parent"):
+            parent[child] = joint
     done: set[str] = set()
     for joint in joints:
-        loop = _loop_above(joint.find("child").get("link"), parent, done)
+        loop = _loop_above(end_of(joint, "child"), parent, done)
         if loop:
-            raise _error(parent[loop[-1]], f"closes a loop: {' -> '.join(loop)}")
-    roots = [link.get("name") for link in links if link.get("name") not in parent]
-    if len(roots) != 1:
-        told = ", ".join(f"'{name}'" for name in roots[:5]) + (", ..." if len(roots) > 5 else "")
-        raise UrdfError(
-            f"the URDF has {len(roots)} root links, exactly one root link is required: {told}"
-        )
+            yield UrdfDefect("KD201", parent[loop[-1]], f"closes a loop: {' -> '.join(loop)}")
 
 
 def _loop_above(link: str, parent: dict[str, Any], done: set[str]) -> list[str]:
@@ -156,11 +221,31 @@ def _loop_above(link: str, parent: dict[str, Any], done: set[str]) -> list[str]:
     while link in parent and link not in done:
         done.add(link)
         chain.append(link)
-        link = parent[link].find("parent").get("link")
+        link = end_of(parent[link], "parent")
     if link not in chain:
         return []
     loop = chain[chain.index(link) :]
     return [*reversed(loop), loop[-1]]
+
+
+def _missing(element: Any, name: str) -> Iterator[UrdfDefect]:
+    if element.get(name) is None:
+        yield UrdfDefect(_SYNTAX, element, f"has no attribute '{name}'")
+
+
+def _of_numbers(element: Any, name: str, count: int) -> Iterator[UrdfDefect]:
+    if element.get(name) is None:
+        yield from _missing(element, name)
+        return
+    words = element.get(name).split()
+    if len(words) != count:
+        what = f"has {len(words)} numbers in '{name}', not {count}"
+        yield UrdfDefect(_NUMBER, element, what, name)
+        return
+    for word in words:
+        if finite_number(word) is None:
+            what = f"has '{word}' in '{name}', which is not a finite number"
+            yield UrdfDefect(_NUMBER, element, what, name)
 
 
 def _remarkable(robot: Any, links: list[Any], joints: list[Any]) -> Remarkable:
@@ -176,19 +261,11 @@ def _has(element: Any, tag: str) -> bool:
     return element.find(tag) is not None
 
 
-def _required(element: Any, name: str) -> str:
-    value = element.get(name)
-    if value is None:
-        raise _error(element, f"has no attribute '{name}'")
-    return str(value)
-
-
 def numbers_of(element: Any, name: str, count: int) -> list[float]:
     """Return the finite numbers of an attribute, or raise where there are more or fewer."""
-    words = _required(element, name).split()
-    if len(words) != count:
-        raise _error(element, f"has {len(words)} numbers in '{name}', not {count}")
-    return [_number(element, name, word) for word in words]
+    for defect in _of_numbers(element, name, count):
+        raise _error(element, defect.what)
+    return [float(word) for word in element.get(name).split()]
 
 
 def rotation_of(origin: Any) -> Rotation:
@@ -199,13 +276,6 @@ def rotation_of(origin: Any) -> Rotation:
     if rotation is None:
         raise _error(origin, "has a quaternion of no length")
     return rotation
-
-
-def _number(element: Any, name: str, word: str) -> float:
-    value = finite_number(word)
-    if value is None:
-        raise _error(element, f"has '{word}' in '{name}', which is not a finite number")
-    return value
 
 
 def _error(element: Any, what: str) -> UrdfError:

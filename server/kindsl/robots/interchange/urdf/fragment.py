@@ -8,7 +8,7 @@ from xml.sax.saxutils import quoteattr
 from kindsl.robots.interchange.urdf.checking import UrdfError
 from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
 from kindsl.robots.interchange.xml_reading import XmlError, parsed_xml
-from kindsl.robots.mechanism.linkage import Body
+from kindsl.robots.mechanism.linkage import RigidBody
 
 _PROLOGUE = re.compile(r"<\?.*?\?>|</?robot\b[^<>]*>", re.DOTALL)
 _BASE = "the rest of the robot"
@@ -27,10 +27,10 @@ class Fragment(NamedTuple):
         has_limits: Whether joints have limits, which the document does not hold.
     """
 
-    links: tuple[Body, ...]
+    links: tuple[RigidBody, ...]
     given_links: frozenset[str]
     given_joints: frozenset[str]
-    inertial: Body | None = None
+    inertial: RigidBody | None = None
     has_limits: bool = False
 
 
@@ -94,6 +94,6 @@ def _added(robot: Any, given: list[str]) -> Iterator[str]:
             )
 
 
-def _without_base(link: Body) -> Body:
+def _without_base(link: RigidBody) -> RigidBody:
     """Return a link with its parent's index counted from behind the base."""
     return link._replace(parent=link.parent - 1 if link.parent else None)

@@ -32,6 +32,7 @@ from kindsl.robots.interchange.urdf.checking import (
     Remarkable,
     UrdfError,
     checked,
+    end_of,
     numbers_of,
     rotation_of,
 )
@@ -69,9 +70,9 @@ def robot_of_urdf(text: bytes | str, name: str, *, floating: bool = False) -> Re
     joints = robot.findall("joint")
     children: dict[str, list[Any]] = {}
     for joint in joints:
-        children.setdefault(_end(joint, "parent"), []).append(joint)
+        children.setdefault(end_of(joint, "parent"), []).append(joint)
     bodies = {str(link.get("name")): _body(link) for link in robot.findall("link")}
-    carried = {_end(joint, "child") for joint in joints}
+    carried = {end_of(joint, "child") for joint in joints}
     root = next(link for link in bodies if link not in carried)
     first = RigidLink(root, body=bodies[root])
     lost: tuple[str, ...] = ()
@@ -122,13 +123,9 @@ def _number(element: Any, name: str) -> float | None:
     return numbers_of(element, name, 1)[0]
 
 
-def _end(joint: Any, which: str) -> str:
-    return str(joint.find(which).get("link"))
-
-
 def _floating(joint: Any, bodies: dict[str, MassDistribution | None]) -> RigidLink:
     """Return the link that a joint lets float."""
-    name = _end(joint, "child")
+    name = end_of(joint, "child")
     return RigidLink(name, parent_T_joint=pose_of_origin(joint.find("origin")), body=bodies[name])
 
 
@@ -146,7 +143,7 @@ def _carried(joint: Any, parent: int, bodies: dict[str, MassDistribution | None]
     name, kind = str(joint.get("name")), joint.get("type")
     if kind not in JOINT_KINDS:
         raise UrdfError(f"the joint '{name}' is {kind}, which the language does not support")
-    child = _end(joint, "child")
+    child = end_of(joint, "child")
     told = None if kind == "fixed" else joint.find("axis")
     axis = _triple(told, "xyz", _USUAL_AXIS)
     pose = pose_of_origin(joint.find("origin"))

@@ -1,0 +1,50 @@
+"""A moment of inertia was copied into another attribute.
+
+## What it does
+Reports an inertia in a URDF whose product `ixy` equals its moment `ixx`, or whose six numbers are
+all the same.
+
+## Why is this bad?
+No body has such numbers: one was copied over another that is lost.
+
+## Example
+```xml
+<inertia ixx="0.01" ixy="0.01" ixz="0" iyy="0.02" iyz="0" izz="0.02"/>
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Finding, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.xml_elements import elements, number, urdf_link
+from kindsl.language.semantics.model import Model
+
+_TENSOR = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each inertia with a number that was written twice."""
+    for island, link in elements(model, "link"):
+        inertia = link.find("inertial/inertia")
+        numbers = [] if inertia is None else [number(inertia, name) for name in _TENSOR]
+        if inertia is None or None in numbers or not numbers[0]:
+            continue
+        are_equal = len(set(numbers)) == 1
+        if are_equal or numbers[1] == numbers[0]:
+            which = "all six moments are" if are_equal else "'ixy' is the same as 'ixx':"
+            message = f"moments of '{link.get('name')}' were copied: {which} {numbers[0]:g} kg·m²"
+            yield Finding(island.place(inertia, "ixy"), message)
+
+
+RULE = Rule(
+    "KD315",
+    "copied-moments",
+    Severity.WARNING,
+    check_document=check_document,
+    good=(urdf_link('ixx="0.01" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.02"'),),
+    bad=(
+        urdf_link('ixx="0.01" ixy="0.01" ixz="0" iyy="0.02" iyz="0" izz="0.02"'),
+        urdf_link('ixx="0.01" ixy="0.01" ixz="0.01" iyy="0.01" iyz="0.01" izz="0.01"'),
+    ),
+)

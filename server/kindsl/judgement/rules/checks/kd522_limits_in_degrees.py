@@ -1,0 +1,58 @@
+"""The limits of a turning joint were given in degrees.
+
+## What it does
+Reports a revolute joint with a limit beyond two full turns where both limits are whole multiples of
+five up to 720, as degrees are. Limits that are equal but for the sign and powers of ten, as `100`,
+are taken to mean none.
+
+## Why is this bad?
+A URDF has radians: 90 are fourteen turns, so nothing keeps the joint within its range.
+
+## Example
+```xml
+<limit lower="-90" upper="45" effort="80" velocity="3"/>
+```
+"""
+
+from collections.abc import Iterator
+from math import log10, pi
+
+from kindsl.judgement.rules.base import Finding, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.xml_elements import limited_joints, urdf_arm
+from kindsl.language.semantics.model import Model
+
+# Cables let some joints turn twice each way, none more.
+_MOST = 4.0 * pi
+_DEGREES = 720.0
+_STEP = 5.0
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each joint whose limits look like degrees."""
+    for joint in limited_joints(model):
+        ends = [end for end in (joint.lower, joint.upper) if end is not None]
+        if joint.kind == "revolute" and ends and _are_degrees(ends):
+            worst = max(ends, key=abs)
+            message = f"limit {worst:g} rad of joint '{joint.name}' looks like degrees"
+            yield Finding(joint.at("upper" if worst == joint.upper else "lower"), message)
+
+
+def _are_degrees(ends: list[float]) -> bool:
+    greatest = max(map(abs, ends))
+    is_none = log10(greatest).is_integer() if greatest else True
+    are_whole = all(end % _STEP == 0.0 for end in ends)
+    return _MOST < greatest <= _DEGREES and are_whole and not is_none
+
+
+RULE = Rule(
+    "KD522",
+    "limits-in-degrees",
+    Severity.WARNING,
+    check_document=check_document,
+    good=(
+        urdf_arm('<limit lower="-1.57" upper="0.785" effort="80" velocity="3"/>'),
+        urdf_arm('<limit lower="-100" upper="100" effort="80" velocity="3"/>'),
+    ),
+    bad=(urdf_arm('<limit lower="-90" upper="45" effort="80" velocity="3"/>'),),
+)

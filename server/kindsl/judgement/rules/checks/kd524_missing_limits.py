@@ -1,0 +1,50 @@
+"""A revolute or prismatic joint has no limits.
+
+## What it does
+Reports the joints of a URDF without a `<limit>`, once a file.
+
+## Why is this bad?
+A URDF must give limits of revolute and prismatic joints: ROS refuses the file. A joint that turns
+without end is `continuous`.
+
+## Example
+```xml
+<joint name="elbow" type="revolute">
+  <parent link="upper"/>
+  <child link="lower"/>
+</joint>
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.xml_elements import limited_joints, urdf_arm
+from kindsl.language.semantics.model import Model
+
+_MOST_RELATED = 20
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield one finding for all joints of a file that need limits and have none."""
+    without = [joint for joint in limited_joints(model) if joint.limit is None]
+    if without:
+        first, *others = without
+        more = f" and {len(others)} more" if others else ""
+        verb = "have" if others else "has"
+        message = f"{first.kind} joint '{first.name}'{more} {verb} no limits"
+        related = [
+            Related(joint.at(""), f"joint '{joint.name}'") for joint in others[:_MOST_RELATED]
+        ]
+        yield Finding(first.at(""), message, tuple(related))
+
+
+RULE = Rule(
+    "KD524",
+    "missing-limits",
+    Severity.WARNING,
+    check_document=check_document,
+    good=(urdf_arm('<limit lower="0" upper="1.57" effort="80" velocity="3"/>'),),
+    bad=(urdf_arm(""),),
+)

@@ -1,0 +1,46 @@
+"""A joint mimics a joint that is not there.
+
+## What it does
+Looks at the `<mimic>` of each joint in a URDF.
+
+## Why is this bad?
+Programs refuse the file, or leave the joint where it is.
+
+## Example
+```xml
+<mimic joint="elbwo"/>
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Finding, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.xml_elements import elements, urdf_arm
+from kindsl.language.semantics.model import Model
+from kindsl.language.text.nearest import hint, nearest_name
+
+_LIMIT = '<limit lower="0" upper="1.57" effort="80" velocity="3"/>'
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each joint that follows none."""
+    joints = list(elements(model, "joint"))
+    names = {joint.get("name") or "" for _, joint in joints}
+    for island, joint in joints:
+        mimic = joint.find("mimic")
+        other = None if mimic is None else mimic.get("joint")
+        if mimic is not None and other is not None and other not in names:
+            close = hint(nearest_name(other, names - {joint.get("name") or ""}))
+            message = f"joint '{joint.get('name')}' mimics a joint '{other}' that does not exist"
+            yield Finding(island.place(mimic, "joint"), f"{message}{close}")
+
+
+RULE = Rule(
+    "KD525",
+    "undefined-mimic",
+    Severity.ERROR,
+    check_document=check_document,
+    good=(urdf_arm(_LIMIT),),
+    bad=(urdf_arm(f'{_LIMIT}<mimic joint="elbow"/>'),),
+)

@@ -1,0 +1,130 @@
+"""The rules that concern robots in XML, and the elements that they look at."""
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.places import Place
+
+if TYPE_CHECKING:
+    from xml.etree.ElementTree import Element
+
+    from kindsl.robots.interchange.xml_document import XmlIsland
+    from kindsl.robots.interchange.xml_reading import XmlElement
+
+# Rules that say of a link of any format what they say of ours.
+OF_PARTS = frozenset(("KD301", "KD302", "KD303", "KD311"))
+# Rules that look at nothing but XML.
+OF_XML = frozenset(("KD315", "KD521", "KD522", "KD523", "KD524", "KD525"))
+CONCERN_XML = OF_PARTS | OF_XML | {"KD501"}
+_URDF = re.compile(r"\ufeff?\s*(?:<(?:\?.*?\?|!--.*?--)>\s*)*<robot[\s>]", re.DOTALL)
+_LIMITED = ("revolute", "prismatic")
+
+
+def begins_as_urdf(text: str) -> bool:
+    """Return whether the root element of a text is a `<robot>`."""
+    return _URDF.match(text) is not None
+
+
+def elements(model: Model, tag: str) -> "Iterator[tuple[XmlIsland, XmlElement]]":
+    """Yield the elements of a kind of a robot in XML, with the islands that they are in."""
+    if model.document.is_xml:
+        from kindsl.robots.interchange.xml_document import XmlIsland
+
+        for island in model.islands:
+            element = island.element if isinstance(island, XmlIsland) else None
+            if element is not None and element.tag == tag:
+                yield island, element  # type: ignore[misc]
+
+
+def number(element: "Element | None", name: str) -> float | None:
+    """Return the number in an attribute, None where there is none."""
+    from kindsl.robots.interchange.xml_reading import finite_number
+
+    text = None if element is None else element.get(name)
+    return None if text is None else finite_number(text.strip())
+
+
+class LimitedJoint(NamedTuple):
+    """A joint that must have limits.
+
+    Attributes:
+        island: Where it stands.
+        element: The joint.
+        limit: Its limits, None where it has none.
+        kind: Its type.
+        lower: The lower one, None where it is not given.
+        upper: The upper one.
+    """
+
+    island: "XmlIsland"
+    element: "XmlElement"
+    limit: "XmlElement | None"
+    kind: str
+    lower: float | None
+    upper: float | None
+
+    @property
+    def name(self) -> str:
+        """The joint's name."""
+        return self.element.get("name") or ""
+
+    @property
+    def unit(self) -> str:
+        """The unit of its position."""
+        return "m" if self.kind == "prismatic" else "rad"
+
+    @property
+    def is_broken(self) -> bool:
+        """True if a limit is written that is no number."""
+        if self.limit is None:
+            return False
+        pairs = (("lower", self.lower), ("upper", self.upper))
+        return any(value is None and self.limit.get(name) is not None for name, value in pairs)
+
+    def at(self, limit: str) -> Place:
+        """Return the place of a limit, or of the element, or of the joint."""
+        return self.island.place(self.element if self.limit is None else self.limit, limit)
+
+
+def limited_joints(model: Model) -> Iterator[LimitedJoint]:
+    """Yield the joints of a URDF that must have limits."""
+    for island, joint in elements(model, "joint"):
+        kind = joint.get("type") or ""
+        if kind in _LIMITED:
+            limit: Any = joint.find("limit")
+            ends = number(limit, "lower"), number(limit, "upper")
+            yield LimitedJoint(island, joint, limit, kind, *ends)
+
+
+def urdf_link(inertia: str) -> str:
+    """Return a URDF with one link, its moments being given."""
+    return f"""<robot name="arm">
+  <link name="upper">
+    <inertial>
+      <mass value="2"/>
+      <inertia {inertia}/>
+    </inertial>
+  </link>
+</robot>
+"""
+
+
+def urdf_arm(limit: str) -> str:
+    """Return a URDF with one joint, its limits and the like being given."""
+    return f"""<robot name="arm">
+  <link name="base"/>
+  <link name="upper">
+    <inertial>
+      <mass value="2"/>
+      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.02"/>
+    </inertial>
+  </link>
+  <joint name="shoulder" type="revolute">
+    <parent link="base"/>
+    <child link="upper"/>
+    {limit}
+  </joint>
+</robot>
+"""

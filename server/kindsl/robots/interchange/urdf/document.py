@@ -1,0 +1,179 @@
+"""A URDF as a document that is judged where it stands.
+
+Links become links; the frame of an `<inertial>` becomes a frame of theirs, in which the centre of
+mass is the origin. Products have the opposite sign there.
+"""
+
+from collections.abc import Iterator
+from typing import Any
+
+from kindsl.language.semantics.declarations import (
+    Declarations,
+    FixedAxes,
+    Frame,
+    Inertia,
+    Joint,
+    Link,
+    Pose,
+    Vector,
+)
+from kindsl.language.semantics.expressions import Expression
+from kindsl.language.semantics.places import Name, Place
+from kindsl.language.semantics.sections import JointFrame
+from kindsl.language.syntax.document import SyntaxDocument
+from kindsl.language.syntax.tree import Node
+from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.robots.interchange.rigid_links import TENSOR
+from kindsl.robots.interchange.urdf.checking import WORLD, UrdfDefect, defects, end_of, root_links
+from kindsl.robots.interchange.xml_document import (
+    Flaw,
+    XmlDocument,
+    XmlIsland,
+    pieces,
+    unreadable,
+)
+from kindsl.robots.interchange.xml_reading import XmlElement, XmlError, parsed_xml
+
+# A body smaller than a micrometre is a point: moments of 1e-20 are what a program left of zero.
+_DUST = 1e-12
+_ORIGIN = {"xyz": Vector, "rpy": FixedAxes}
+
+
+class UrdfIsland(XmlIsland):
+    """A link or joint of a URDF, or anything else in it."""
+
+    __slots__ = ("_declared",)
+
+    def declared(self) -> Declarations:
+        """Return the link or joint."""
+        found: Declarations = getattr(self, "_declared", Declarations(None, (), (), (), ()))
+        return found
+
+    def lowered(self, element: XmlElement) -> Iterator[Node]:
+        """Yield the block of a link or joint."""
+        if element.tag == "link":
+            link = self._link(element)
+            self._declared = Declarations(None, (), (link,), (), (link,))
+            yield link.node
+        elif element.tag == "joint":
+            joint = self._joint(element)
+            self._declared = Declarations(None, (), (), (joint,), (joint,))
+            yield joint.node
+
+    def _link(self, element: XmlElement) -> Link:
+        link = Link(self.block("link", element), self, self.name(element, "name"), "")
+        link.id, link.id_place, link.inertia, link.children, link.frames = None, None, None, (), ()
+        inertial: Any = element.find("inertial")
+        inertia = None if inertial is None else self._inertia(inertial, link.name)
+        if inertia is not None:
+            link.inertia = inertia
+            link.node.children.insert(1, inertia.node)
+            inertia.frame = Name.at("", self, inertia.start, inertia.start)
+            frame = Frame(inertia.node, self, inertia.frame, link.name)
+            frame.translation, frame.rotation = self._pose(inertial)
+            link.frames = (frame,)
+        return link
+
+    def _inertia(self, inertial: XmlElement, owner: str) -> Inertia | None:
+        """Return an inertia; none for one of nothing, as frames without mass have it."""
+        weight, tensor = inertial.find("mass"), inertial.find("inertia")
+        values = [] if weight is None else self.numbers(weight, "value")
+        moments: dict[str, Expression] = {}
+        for name, theirs in zip(MOMENTS, TENSOR, strict=True):
+            sign = -1 if theirs[1] != theirs[2] else 1
+            found = [] if tensor is None else self.numbers(tensor, theirs, sign)
+            if len(found) == 1:
+                moments[name] = found[0]
+        mass = values[0].literal or 0.0 if len(values) == 1 else 0.0
+        if all(abs(e.literal or 0.0) <= _DUST * mass for e in moments.values()):
+            moments = dict(zip(moments, self.zeros(inertial, len(moments)), strict=True))
+            if not mass and values:
+                return None
+        inertia = Inertia(self.block("inertia", inertial), self, Name(""), owner)
+        x, y, z = self.zeros(inertial, 3)
+        inertia.mass = values[0] if len(values) == 1 else None
+        inertia.com, inertia.moments = Vector(inertia.node, self, (x, y, z)), moments
+        return inertia
+
+    def _joint(self, element: XmlElement) -> Joint:
+        joint = Joint(self.block("joint", element), self, self.name(element, "name"), "")
+        joint.kind = "prismatic" if element.get("type") == "prismatic" else "revolute"
+        joint.id, joint.id_place = None, None
+        joint.frame = JointFrame(joint.node, self, Name(""), joint.name)
+        joint.frame.translation, joint.frame.rotation = self._pose(element)
+        return joint
+
+    def _pose(self, parent: XmlElement) -> Pose:
+        """Return the pose in an element's `<origin>`; no turn where it is a quaternion."""
+        origin: Any = parent.find("origin")
+        vectors = []
+        for name, made in _ORIGIN.items():
+            at = parent if origin is None else origin
+            found = [] if origin is None else self.numbers(origin, name)
+            x, y, z = found if len(found) == 3 else self.zeros(at, 3)
+            vectors.append(made(self.block("vector", at), self, (x, y, z)))
+        return Pose(*vectors)
+
+
+def urdf_document(text: str, former: SyntaxDocument | None = None) -> XmlDocument:
+    """Return the document of a URDF; never raises, whatever the text.
+
+    Args:
+        text: The text.
+        former: An earlier version: elements with the same text are taken from it.
+    """
+    try:
+        root = parsed_xml(text)
+    except XmlError as error:
+        return unreadable(text, error)
+    known: dict[tuple[str, bool], list[UrdfIsland]] = {}
+    for island in former.islands if former is not None else ():
+        if isinstance(island, UrdfIsland):
+            known.setdefault((island.text, island.element is not None), []).append(island)
+    texts = pieces(text, root)
+    islands = []
+    for index, piece in enumerate(texts):
+        key = piece, 0 < index < len(texts) - 1
+        same = known.get(key)
+        islands.append(same.pop(0) if same else UrdfIsland(*key))
+    document = XmlDocument(islands, former.versions if former is not None else None)
+    document.make = urdf_document
+    document.flaws = tuple(_flaws(root, islands))
+    return document
+
+
+def _flaws(root: XmlElement, islands: list[UrdfIsland]) -> Iterator[Flaw]:
+    """Yield the defects of a URDF, at their places in its islands."""
+    head = islands[0]
+    at = Place(head, root.offset, len(head.text))
+    if root.tag != "robot":
+        yield Flaw("KD001", f"not a URDF: its root element is <{root.tag}>, not <robot>", at)
+        return
+    elements: dict[int, tuple[UrdfIsland, XmlElement]] = {}
+    for child, island in zip(root, islands[1:-1], strict=True):
+        if island.element is not None:
+            pairs = zip(child.iter(), island.element.iter(), strict=True)
+            elements |= {id(whole): (island, own) for whole, own in pairs}  # type: ignore[misc]
+    for defect in defects(root):
+        yield Flaw(defect.code, defect.message, _place(defect, elements, at))
+    links, joints = root.findall("link"), root.findall("joint")
+    roots = root_links(links, joints)
+    if any(end_of(joint, "parent") == WORLD for joint in joints):
+        roots = [WORLD, *(name for name in roots if name != WORLD)]
+    first, *others = roots or [""]
+    named = {str(link.get("name")): link for link in reversed(links)}
+    for other in others:
+        island, own = elements[id(named[other])]
+        message = f"no joint carries link '{other}': '{first}' is the root"
+        yield Flaw("KD203", message, island.place(own, "name"))
+    if not links:
+        yield Flaw("KD008", "the URDF has no link", at)
+
+
+def _place(
+    defect: UrdfDefect, elements: dict[int, tuple[UrdfIsland, XmlElement]], otherwise: Place
+) -> Place:
+    found = elements.get(id(defect.element))
+    if found is None:
+        return otherwise
+    return found[0].place(found[1], defect.attribute)

@@ -1,0 +1,198 @@
+"""An XML file as a document: a row of islands, one for each child of its root element.
+
+A comment before an element belongs to its island, and one behind it in the line where it ends.
+"""
+
+import re
+from abc import abstractmethod
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any, NamedTuple
+
+from kindsl.language.semantics.expressions import Expression
+from kindsl.language.semantics.lowering import OtherIsland
+from kindsl.language.semantics.places import Name, Place
+from kindsl.language.syntax.document import Chunk, SyntaxDocument
+from kindsl.language.syntax.tree import Island, Node, Token
+from kindsl.language.text.edits import TextEdit, apply_edits
+from kindsl.language.text.facts import Facts
+from kindsl.robots.interchange.xml_reading import XmlElement, XmlError, finite_number, parsed_xml
+
+_COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
+_REST_OF_LINE = re.compile(r"(?:[^\S\r\n]|<!--[^\r\n]*?-->)*")
+_TAG = re.compile(r"""<(?:[^"'>]|"[^"]*"|'[^']*')*>""")
+_ATTRIBUTE = r"""[\s"']{name}\s*=\s*(?:"([^"]*)"|'([^']*)')"""
+_WORD = re.compile(r"\S+")
+_CHUNK = 96
+# A zero without a point is exact: as a decimal it has more digits than any number beside it.
+_EXACT_ZERO = "0.000000000000000"
+
+
+class XmlIsland(OtherIsland):
+    """A piece of an XML file: an element with the comments around it, or the root's own tags.
+
+    Attributes:
+        element: The element, None for the root's tags.
+    """
+
+    __slots__ = ("element",)
+
+    def __init__(self, text: str, is_element: bool) -> None:
+        self.element = parsed_xml(text) if is_element else None
+        comments = tuple(match.span() for match in _COMMENT.finditer(text))
+        super().__init__(text, (), (), (), comments, ())
+        if self.element is not None:
+            self.nodes = tuple(self.lowered(self.element))
+
+    @abstractmethod
+    def lowered(self, element: XmlElement) -> Iterator[Node]:
+        """Yield the blocks of an element, and keep what it declares."""
+
+    def tag(self, element: Any) -> tuple[int, int]:
+        """Return where the tag is that an element begins with."""
+        found = _TAG.match(self.text, element.offset)
+        return element.offset, found.end() if found else element.offset + 1
+
+    def end(self, element: Any) -> int:
+        """Return where an element ends."""
+        return end_of_element(self.text, element)
+
+    def attribute(self, element: Any, name: str) -> tuple[int, int] | None:
+        """Return where the value of an attribute is, between its quotes; None without one."""
+        start, end = self.tag(element)
+        match = re.search(_ATTRIBUTE.format(name=re.escape(name)), self.text[start:end])
+        if match is None:
+            return None
+        first, last = match.span(1 if match[1] is not None else 2)
+        return start + first, start + last
+
+    def place(self, element: Any, name: str = "") -> Place:
+        """Return the place of an attribute's value, or of an element's first tag."""
+        span = self.attribute(element, name) if name else None
+        return Place(self, *(span or self.tag(element)))
+
+    def name(self, element: Any, attribute: str) -> Name:
+        """Return the name in an attribute, empty where there is none."""
+        at = self.place(element, attribute)
+        return Name.at(element.get(attribute) or "", self, at.start, at.end)
+
+    def numbers(self, element: Any, name: str, sign: int = 1) -> list[Expression]:
+        """Return the numbers in an attribute, none where one of them is not finite.
+
+        Args:
+            element: The element.
+            name: The attribute.
+            sign: -1 where the format has the opposite sign.
+        """
+        span = self.attribute(element, name)
+        if span is None or any(finite_number(w) is None for w in (element.get(name) or "").split()):
+            return []
+        return [
+            self._number(_with_sign(_as_decimal(word[0]), sign), word.start(), word.end())
+            for word in _WORD.finditer(self.text, *span)
+        ]
+
+    def zeros(self, at: Any, count: int) -> list[Expression]:
+        """Return numbers that are zero because an element does not say otherwise."""
+        start, end = self.tag(at)
+        return [self._number(_EXACT_ZERO, start, end) for _ in range(count)]
+
+    def block(self, kind: str, element: XmlElement) -> Node:
+        """Return the block of an element: its tag, and its end."""
+        start, end = self.tag(element)
+        tag = Token("TAG", self.text[start:end], start, start, end)
+        stop = self.end(element)
+        return Node(kind, [tag, Token("END", "", end, stop, stop)])
+
+    def _number(self, text: str, start: int, end: int) -> Expression:
+        return Expression(Node("number", [Token("FLOAT", text, start, start, end)]), self)
+
+
+class Flaw(NamedTuple):
+    """Something that keeps a document from being what its format wants.
+
+    Attributes:
+        code: The rule that it is reported under.
+        message: One sentence, no final period.
+        at: Where.
+    """
+
+    code: str
+    message: str
+    at: Place
+
+
+class XmlDocument(SyntaxDocument):
+    """The text of an XML file and its islands.
+
+    Attributes:
+        flaws: What keeps it from being in its format.
+    """
+
+    is_xml = True
+
+    def __init__(self, islands: Sequence[Island], versions: Facts | None = None) -> None:
+        firsts = range(0, len(islands), _CHUNK)
+        chunks = (Chunk(tuple(islands[first : first + _CHUNK])) for first in firsts)
+        super().__init__(tuple(chunks), versions)
+        self.flaws: tuple[Flaw, ...] = ()
+        self.make: Callable[[str, SyntaxDocument | None], SyntaxDocument] = _unmade
+
+    @property
+    def problems(self) -> tuple[()]:
+        """No problems of the Kinematics-DSL."""
+        return ()
+
+    def edited(self, edits: Sequence[TextEdit]) -> SyntaxDocument:
+        """Return the document after edits that are made at once; equal elements stay."""
+        return self.make(apply_edits(self.text, edits), self)
+
+
+def _unmade(text: str, former: SyntaxDocument | None) -> SyntaxDocument:
+    raise NotImplementedError
+
+
+def pieces(text: str, root: XmlElement) -> list[str]:
+    """Return the texts of a root's first tag, of its children, and of its end."""
+    tag = _TAG.match(text, root.offset)
+    ends = [tag.end() if tag else len(text)]
+    for child in root:
+        end = end_of_element(text, child)
+        rest = _REST_OF_LINE.match(text, end)
+        is_last = rest is not None and text[rest.end() : rest.end() + 1] in ("\n", "\r", "")
+        ends.append(rest.end() if rest is not None and is_last else end)
+    starts = [0, *ends]
+    return [text[start:end] for start, end in zip(starts, [*ends, len(text)], strict=True)]
+
+
+def end_of_element(text: str, element: Any) -> int:
+    """Return where an element ends, behind its last tag."""
+    tag = _TAG.match(text, element.offset)
+    if tag is not None and not tag[0].endswith("/>"):
+        tag = _TAG.match(text, element.end)
+    return tag.end() if tag else len(text)
+
+
+def unreadable(text: str, error: XmlError) -> XmlDocument:
+    """Return the document of a text that is no XML, with the flaw that says so."""
+    lines = text.splitlines(keepends=True)
+    start = sum(map(len, lines[: error.line - 1]))
+    line = lines[error.line - 1] if error.line <= len(lines) else ""
+    island = Island(text, (), (), (), (), ())
+    document = XmlDocument([island])
+    place = Place(island, start, start + max(len(line.rstrip()), 1))
+    document.flaws = (Flaw("KD001", str(error), place),)
+    return document
+
+
+def _as_decimal(word: str) -> str:
+    """Return a number with a point, which says how exact it is: a plain zero is exactly zero."""
+    if not float(word):
+        return word if "." in word else _EXACT_ZERO
+    mantissa, e, exponent = word.lower().partition("e")
+    return word if "." in word else f"{mantissa}.0{e}{exponent}"
+
+
+def _with_sign(word: str, sign: int) -> str:
+    if sign > 0:
+        return word
+    return word[1:] if word.startswith("-") else f"-{word.removeprefix('+')}"

@@ -1,0 +1,168 @@
+"""A URDF judged where it stands: the rules of documents, at places in the file."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from kindsl.frontends.cli.lint import main
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.text.edits import TextEdit
+
+TENSOR = 'ixx="0.01" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.02"'
+PLATE = 'ixx="0.01" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.06"'
+LIMIT = '<limit lower="-1" upper="1" effort="9" velocity="9"/>'
+
+
+def link(name: str, tensor: str = TENSOR, mass: str = "2", origin: str = "") -> str:
+    return f"""  <link name="{name}">
+    <inertial>{origin}
+      <mass value="{mass}"/>
+      <inertia {tensor}/>
+    </inertial>
+  </link>
+"""
+
+
+def joint(name: str, parent: str, child: str, kind: str = "revolute") -> str:
+    limit = LIMIT if kind == "revolute" else ""
+    return f"""  <joint name="{name}" type="{kind}">
+    <parent link="{parent}"/><child link="{child}"/>{limit}
+  </joint>
+"""
+
+
+def robot(*blocks: str) -> str:
+    return f"""<?xml version="1.0"?>
+<robot name="arm">
+  <link name="base"/>
+{"".join(blocks)}</robot>
+"""
+
+
+ARM = robot(link("upper"), joint("shoulder", "base", "upper"))
+BAD = ARM.replace(TENSOR, PLATE)
+
+
+def told(text: str, settings: Settings | None = None) -> list[tuple[str, str, int]]:
+    found = analyse(text, settings or Settings())
+    assert found.faults == ()
+    return [(f.code, str(f.severity), text.count("\n", 0, f.start) + 1) for f in found.findings]
+
+
+def test_a_sound_robot_has_no_finding() -> None:
+    assert told(ARM) == []
+
+
+def test_an_impossible_inertia_is_an_error_at_its_element() -> None:
+    assert told(BAD) == [("KD302", "error", 5)]
+
+
+def test_the_centre_of_mass_may_be_anywhere() -> None:
+    """Moments are about it: about the link's origin they would be far too small."""
+    origin = '<origin xyz="0 0 9" rpy="0.4 0 1"/>'
+    assert told(robot(link("upper", origin=origin), joint("shoulder", "base", "upper"))) == []
+
+
+def test_products_have_the_sign_of_a_tensor() -> None:
+    tensor = 'ixx="0.02" ixy="-0.009" ixz="-0.009" iyy="0.02" iyz="{}0.009" izz="0.02"'
+    sides = [robot(link("a", tensor.format(sign)), joint("j", "base", "a")) for sign in ("-", "")]
+    assert [bool(told(text)) for text in sides] == [False, True]
+
+
+def test_zero_is_exact_without_a_point() -> None:
+    tensor = 'ixx="1" ixy="0" ixz="0" iyy="0.4" iyz="0" izz="0.4"'
+    text = robot(link("upper", tensor, "30"), joint("shoulder", "base", "upper"))
+    assert [code for code, _, _ in told(text)] == ["KD302"]
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ('  <link name="upper">', '  <!-- kindsl: ignore[KD302] a fake -->\n  <link name="upper">'),
+        ('<link name="upper">', '<link name="upper"> <!-- kindsl: ignore[KD302] -->'),
+        ("    <inertial>", "    <!-- kindsl: ignore[KD302] -->\n    <inertial>"),
+        ("<inertial>", "<inertial> <!-- kindsl: ignore[KD302] -->"),
+        ('<robot name="arm">', '<robot name="arm">\n<!-- kindsl: ignore-file[KD3] -->'),
+    ],
+)
+def test_comments_silence_findings(old: str, new: str) -> None:
+    assert told(BAD.replace(old, new)) == []
+
+
+def test_a_comment_in_vain_and_one_that_nobody_knows_are_told() -> None:
+    vain = ARM.replace(
+        '  <link name="upper">', '  <!-- kindsl: ignore[KD302] -->\n  <link name="upper">'
+    )
+    assert [code for code, _, _ in told(vain)] == ["KD704"]
+    unknown = vain.replace("KD302", "KD999")
+    assert told(unknown)[0][0] == "KD706"
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "line"),
+    [
+        (ARM.replace("</robot>", ""), "KD001", 14),
+        (ARM.replace('mass value="2"', 'mass value="2,5"'), "KD005", 6),
+        (ARM.replace('      <mass value="2"/>\n', ""), "KD008", 5),
+        (ARM.replace("</robot>", link("upper") + "</robot>"), "KD102", 13),
+        (ARM.replace('child link="upper"', 'child link="uper"'), "KD105", 10),
+        (ARM.replace("</robot>", link("lost") + "</robot>"), "KD203", 13),
+    ],
+)
+def test_what_is_no_urdf_is_a_finding_with_its_line(text: str, code: str, line: int) -> None:
+    assert (code, line) in [(c, at) for c, _, at in told(text)]
+
+
+def test_several_defects_are_told_at_once() -> None:
+    text = BAD.replace('child link="upper"', 'child link="uper"')
+    text = text.replace("</robot>", link("upper") + "</robot>")
+    assert {"KD102", "KD105", "KD302"} <= {code for code, _, _ in told(text)}
+
+
+def test_no_moving_joint_several_roots_and_ball_joints_are_judged() -> None:
+    text = robot(link("a", PLATE), link("b"), joint("j", "base", "b", "floating"))
+    assert ("KD302", "error", 5) in told(text)
+
+
+def test_placeholders_and_missing_inertias_are_told_once() -> None:
+    unit = 'ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"'
+    names = "abc"
+    text = robot(
+        *(link(n, unit, "1") for n in names),
+        *(joint(f"j{n}", "base", n) for n in names),
+        '<link name="d"/><link name="e"/><link name="tool"/>',
+        joint("jd", "a", "d"), joint("je", "a", "e"), joint("jt", "a", "tool", "fixed"),
+    )  # fmt: skip
+    assert [code for code, _, _ in told(text)] == ["KD310", "KD304"]
+    assert "'d' and 1 more have" in str(analyse(text).findings[1].message)
+
+
+def test_a_part_that_hardly_weighs_is_a_hint() -> None:
+    text = robot(
+        link("upper"),
+        link("bolt", PLATE.replace("0.0", "0.000"), "0.01"),
+        joint("shoulder", "base", "upper"),
+        joint("screw", "upper", "bolt", "fixed"),
+    )
+    assert told(text) == [("KD302", "hint", 11)]
+
+
+def test_an_edit_keeps_the_elements_that_it_does_not_touch() -> None:
+    first = analyse(BAD)
+    at = BAD.index("0.06")
+    second = first.edited([TextEdit(at, at + 4, "0.025")])
+    assert second.findings == ()
+    assert second.text == BAD.replace("0.06", "0.025")
+    kept = set(map(id, first.syntax.islands)) & set(map(id, second.syntax.islands))
+    assert len(kept) == len(first.syntax.islands) - 1
+    assert isinstance(second, Analysis)
+
+
+def test_the_linter_reads_a_urdf(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "arm.urdf"
+    path.write_text(BAD)
+    assert main([str(path), "--output-format", "json"]) == 1
+    (found,) = json.loads(capsys.readouterr().out)
+    assert (found["code"], found["start"]["line"]) == ("KD302", 5)
