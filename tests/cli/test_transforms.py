@@ -30,7 +30,8 @@ Jacobians {
 }
 """
 WORDS = ["Robot", "arm", "Frames", "Transforms", "Jacobians", "{", "}", ",", "base", "target", "=",
-         "fr_base", "tip", "fr_base, tip", "base=a, target=b", "1", "// x\n", ";"]  # fmt: skip
+         "fr_base", "tip", "fr_base, tip", "base=a, target=b", "<-", "->", "1",
+         "// x\n", ";"]  # fmt: skip
 
 
 @pytest.fixture
@@ -69,7 +70,10 @@ def test_a_link_with_the_name_of_a_joints_frame_does_not_hide_it() -> None:
         ("base=tip, target=fr_upper", "base=fr_base, target=fr_lower", "5:10", "KD803"),
         ("fr_base, fr_upper", "fr_base, tip, fr_upper", "2:44", "KD803"),
         ("Robot arm", "Robot leg", "1:7", "KD804"),
-        ("base=tip, ", "base=tip ", "5:14", "KD800"),
+        ("base=tip, ", "base tip, ", "5:10", "KD800"),
+        ("base=tip, target=fr_upper", "fr_base <- fr_lower", "5:5", "KD803"),
+        ("base=tip, target=fr_upper", "fr_lower -> fr_base", "5:5", "KD803"),
+        ("base=tip, target=fr_upper", "tip <- fr_uper", "5:12", "KD801"),
     ],
 )
 def test_what_is_wrong(

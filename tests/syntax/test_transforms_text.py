@@ -13,7 +13,7 @@ Frames { fr_base, fr_upper, base, tip }
 Transforms { base=fr_base, target=fr_upper  base=tip, target=base }
 Jacobians { base=fr_base, target=tip }
 """
-WORDS = GOOD.replace(",", " , ").replace("=", " = ").split()
+WORDS = [*GOOD.replace(",", " , ").replace("=", " = ").split(), "<-", "->"]
 
 
 def told(text: str) -> list[tuple[str, str]]:
@@ -33,6 +33,7 @@ def test_a_good_document_is_read_whole() -> None:
 
 NEXT = "'Frames', 'Jacobians' or 'Transforms'"
 SEPARATED = "',' or '}'"
+PAIR = "a frame, 'base', '}' or 'target'"
 
 
 @pytest.mark.parametrize(
@@ -42,9 +43,21 @@ SEPARATED = "',' or '}'"
         ("fr_upper, base", "fr_upper,, base", "expected a frame instead of ','", ","),
         ("tip }\nT", "tip\nT", f"expected {SEPARATED} instead of 'Transforms'", "Transforms"),
         ("base=tip,", "base=,", "expected a frame instead of ','", ","),
-        ("base=tip, target", "base=tip target", "expected ',' instead of 'target'", "target"),
+        ("base=tip, target", "base=tip, ; target", "expected 'target' instead of ';'", ";"),
+        (
+            "base=tip, target=base",
+            "tip < fr_base",
+            "expected '<-' or '->' instead of '<'",
+            "< fr_base",
+        ),
+        ("base=tip, target=base", "tip <- -> fr_base", "expected a frame instead of '->'", "->"),
         ("tip }\nT", "tip } ;;% ;\nT", f"expected {NEXT} instead of ';'", ";;% ;"),
-        ("get=tip }", "get=tip", "expected 'base' or '}' instead of the end of the document", ""),
+        (
+            "get=tip }",
+            "get=tip",
+            "expected a frame, 'base', '}' or 'target' instead of the end of the document",
+            "",
+        ),
         ("Transforms {", "Jacobians {", "'Jacobians' is repeated", "Jacobians"),
     ],
 )
@@ -52,6 +65,26 @@ def test_a_mistake_is_one_message(old: str, new: str, message: str, stretch: str
     text = GOOD.replace(old, new, 1)
     assert text != GOOD
     assert told(text) == [(message, stretch)]
+
+
+@pytest.mark.parametrize(
+    "pair",
+    ["base=a target=b", "base=a, target=b", "a <- b", "a<-b", "b -> a", "target=b, base=a",
+     "right=b left=a", "left_frame = a, right_frame = b"],
+)  # fmt: skip
+def test_a_pair_is_said_in_many_ways(pair: str) -> None:
+    document = read_transforms(f"Model arm Frames {{ a, b }} Transforms {{ {pair} c <- d }}")
+    assert document.defects == ()
+    assert [[word.text for word in both] for both in document.transforms] == [
+        ["a", "b"],
+        ["c", "d"],
+    ]
+
+
+@pytest.mark.parametrize("half", ["tip", "tip <-", "base", "base=tip", "base=tip, target="])
+def test_half_a_pair_hides_nothing_behind_it(half: str) -> None:
+    document = read_transforms(GOOD.replace("base=tip, target=base", half))
+    assert (len(document.defects), len(document.transforms), len(document.jacobians)) == (1, 1, 1)
 
 
 def test_sections_out_of_order_are_read_all_the_same() -> None:
@@ -67,10 +100,10 @@ def test_sections_out_of_order_are_read_all_the_same() -> None:
 
 def test_mistakes_are_told_each() -> None:
     text = GOOD.replace("fr_base, fr_upper", "fr_base fr_upper").replace(
-        "tip, target", "tip target"
+        "tip, target", "tip, ; target"
     )
     text = text.replace("Jacobians {", "Jacobians { ;")
-    assert [stretch for _, stretch in told(text)] == ["fr_upper", "target", ";"]
+    assert [stretch for _, stretch in told(text)] == ["fr_upper", ";", ";"]
     assert len(read_transforms(text).frames) == 4 and len(read_transforms(text).jacobians) == 1
 
 

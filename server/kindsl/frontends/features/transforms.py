@@ -29,7 +29,7 @@ from kindsl.language.text.nearest import nearest_name
 _WORD_BEFORE = re.compile(r"\w*\Z")
 _BEHIND_WORD = re.compile(r"\W")
 _PAIR = "base=${1:frame}, target=${2:frame}"
-
+_IN_LIST = re.compile(r"\bFrames\s*\{[^}]*\Z")
 
 _QUICK = "quickfix"
 _REWRITE = "refactor.rewrite"
@@ -61,13 +61,15 @@ def _items(text: str, start: int, model: Model | None) -> Iterator[CompletionIte
     for expected in before.expected:
         if expected == "a frame":
             yield from _frames(text, start, model)
+        elif expected == "'<-'":
+            yield CompletionItem("<-", "keyword", "<- ", "the base first")
         elif expected == "a robot name":
             yield from (CompletionItem(n, "link", n, "the robot") for n in _robot(model))
         elif expected == "'base'":
             yield CompletionItem(
                 "base, target", "snippet", _PAIR, "a pair of frames", is_snippet=True
             )
-        elif expected in ("'target'", "'Robot'"):
+        elif expected in ("'target'", "'Robot'") and "'base'" not in before.expected:
             name = expected.strip("'")
             yield CompletionItem(name, "keyword", f"{name}=" if name == "target" else f"{name} ")
 
@@ -76,8 +78,8 @@ def _frames(text: str, start: int, model: Model | None) -> Iterator[CompletionIt
     """Yield the listed frames in a pair, the unlisted ones in the list."""
     listed = [word.text for word in read_transforms(text).frames if word.start != start]
     known = frame_names(model) if model is not None else {}
-    is_in_pair = text[:start].rstrip().endswith("=")
-    names = listed if is_in_pair and listed else [n for n in known if n not in listed]
+    is_in_list = _IN_LIST.search(text[:start]) is not None
+    names = listed if listed and not is_in_list else [n for n in known if n not in listed]
     for name in names:
         of = known.get(name, name)
         yield CompletionItem(name, "frame", name, "" if of == name else f"frame of {of}")

@@ -53,11 +53,11 @@ def repetitions(document: TransformsDocument, _: Model | None) -> Iterator[Defec
         listed.add(word.text)
     for what, pairs in (("transform", document.transforms), ("Jacobian", document.jacobians)):
         seen: set[tuple[str, str]] = set()
-        for base, target in pairs:
-            key = (base.text, target.text)
+        for pair in pairs:
+            key = (pair.base.text, pair.target.text)
             if key in seen:
-                message = f"the {what} of '{target.text}' in '{base.text}' is already listed"
-                yield Defect(message, base.start, target.end)
+                message = f"the {what} of '{key[1]}' in '{key[0]}' is already listed"
+                yield Defect(message, *pair.span)
             seen.add(key)
 
 

@@ -1,7 +1,8 @@
 """Reads RobCoGen's transforms documents with Lark, by `grammar/dtdsl.lark`.
 
 Lark's LALR parser asks `_Recovery` at each word that does not fit. A missing word is inserted where
-the words behind it fit at least as well as without the word; otherwise Lark skips the word.
+the words behind it fit at least as well as without the word, the rest of a pair where they fit
+better; otherwise Lark skips the word.
 """
 
 from collections.abc import Iterator
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
 SECTIONS = ("Frames", "Transforms", "Jacobians")
 
 _N_AHEAD = 8
+# `base`, `=`, a frame, a comma, `target`, `=` and a frame.
+_N_IN_PAIR = 7
 _WORD_END = r"(?!\w)"
 
 
@@ -35,6 +38,11 @@ class FramePair(NamedTuple):
 
     base: PlacedName
     target: PlacedName
+
+    @property
+    def span(self) -> tuple[int, int]:
+        """The stretch from one name to the other, in whichever order they stand."""
+        return min(self.base.start, self.target.start), max(self.base.end, self.target.end)
 
 
 class Defect(NamedTuple):
@@ -91,7 +99,8 @@ def _pairs(tree: "Tree[Token]", section: str) -> Iterator[FramePair]:
         for pair in found.children:
             names = _names(pair, "A_FRAME") if not isinstance(pair, str) else []
             if len(names) == 2:
-                yield FramePair(*names)
+                base, target = names if pair.data == "pair" else reversed(names)
+                yield FramePair(base, target)
 
 
 def _names(tree: "Tree[Token]", kind: str) -> list[PlacedName]:
@@ -147,7 +156,7 @@ class _Recovery:
             token = error.token
             self._note(parser, accepted, token.start_pos, token.end_pos)
             missing = _missing_before(parser, accepted, token)
-            for word in (missing, token) if missing is not None else ():
+            for word in (*missing, token) if missing else ():
                 parser.feed_token(word)
         return True
 
@@ -164,25 +173,39 @@ class _Recovery:
         self.defects.append(Defect(message, start, end))
 
 
-def _missing_before(parser: Any, accepted: list[str], token: "Token") -> "Token | None":
-    """Return the word whose absence explains another one, None if the other is one too many."""
-    best, missing = _n_fitting(parser), None
+def _missing_before(parser: Any, accepted: list[str], token: "Token") -> list["Token"]:
+    """Return the words whose absence explains another one, none if the other is one too many."""
+    best, missing = _n_fitting(parser), list["Token"]()
     for kind in accepted:
         word = _inserted(kind, token)
         n_fitting = _n_fitting(parser, word, token)
-        if n_fitting > best or (n_fitting == best and missing is None):
-            best, missing = n_fitting, word
+        if n_fitting > best or (n_fitting == best and not missing):
+            best, missing = n_fitting, [word]
+    for kind in accepted:
+        words = _rest_of_pair(parser, kind, token)
+        n_fitting = _n_fitting(parser, *words, token)
+        if n_fitting > best:
+            best, missing = n_fitting, words
     return missing
+
+
+def _rest_of_pair(parser: Any, kind: str, token: "Token") -> list["Token"]:
+    """Return the words that must follow before another one fits, beginning with a kind."""
+    trial, words = _trial(parser), [_inserted(kind, token)]
+    trial.feed_token(words[0])
+    while len(words) < _N_IN_PAIR and token.type not in (accepted := trial.accepts()):
+        if "$END" in accepted:
+            break
+        words.append(_inserted(min(accepted), token))
+        trial.feed_token(words[-1])
+    return words
 
 
 def _n_fitting(parser: Any, *first: "Token") -> int:
     """Return how many of the next words fit after some others; -1 if those do not fit."""
     from lark import UnexpectedInput
 
-    trial, count = parser.copy(deepcopy_values=False), -1
-    # Without callbacks no list of the values that both share grows.
-    trial.parser_state.parse_conf = copy(trial.parser_state.parse_conf)
-    trial.parser_state.parse_conf.callbacks = {}
+    trial, count = _trial(parser), -1
     try:
         for token in first:
             trial.feed_token(token)
@@ -192,6 +215,15 @@ def _n_fitting(parser: Any, *first: "Token") -> int:
     except UnexpectedInput:
         pass
     return count
+
+
+def _trial(parser: Any) -> Any:
+    """Return a parser that can go on from where another stands, which stays there."""
+    trial = parser.copy(deepcopy_values=False)
+    # Without callbacks no list of the values that both share grows.
+    trial.parser_state.parse_conf = copy(trial.parser_state.parse_conf)
+    trial.parser_state.parse_conf.callbacks = {}
+    return trial
 
 
 def _complete(parser: Any, end: "Token") -> None:
@@ -216,4 +248,5 @@ def _shown(kind: str) -> str:
     if kind.startswith("A_"):
         return kind.lower().replace("_", " ")
     value = _parser().get_terminal(kind).pattern.value
-    return f"'{value.removesuffix(_WORD_END)}'"
+    first, *_ = value.removesuffix(_WORD_END).removeprefix("(?:").split("|")
+    return f"'{first}'"

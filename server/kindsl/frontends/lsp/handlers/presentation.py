@@ -5,11 +5,13 @@ from typing import TYPE_CHECKING
 from lsprotocol import types
 
 from kindsl.frontends.lsp.handlers.table import Handlers
-from kindsl.frontends.lsp.session.view import View
+from kindsl.frontends.lsp.session.companions import TransformsView
+from kindsl.frontends.lsp.session.view import Sight, View
 
 if TYPE_CHECKING:
     from kindsl.frontends.features.code_lenses import CodeLens
     from kindsl.frontends.features.inlay_hints import InlayHint
+    from kindsl.frontends.features.wording import Hover
 
 handlers = Handlers()
 
@@ -24,7 +26,19 @@ def hover(view: View, params: types.HoverParams) -> types.Hover | None:
     """Tell what a word means."""
     from kindsl.frontends.features.hover.hover import hover
 
-    found = hover(view.analysis, view.offset(params.position))
+    return _shown(view, hover(view.analysis, view.offset(params.position)))
+
+
+@handlers.transforms(types.TEXT_DOCUMENT_HOVER)
+def hover_transforms(view: TransformsView, params: types.HoverParams) -> types.Hover | None:
+    """Tell what a pair of frames, or a frame, is in a transforms document."""
+    from kindsl.frontends.features.transforms_hover import transforms_hover
+
+    offset = view.offset(params.position)
+    return _shown(view, transforms_hover(view.document.text, offset, view.model))
+
+
+def _shown(view: Sight, found: "Hover | None") -> types.Hover | None:
     if found is None:
         return None
     content = view.markup(found.markdown, "text_document.hover.content_format")

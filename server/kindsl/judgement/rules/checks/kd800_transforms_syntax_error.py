@@ -9,11 +9,12 @@ RobCoGen stops at the first one.
 
 ## Example
 ```
+Frames { fr_trunk fr_foot }
 Transforms {
-    base=fr_trunk target=fr_foot
+    fr_trunk <- fr_foot
 }
 ```
-A comma is missing between the frames.
+A comma is missing between the frames of the list.
 """
 
 from kindsl.judgement.rules.base import Rule, Severity
