@@ -86,6 +86,20 @@ def test_what_is_wrong(
     assert kdsl_lint("arm.dtdsl", "--ignore", "KD8").out == ""
 
 
+def test_an_unknown_frame_is_an_error_only_where_a_pair_needs_it(
+    kdsl_lint: Runner, kindsl: Runner, beside: Path
+) -> None:
+    beside.write_text(GOOD.replace("tip }", "tip, nose }"))
+    message = "arm.dtdsl:2:44: warning[KD801] the robot has no frame 'nose'"
+    assert message in kdsl_lint("arm.dtdsl").out
+    done = kindsl("generate", "arm.kindsl", "--language", "python", "-o", "out")
+    assert (done.status, done.err) == (0, f"{message}\nout: 2 files written\n")
+    beside.write_text(GOOD.replace("tip }", "tip, nose }").replace("base=tip", "base=nose"))
+    assert "arm.dtdsl:2:44: error[KD801]" in kdsl_lint("arm.dtdsl").out
+    done = kindsl("generate", "arm.kindsl", "--language", "python", "-o", "out")
+    assert done.status == 1 and "2:44: the robot has no frame 'nose'" in done.err
+
+
 def test_a_frame_listed_again_is_told_once_each_time(kdsl_lint: Runner, beside: Path) -> None:
     beside.write_text(GOOD.replace("tip }", "tip, tip, tip }"))
     message = "warning[KD803] frame 'tip' is already listed"

@@ -24,6 +24,7 @@ from kindsl.language.semantics.transforms import (
     repetitions,
     undeclared_frames,
     unknown_frames,
+    unknown_listed_frames,
 )
 from kindsl.language.syntax.document import parse
 from kindsl.language.syntax.transforms_text import read_transforms
@@ -175,13 +176,25 @@ TRANSFORMS = (
 )
 
 
+CHECKS = (
+    unknown_frames, unknown_listed_frames, undeclared_frames, repetitions, other_robot
+)  # fmt: skip
+
+
 def of_transforms() -> Iterator[str]:
     model = analyse(STUB).model
     yield f"{frame_names(model)}"
     for text in TRANSFORMS:
         document, teller = read_transforms(text), Teller(text)
         yield f"## {text!r}"
-        for check in (unknown_frames, undeclared_frames, repetitions, other_robot):
+        checks = (
+            unknown_frames,
+            unknown_listed_frames,
+            undeclared_frames,
+            repetitions,
+            other_robot,
+        )
+        for check in checks:
             for message, start, end in check(document, model):
                 yield f"{teller.span(start, end)}: {message}"
 

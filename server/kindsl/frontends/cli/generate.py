@@ -41,6 +41,7 @@ from kindsl.products.codegen.language import language_named, language_names
 from kindsl.products.codegen.layouts import LAYOUTS
 
 if TYPE_CHECKING:
+    from kindsl.language.semantics.model import Model
     from kindsl.products.codegen.generating import Source
     from kindsl.products.codegen.library import Library, Options
 
@@ -152,7 +153,11 @@ def _source(args: argparse.Namespace) -> "Source":
     known = {str(parameter.name) for parameter in analysis.model.parameters}
     bound = choices.decisions.bindings.items()
     given = {parameter: binding.value for parameter, binding in bound if parameter in known}
-    return Source(name, analysis, given, _transforms(args), tuple(_places(args)))
+    transforms = _transforms(args)
+    if transforms is not None:
+        _note_unknown_frames(*transforms, analysis.model)
+    text = transforms[1] if transforms is not None else None
+    return Source(name, analysis, given, text, tuple(_places(args)))
 
 
 def _places(args: argparse.Namespace) -> Iterator[str]:
@@ -175,11 +180,24 @@ def _seen_from(folder: Path, path: str) -> str:
         return Path(path).name
 
 
-def _transforms(args: argparse.Namespace) -> str | None:
-    """Return the text of the transforms document: the one named, else the one beside the model."""
+def _transforms(args: argparse.Namespace) -> tuple[str, str] | None:
+    """Return path and text of the transforms document that is named, or beside the model."""
     beside = Path(args.file).with_suffix(".dtdsl")
     path = args.transforms or (str(beside) if args.file != STDIN and beside.is_file() else None)
-    return None if path is None else read_whole(path)
+    return None if path is None else (path, read_whole(path))
+
+
+def _note_unknown_frames(path: str, text: str, model: "Model") -> None:
+    """Warn of frames that the robot lacks where no pair needs them."""
+    from kindsl.language.semantics.transforms import unknown_listed_frames
+    from kindsl.language.syntax.transforms_text import read_transforms
+    from kindsl.language.text.lines import LineIndex
+
+    lines = LineIndex(text)
+    for wrong in unknown_listed_frames(read_transforms(text), model):
+        line, column = lines.position(wrong.start)
+        place = f"{shown_name(path)}:{line + 1}:{column + 1}"
+        write(sys.stderr, f"{place}: warning[KD801] {printable(wrong.message)}\n")
 
 
 def _generate(args: argparse.Namespace, source: "Source") -> int:

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator
+from itertools import chain
 
 from kindsl.frontends.features.actions.action import CodeAction
 from kindsl.frontends.features.completion.completion import Completions
@@ -16,6 +17,7 @@ from kindsl.language.semantics.transforms import (
     transforms_document,
     undeclared_frames,
     unknown_frames,
+    unknown_listed_frames,
 )
 from kindsl.language.syntax.transforms_text import (
     SECTIONS,
@@ -133,7 +135,7 @@ def _replacements(
     text: str, document: TransformsDocument, model: Model, start: int, end: int
 ) -> Iterator[CodeAction]:
     """Yield the frame that may be meant by one that the robot has not."""
-    for wrong in unknown_frames(document, model):
+    for wrong in chain(unknown_frames(document, model), unknown_listed_frames(document, model)):
         name = text[wrong.start : wrong.end]
         near = nearest_name(name, frame_names(model))
         if near is not None and wrong.start <= end and start <= wrong.end:

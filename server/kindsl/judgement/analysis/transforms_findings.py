@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator
 
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.analysis.settings import Settings, is_enabled, severity_of
-from kindsl.judgement.rules.base import Rule
+from kindsl.judgement.rules.base import Rule, Severity
 from kindsl.judgement.rules.checks.kd800_transforms_syntax_error import RULE as SYNTAX
 from kindsl.judgement.rules.checks.kd801_unknown_frame import RULE as UNKNOWN
 from kindsl.judgement.rules.checks.kd802_undeclared_frame import RULE as UNDECLARED
@@ -16,6 +16,7 @@ from kindsl.language.semantics.transforms import (
     repetitions,
     undeclared_frames,
     unknown_frames,
+    unknown_listed_frames,
 )
 from kindsl.language.syntax.transforms_text import Defect, TransformsDocument, read_transforms
 
@@ -23,9 +24,12 @@ _ALONE: tuple[tuple[Rule, Callable[[TransformsDocument, Model | None], Iterator[
     (UNDECLARED, undeclared_frames),
     (REPEATED, repetitions),
 )
-_WITH_MODEL: tuple[tuple[Rule, Callable[[TransformsDocument, Model], Iterator[Defect]]], ...] = (
-    (UNKNOWN, unknown_frames),
-    (OTHER, other_robot),
+_Check = Callable[[TransformsDocument, Model], Iterator[Defect]]
+# With the severity of what a check finds.
+_WITH_MODEL: tuple[tuple[Rule, Severity, _Check], ...] = (
+    (UNKNOWN, UNKNOWN.severity, unknown_frames),
+    (UNKNOWN, Severity.WARNING, unknown_listed_frames),
+    (OTHER, OTHER.severity, other_robot),
 )
 
 
@@ -40,15 +44,15 @@ def transforms_findings(
         settings: Decisions of the user.
     """
     document = read_transforms(text)
-    found = [(SYNTAX, defect) for defect in document.defects]
+    found = [(SYNTAX, SYNTAX.severity, defect) for defect in document.defects]
     for rule, check in _ALONE:
-        found += [(rule, wrong) for wrong in check(document, model)]
+        found += [(rule, rule.severity, wrong) for wrong in check(document, model)]
     if model is not None:
-        for rule, check_with in _WITH_MODEL:
-            found += [(rule, wrong) for wrong in check_with(document, model)]
+        for rule, severity, check_with in _WITH_MODEL:
+            found += [(rule, severity, wrong) for wrong in check_with(document, model)]
     shown = [
-        Diagnostic(rule.code, rule.name, severity_of(rule, None, settings), message, start, end)
-        for rule, (message, start, end) in found
+        Diagnostic(rule.code, rule.name, severity_of(rule, own, settings), message, start, end)
+        for rule, own, (message, start, end) in found
         if is_enabled(rule, settings)
     ]
     return tuple(sorted(shown, key=lambda d: (d.start, d.end, d.code)))

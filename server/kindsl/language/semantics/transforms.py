@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator
 
 from kindsl.language.semantics.model import Model
-from kindsl.language.syntax.transforms_text import Defect, FramePair, PlacedName, TransformsDocument
+from kindsl.language.syntax.transforms_text import Defect, PlacedName, TransformsDocument
 from kindsl.language.text.nearest import hint, nearest_name
 
 LINK_PREFIX = "fr_"
@@ -25,11 +25,22 @@ def joint_frame_names(model: Model) -> dict[str, str]:
 
 
 def unknown_frames(document: TransformsDocument, model: Model) -> Iterator[Defect]:
-    """Yield frames that the robot does not have."""
+    """Yield frames of transforms and Jacobians that the robot lacks, each where it is first."""
+    used = {word.text for word in _words_of_pairs(document)}
+    yield from _unknown(model, [word for word in _all_words(document) if word.text in used])
+
+
+def unknown_listed_frames(document: TransformsDocument, model: Model) -> Iterator[Defect]:
+    """Yield frames that are listed without being used, and that the robot does not have."""
+    used = {word.text for word in _words_of_pairs(document)}
+    yield from _unknown(model, [word for word in document.frames if word.text not in used])
+
+
+def _unknown(model: Model, words: Iterable[PlacedName]) -> Iterator[Defect]:
     known = {**joint_frame_names(model), **frame_names(model)}
-    seen = set()
-    for word in _all_words(document):
-        if word.text not in known and word.text not in seen:
+    seen = set(known)
+    for word in words:
+        if word.text not in seen:
             seen.add(word.text)
             close = hint(nearest_name(word.text, known))
             yield Defect(f"the robot has no frame '{word.text}'{close}", word.start, word.end)
@@ -70,12 +81,12 @@ def other_robot(document: TransformsDocument, model: Model) -> Iterator[Defect]:
 
 def _all_words(document: TransformsDocument) -> Iterator[PlacedName]:
     yield from document.frames
+    yield from _words_of_pairs(document)
+
+
+def _words_of_pairs(document: TransformsDocument) -> Iterator[PlacedName]:
     for pair in (*document.transforms, *document.jacobians):
-        yield from _both(pair)
-
-
-def _both(pair: FramePair) -> tuple[PlacedName, PlacedName]:
-    return pair.base, pair.target
+        yield from pair
 
 
 def transforms_document(model: Model) -> str:

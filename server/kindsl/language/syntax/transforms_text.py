@@ -97,7 +97,9 @@ def _parser() -> "Lark":
 def _pairs(tree: "Tree[Token]", section: str) -> Iterator[FramePair]:
     for found in tree.find_data(section):
         for pair in found.children:
-            names = _names(pair, "A_FRAME") if not isinstance(pair, str) else []
+            if isinstance(pair, str):
+                continue
+            names = _names(pair, "A_FRAME")
             if len(names) == 2:
                 base, target = names if pair.data == "pair" else reversed(names)
                 yield FramePair(base, target)
