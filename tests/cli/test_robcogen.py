@@ -1,5 +1,6 @@
 """RobCoGen's classes from the command line, and the transforms document made for them."""
 
+import re
 import sys
 from pathlib import Path
 
@@ -53,6 +54,66 @@ def test_a_layout_has_the_folders_that_programs_include(kindsl: Runner, document
     told = Path("out/kindsl-generated.json").read_text()
     assert "--layout robcogen --runtime" in told
     assert kindsl("generate", "arm.kindsl", "--check", "out").status == 0
+
+
+def test_names_stand_in_the_namespace_and_files_that_a_project_has(
+    kindsl: Runner, document: Path
+) -> None:
+    options = ("--layout", "robcogen-0.5", "--namespace", "pronto::arm", "--sources")
+    assert kindsl(*GENERATE, *options).status == 0
+    found = {path.stem for path in Path("out").glob("*.cpp")}
+    assert found == {
+        "transforms", "jacobians", "jsim", "inverse_dynamics", "forward_dynamics",
+        "inertia_properties", "miscellaneous",
+    }  # fmt: skip
+    for path in Path("out").glob("*.h"):
+        text = path.read_text()
+        assert path.name == "model_constants.h" or "namespace pronto {\nnamespace arm {" in text
+        assert "iit::Arm" not in text and "IIT_ROBOT_PRONTO_ARM" in text
+    assert kindsl("generate", "arm.kindsl", "--check", "out").status == 0
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ("", "--namespace: '' is not a valid name in C++"),
+        ("::a", "--namespace: '' is not a valid name in C++"),
+        ("a::class", "--namespace: 'class' is a name that is taken in C++"),
+        ("a-b", "--namespace: 'a-b' is not a valid name in C++"),
+        ("a::iit::b", "--namespace: 'a::iit::b' would hide names of the headers 'iit/rbd'"),
+    ],
+)
+def test_a_namespace_that_cannot_be_is_refused(
+    given: str, message: str, kindsl: Runner, document: Path
+) -> None:
+    told = kindsl(*GENERATE, "--namespace", given)
+    assert (told.status, message in told.err) == (2, True)
+    assert not Path("out").exists()
+
+
+def test_no_frames_are_none(kindsl: Runner, document: Path) -> None:
+    assert kindsl(*GENERATE, "--frames", "").status == 0
+    assert "_J_" not in Path("out/jacobians.h").read_text()
+    pairs = set(re.findall(r"class Type_(\w+)", Path("out/transforms.h").read_text()))
+    assert len(pairs) == 2 * LIFT.count("_joint ")
+    assert kindsl("generate", "arm.kindsl", "--check", "out").status == 0
+    for language in ("c", "python"):
+        done = kindsl(
+            "generate", "arm.kindsl", "--language", language, "--frames", "", "-o", language
+        )
+        assert done.status == 0, done.err
+
+
+def test_files_do_not_tell_the_folder_that_they_are_in(kindsl: Runner, document: Path) -> None:
+    for language in ("robcogen", "c", "python", "octave"):
+        folders = [f"{language}/one", f"{language}/deeper/two"]
+        for folder in folders:
+            assert (
+                kindsl("generate", "arm.kindsl", "--language", language, "-o", folder).status == 0
+            )
+        one, two = ({p.name: p.read_bytes() for p in Path(f).iterdir()} for f in folders)
+        assert one == two
+        assert any(b"may use it under any terms" in text for text in one.values())
 
 
 def test_the_document_that_is_used_can_be_written_and_edited(

@@ -1,5 +1,7 @@
 """Poses and Jacobians of one frame seen from another, against poses seen from the base."""
 
+import math
+from dataclasses import replace
 from itertools import product
 
 import numpy as np
@@ -114,8 +116,13 @@ def test_a_foot_is_what_carries_nothing(seed: int) -> None:
     carrying = {*mechanics.bodies.parents}
     ends = {body for body in range(1, mechanics.n_joints + 1) if body not in carrying}
     assert {foot.body for foot in feet(robot)} == ends
+    assert len(feet(robot)) == len(ends)
     for foot in feet(robot):
-        assert foot in robot.frames or not any(f.body == foot.body for f in robot.frames)
+        on_it = [frame for frame in robot.frames if frame.body == foot.body]
+        assert foot in on_it or not on_it
+        assert all(math.hypot(*frame.r) <= math.hypot(*foot.r) for frame in on_it)
+    chosen = replace(robot, chosen=robot.frames)
+    assert feet(chosen) == tuple(frame for frame in robot.frames if frame.body in ends)
     numbers = {x.index: value for x, value in zip(inputs.q, q, strict=True)}  # type: ignore[union-attr]
     poses = mechanics.forward_kinematics(q)
     for foot in feet(robot):

@@ -68,7 +68,8 @@ def generated(
     bindings = {name: Binding(value) for name, value in values.items()}
     analysis = kindsl.parse(text, Settings(bindings=bindings))
     chosen = {"parameters": "all", "has_runtime": True, **options}
-    asked = Options(str(language), PLAIN, "double", False, prefix=_prefix(analysis), **chosen)
+    real = chosen.pop("real", "double")
+    asked = Options(str(language), PLAIN, real, False, prefix=_prefix(analysis), **chosen)
     library, files = generate(Source("robot.kindsl", analysis, {}), asked)
     for name, content in files.items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)

@@ -49,6 +49,23 @@ def test_of_a_robot_without_name_or_frames_nothing_is_written(robot: str, is_off
     assert not offered("", model=None)
 
 
+@pytest.mark.parametrize(
+    ("frames", "tip"),
+    [
+        ("near { translation = (0.1, 0.0, 0.0) } far { translation = (0.0, -0.2, 0.0) }", "far"),
+        ("far { translation = (0.0, -0.2, 0.0) } near { translation = (0.1, 0.0, 0.0) }", "far"),
+        ("a1 { translation = (0.1, 0.0, 0.0) } a2 { translation = (0.1, 0.0, 0.0) }", "a1"),
+        ("a1 { translation = (9.0, 0.0, 0.0) } a2 { translation = (reach, 0.0, 0.0) }", "a2"),
+    ],
+)
+def test_the_tip_of_a_leg_is_its_outermost_frame(frames: str, tip: str) -> None:
+    whole = frames.replace(") }", ") rotation = (0.0, 0.0, 0.0) }")
+    robot = f"Robot arm {{ {LINKS.replace('tip { }', whole)} }}"
+    text = transforms_document(analyse(robot).model)
+    assert f"base=fr_a, target={tip}\n" in text[text.index("Jacobians") :]
+    assert text[text.index("Jacobians") :].count("target=") == 2
+
+
 def test_links_without_a_base_are_wanted_in_the_first() -> None:
     text = transforms_document(analyse(f"Robot arm {{ {LINKS} }}").model)
     assert "base=fr_a, target=fr_b" in text and "base=fr_base" not in text

@@ -80,7 +80,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="write the transforms document used without --transforms, to edit it",
     )
-    add("--frames", metavar="LIST", help="links and frames to limit poses and Jacobians to")
+    add(
+        "--frames", metavar="LIST",
+        help="links and frames to limit poses and Jacobians to; '' for none",
+    )  # fmt: skip
     add(
         "--layout",
         choices=LAYOUTS,
@@ -91,6 +94,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--runtime",
         action="store_true",
         help="with RobCoGen's classes, headers of their own 'iit/rbd'",
+    )
+    add(
+        "--namespace",
+        metavar="A::B",
+        help="the namespace of RobCoGen's classes (default: iit::NAME)",
+    )
+    add(
+        "--sources",
+        action="store_true",
+        help="with each of RobCoGen's headers, the .cpp file that build files name",
     )
     add("--force", action="store_true", help="overwrite files that were not generated")
     add("--check", metavar="DIR", help="check whether the code in DIR still matches FILE")
@@ -135,6 +148,7 @@ def _refused_option(args: argparse.Namespace) -> str | None:
     asked = {
         "--real float": args.real == "float", "--single-header": args.single_header,
         "--layout": args.layout != LAYOUTS[0], "--runtime": args.runtime,
+        "--namespace": args.namespace is not None, "--sources": args.sources,
     }  # fmt: skip
     taken = language_named(args.language).options
     return next((name for name, is_asked in asked.items() if is_asked and name not in taken), None)
@@ -165,7 +179,7 @@ def _places(args: argparse.Namespace) -> Iterator[str]:
     document = Path(args.file)
     yield document.name
     folder = document.parent
-    given = {"-o": args.output, "--transforms": args.transforms, "--config": args.config}
+    given = {"--transforms": args.transforms, "--config": args.config}
     for option, path in given.items():
         if path is not None:
             yield from (option, _seen_from(folder, path))
@@ -268,16 +282,18 @@ def _told(args: argparse.Namespace, source: "Source") -> Iterator[None]:
 
 def _options(args: argparse.Namespace, source: "Source") -> "Options":
     from kindsl.products.codegen.library import Options
-    from kindsl.products.codegen.names_in_code import UnusableNameError, prefix_of
+    from kindsl.products.codegen.names_in_code import UnusableNameError, namespace_of, prefix_of
 
     try:
         prefix = prefix_of(str(source.analysis.model.name or ""), args.name)
+        namespace = "" if args.namespace is None else namespace_of(args.namespace)
     except UnusableNameError as error:
         raise CommandError([Failure(shown_name(args.file), str(error))]) from None
     parameters = args.parameters or language_named(args.language).parameters
     return Options(
         args.language, _quantities(args), args.real, args.single_header, parameters, prefix,
-        args.layout, args.runtime, _listed(args.frames),
+        args.layout, args.runtime, None if args.frames is None else _listed(args.frames),
+        namespace, args.sources,
     )  # fmt: skip
 
 

@@ -1,8 +1,11 @@
 """The meaning of names in a transforms document, and their defects."""
 
+import math
 from collections.abc import Iterable, Iterator
 
+from kindsl.language.semantics.declarations import Frame
 from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.numbers import triple
 from kindsl.language.syntax.transforms_text import Defect, PlacedName, TransformsDocument
 from kindsl.language.text.nearest import hint, nearest_name
 
@@ -92,8 +95,8 @@ def _words_of_pairs(document: TransformsDocument) -> Iterator[PlacedName]:
 def transforms_document(model: Model) -> str:
     """Return the document that wants each link's and frame's pose, and the Jacobians of tips.
 
-    Tips are the frames on links without children, such as feet and tools, or such a link itself if
-    it has none. All is seen from the base; without one, from the first link.
+    Tips are the outermost frames on links without children, such as feet and tools, or such a link
+    itself if it has none. All is seen from the base; without one, from the first link.
     """
     frames = list(frame_names(model))
     base, poses = frames[0], _pairs(frames[0], frames)
@@ -109,5 +112,11 @@ def _pairs(base: str, targets: Iterable[str]) -> str:
 def _tips(model: Model) -> Iterator[str]:
     for body in model.bodies:
         if not body.children and not body.is_base:
-            own = f"{LINK_PREFIX}{body.name}"
-            yield from [str(frame.name) for frame in body.frames] or [own]
+            tip = max(body.frames, key=_distance, default=None)
+            yield f"{LINK_PREFIX}{body.name}" if tip is None else str(tip.name)
+
+
+def _distance(frame: Frame) -> float:
+    """Return how far a frame is from its link's origin; infinity where that is not known."""
+    place = triple(frame.pose.translation, {})
+    return math.inf if place is None else math.hypot(*place)

@@ -18,7 +18,7 @@ def cmake_lists(library: Library, language: str, header: str, sources: Sequence[
     """
     values = {
         "PREFIX": library.prefix, "MACRO": macro(library), "SOURCES": "\n  ".join(sources),
-        "GENERATOR": library.stamp.generator, "DOCUMENT": library.stamp.document,
+        "ORIGIN": library.stamp.origin, "LICENCE": library.stamp.licence,
         "VERSION": library.version, "LANGUAGE": language, "HEADER": header,
     }  # fmt: skip
     own = fill(template(f"cmake/{language}.cmake"), **values)

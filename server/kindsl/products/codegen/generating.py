@@ -92,7 +92,7 @@ def generate(
                     "use letters a to z, digits and '_'"
                 )
         wanted = wanted_pairs(listed, model, robot) if listed else None
-        if options.frames:
+        if options.frames is not None:
             robot, wanted = restricted(robot, wanted, options.frames)
         library = library_of(robot, name, defaults, options, stamp, wanted)
         library = replace(
@@ -140,7 +140,9 @@ def _typed(options: Options, source: Source) -> str:
     words += ["--single-header"] if options.is_single_header else []
     words += ["--layout", options.layout] if options.layout != LAYOUTS[0] else []
     words += ["--runtime"] if options.has_runtime else []
-    words += ["--frames", ",".join(options.frames)] if options.frames else []
+    words += ["--namespace", options.namespace] if options.namespace else []
+    words += ["--sources"] if options.has_sources else []
+    words += ["--frames", ",".join(options.frames)] if options.frames is not None else []
     for name, value in source.bindings.items():
         words += ["--param", f"{name}={value!r}"]
     return command_line(words)

@@ -74,6 +74,8 @@ def read_manifest(folder: Path) -> Manifest | None:
 def _manifest(record: dict[str, Any]) -> Manifest:
     options: dict[str, Any] = record["options"]
     options |= {name: tuple(value) for name, value in options.items() if isinstance(value, list)}
+    if "namespace" not in options and not options.get("frames"):
+        options["frames"] = None  # An older version wrote all frames as none.
     if options["language"] not in language_names():
         raise ValueError(options["language"])
     return Manifest(

@@ -66,6 +66,21 @@ def prefix_of(robot: str, given: str | None) -> str:
     return whole_name(robot.lower()) if robot else "robot"
 
 
+def namespace_of(given: str) -> str:
+    """Return a nested namespace of C++ as it was asked for.
+
+    Raises:
+        UnusableNameError: One of its names is not free there.
+    """
+    for name in given.split("::"):
+        if not _NAME.fullmatch(name) or name in RESERVED | {"Eigen"}:
+            what = "a name that is taken" if _NAME.fullmatch(name) else "not a valid name"
+            raise UnusableNameError(f"--namespace: '{name}' is {what} in C++")
+    if "iit" in given.split("::")[1:] or given in ("iit", "iit::rbd", "std"):
+        raise UnusableNameError(f"--namespace: '{given}' would hide names of the headers 'iit/rbd'")
+    return given
+
+
 def whole_name(name: str) -> str:
     """Return the nearest name that a library may have, which is its namespace's and header's."""
     safe = identifier(name)

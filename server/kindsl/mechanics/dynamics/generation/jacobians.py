@@ -1,5 +1,6 @@
 """Poses of single frames and geometric Jacobians, for tracing."""
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 
@@ -133,12 +134,21 @@ def jacobian_relative_to_base(robot: Robot, poses: BodyPoses, frame: PlacedFrame
 
 
 def feet(robot: Robot) -> tuple[PlacedFrame, ...]:
-    """Return the frames wanted on links that carry no other link; such a link if it has none."""
+    """Return the outermost frame on each link that carries no other link; the link if it has none.
+
+    Where frames were chosen, all chosen ones there.
+    """
     parents = set(robot.tree.parents)
-    found = []
+    found: list[PlacedFrame] = []
     for link in robot.placed[: len(robot.link_names)]:
         if link.body not in parents:
-            on_it = [frame for frame in robot.frames if frame.body == link.body]
-            found += on_it or [link]
+            on_it = [frame for frame in robot.frames if frame.body == link.body] or [link]
+            found += on_it if robot.chosen is not None else [max(on_it, key=_distance)]
     wanted = {target.name for target in robot.targets}
     return tuple(foot for foot in found if foot.name in wanted)
+
+
+def _distance(frame: PlacedFrame) -> float:
+    """Return how far a frame is from its link's origin; infinity where a parameter decides."""
+    numbers = [x for x in frame.r if isinstance(x, float)]
+    return math.hypot(*numbers) if len(numbers) == len(frame.r) else math.inf

@@ -17,7 +17,7 @@ def _renamed(library: Library) -> dict[str, str]:
 
 LANGUAGE = Language(
     _files,
-    frozenset(("--runtime", "--layout")),
+    frozenset(("--real float", "--runtime", "--layout", "--namespace", "--sources")),
     parameters="all",
     makes_transforms=True,
     is_rigid=True,

@@ -11,19 +11,23 @@ from kindsl.products.codegen.robcogen.transforms import KINDS, transforms
 from kindsl.products.codegen.robcogen.wanted_names import jacobian_pairs, transform_pairs
 
 RUNTIME = Path(__file__).parent / "runtime"
-# The layout with the names of RobCoGen 0.5.
-_NAMES_OF_0_5 = "robcogen-0.5"
+# The headers whose code RobCoGen writes to a source.
+WITH_SOURCES = (
+    "transforms", "jacobians", "inertia_properties", "inverse_dynamics", "forward_dynamics", "jsim",
+)  # fmt: skip
 
 
 def robot_files(library: Library) -> dict[str, str]:
     """Return the text of each file by its path."""
     robot = GeneratedRobot(library)
     layout = library.options.layout
-    files = dict(_headers(robot, layout == _NAMES_OF_0_5))
+    files = dict(_headers(robot))
+    if library.options.has_sources:
+        files |= {f"{n}.cpp": robot.rendered("source.cpp", header=n) for n in WITH_SOURCES}
     if layout == "robcogen":
         files = {f"iit/robots/{robot.space.lower()}/{n}": text for n, text in files.items()}
     named = [*files]
-    has_runtime = library.options.has_runtime or layout == _NAMES_OF_0_5
+    has_runtime = library.options.has_runtime or robot.has_names_of_0_5
     if has_runtime:
         files |= runtime_files()
     files["CMakeLists.txt"] = robot.rendered(
@@ -43,10 +47,10 @@ def runtime_files() -> dict[str, str]:
     }
 
 
-def _headers(robot: GeneratedRobot, has_rcg_names: bool) -> Iterator[tuple[str, str]]:
+def _headers(robot: GeneratedRobot) -> Iterator[tuple[str, str]]:
     """Yield the name and text of each header, and of the source."""
     header = robot.header
-    yield "declarations.h", header("declarations.h", has_rcg_names=has_rcg_names)
+    yield "declarations.h", header("declarations.h")
     for kind, names in (("Link", robot.body_names), ("Joint", robot.library.robot.joint_names)):
         file = f"{kind.lower()}_data_map.h"
         yield file, header(file, "data_map.h", kind=kind, names=names)
@@ -69,7 +73,7 @@ def _headers(robot: GeneratedRobot, has_rcg_names: bool) -> Iterator[tuple[str, 
     yield "traits.h", header("traits.h")
     yield "miscellaneous.h", header("miscellaneous.h")
     yield "miscellaneous.cpp", robot.rendered("miscellaneous.cpp")
-    if has_rcg_names:
+    if robot.has_names_of_0_5:
         yield "rbd_types.h", header("rbd_types.h")
         yield "model_constants.h", header("model_constants.h")
 

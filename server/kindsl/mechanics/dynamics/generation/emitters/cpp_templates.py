@@ -7,6 +7,7 @@ near their uses, depth first, and a long function is cut into parts for the comp
 import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple
 
 from kindsl.mechanics.dynamics.generation.emitters.straight_line import cut, operation_text
@@ -45,12 +46,14 @@ class Template(NamedTuple):
         takes: Its arguments by their names; what is no `Term` is not read.
         gives: Its results by their names.
         is_update: Whether the constants among the results are there already.
+        comments: What stands before the first operation on an argument, by its node.
     """
 
     name: str
     takes: Mapping[str, Sequence[Scalar]]
     gives: Mapping[str, Sequence[Scalar]]
     is_update: bool = False
+    comments: Mapping[int, str] = MappingProxyType({})
 
 
 def template_function(graph: Graph, function: Template, dialect: TemplateDialect) -> str:
@@ -68,14 +71,15 @@ def template_function(graph: Graph, function: Template, dialect: TemplateDialect
         if isinstance(entry, Term) or not function.is_update
     }
     order = depth_first(graph, stored.values(), known)
+    comments = _commented(graph, order, function.comments)
     takes = [f"const S* {name}" for name in function.takes]
     declared = [*takes, *(f"S* {name}" for name in function.gives)]
     if len(order) <= MOST_OPERATIONS:
-        lines = _operations(graph, order, known, dialect)
+        lines = _operations(graph, order, known, dialect, comments)
         lines += _copies(stored, known)
         lines += [f"{name}[{place}] = {_text(v, {})};" for (name, place), v in stored.items()]
         return _definition(function.name, declared, lines, dialect)
-    return _in_parts(graph, function, order, known, stored, dialect)
+    return _in_parts(graph, function, order, known, stored, dialect, comments)
 
 
 def depth_first(
@@ -108,11 +112,30 @@ def literal(value: float) -> str:
     return f"S({value!r})"
 
 
+def _commented(
+    graph: Graph, order: Iterable[int], comments: Mapping[int, str]
+) -> dict[int, str]:  # fmt: skip
+    """Return the comments by the operations that they stand before."""
+    found: dict[int, str] = {}
+    waiting = dict(comments)
+    for node in order:
+        for operand in operand_nodes(graph, node):
+            if operand in waiting:
+                found.setdefault(node, waiting.pop(operand))
+    return found
+
+
 def _operations(
-    graph: Graph, order: Iterable[int], known: Mapping[int, str], dialect: TemplateDialect
+    graph: Graph,
+    order: Iterable[int],
+    known: Mapping[int, str],
+    dialect: TemplateDialect,
+    comments: Mapping[int, str],
 ) -> list[str]:
     lines = []
     for node in order:
+        if node in comments:
+            lines.append(f"// {comments[node]}")
         operation, *operands = graph.nodes[node]
         words = [
             (known.get(o) or f"x{o}") if isinstance(o, int) else literal(o) for o in operands
@@ -141,6 +164,7 @@ def _in_parts(
     known: Mapping[int, str],
     stored: Mapping[Place, Scalar],
     dialect: TemplateDialect,
+    comments: Mapping[int, str],
 ) -> str:
     parts = cut(graph, order, OPERATIONS_PER_PART)
     results = [f"{name}_of_parts" for name in function.gives]
@@ -149,7 +173,7 @@ def _in_parts(
     texts, sources, calls, written = dict(known), [], [], set[Place]()
     for number, part in enumerate(parts.parts):
         here = {node: text for node, text in texts.items() if node not in set(part.nodes)}
-        lines = _operations(graph, part.nodes, here, dialect)
+        lines = _operations(graph, part.nodes, here, dialect, comments)
         lines += [f"{_WORKSPACE}[{place}] = x{node};" for node, place in part.kept.items()]
         there = set(part.nodes)
         for (name, place), value in stored.items():
@@ -176,7 +200,7 @@ def _definition(
     number = f"typename {dialect.number}" if "::" in dialect.number else dialect.number
     arguments = ", ".join(d.replace("S*", f"{number}*") for d in declared)
     alias = [] if dialect.number == "S" else [f"typedef {number} S;"]
-    text = " ".join(lines)
+    text = " ".join(line for line in lines if not line.startswith("//"))
     words = set(re.findall(r"[a-zA-Z_]\w*", text))
     unused = [f"(void){n};" for n in (d.split()[-1] for d in declared) if n not in words]
     if not lines or "S" not in words:

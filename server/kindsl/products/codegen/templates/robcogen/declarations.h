@@ -1,6 +1,6 @@
 #include <Eigen/Dense>
 #include <iit/rbd/rbd.h>
-{% if has_rcg_names %}
+{% if robot.has_names_of_0_5 %}
 #include "rbd_types.h"
 {% endif %}
 
@@ -21,7 +21,7 @@ using JointState = Column@robot.n_joints@d<SCALAR>;
 
 }
 
-using Column@robot.n_joints@d = tpl::Column@robot.n_joints@d<double>;
+using Column@robot.n_joints@d = tpl::Column@robot.n_joints@d<@real@>;
 typedef Column@robot.n_joints@d JointState;
 
 enum JointIdentifiers {

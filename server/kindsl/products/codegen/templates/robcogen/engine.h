@@ -3,7 +3,7 @@
 #include <iit/rbd/InertiaMatrix.h>
 #include <iit/rbd/utils.h>
 #include <iit/rbd/robcogen_commons.h>
-#include <iit/rbd/traits/DoubleTrait.h>
+#include <iit/rbd/@trait_header@>
 #include "declarations.h"
 #include "inertia_properties.h"
 #include "transforms.h"
@@ -77,7 +77,7 @@ const typename @name_of_class@<TRAIT>::ExtForces
 
 }
 
-typedef tpl::@name_of_class@<rbd::DoubleTrait> @name_of_class@;
+typedef tpl::@name_of_class@<@trait@> @name_of_class@;
 
 }
 @closing@

@@ -61,7 +61,7 @@ private:
         JointState& qdd, const JointState& q, const JointState& qd, const JointState& tau,
         const ExtForces& fext)
     {
-        const Scalar g(iit::rbd::g);
+        const Scalar g = Scalar(iit::rbd::g);
 {% include "list_parameters.h" %}
         if (&fext != &zeroExtForces) {
             kernels::forward_dynamics_loaded<TRAIT>(

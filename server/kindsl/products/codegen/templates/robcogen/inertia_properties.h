@@ -2,7 +2,7 @@
 #include <iit/rbd/rbd.h>
 #include <iit/rbd/InertiaMatrix.h>
 #include <iit/rbd/utils.h>
-#include <iit/rbd/traits/DoubleTrait.h>
+#include <iit/rbd/@trait_header@>
 #include "declarations.h"
 #include "dynamics_parameters.h"
 #include "inertia_properties.impl.h"
@@ -10,7 +10,7 @@
 @opening@
 namespace dyn {
 
-using InertiaMatrix = iit::rbd::InertiaMatrixDense;
+using InertiaMatrix = iit::rbd::tpl::InertiaMatrixDense<@real@>;
 
 namespace tpl {
 
@@ -105,7 +105,7 @@ private:
 
 }
 
-using InertiaProperties = tpl::InertiaProperties<rbd::DoubleTrait>;
+using InertiaProperties = tpl::InertiaProperties<@trait@>;
 
 }
 @closing@

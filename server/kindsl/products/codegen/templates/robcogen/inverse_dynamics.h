@@ -226,7 +226,7 @@ private:
         JointState& jForces, const JointState& q, const JointState& qd, const JointState& qdd,
         const ExtForces& fext)
     {
-        const Scalar g(iit::rbd::g);
+        const Scalar g = Scalar(iit::rbd::g);
         q_v = unaligned(q);
         qd_v = unaligned(qd);
         isVelocityKnown = false;
@@ -246,7 +246,7 @@ private:
 
     void gravity(JointState& jForces, const JointState& q)
     {
-        const Scalar g(iit::rbd::g);
+        const Scalar g = Scalar(iit::rbd::g);
         q_a = unaligned(q);
         asked = REST;
         setBase(g);

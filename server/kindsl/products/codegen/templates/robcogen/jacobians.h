@@ -1,7 +1,7 @@
 {% import "parameters.h" as parameters %}
 #include <iit/rbd/rbd.h>
 #include <iit/rbd/TransformsBase.h>
-#include <iit/rbd/traits/DoubleTrait.h>
+#include <iit/rbd/@trait_header@>
 #include "declarations.h"
 #include "kinematics_parameters.h"
 #include "jacobians.impl.h"
@@ -52,6 +52,6 @@ public:
 
 }
 
-using Jacobians = tpl::Jacobians<rbd::DoubleTrait>;
+using Jacobians = tpl::Jacobians<@trait@>;
 
 @closing@

@@ -2,7 +2,7 @@
 #include <iit/rbd/rbd.h>
 #include <iit/rbd/StateDependentMatrix.h>
 #include <iit/rbd/robcogen_commons.h>
-#include <iit/rbd/traits/DoubleTrait.h>
+#include <iit/rbd/@trait_header@>
 #include "declarations.h"
 #include "transforms.h"
 #include "inertia_properties.h"
@@ -149,7 +149,7 @@ private:
 
 }
 
-typedef tpl::JSIM<rbd::DoubleTrait> JSIM;
+typedef tpl::JSIM<@trait@> JSIM;
 
 }
 @closing@

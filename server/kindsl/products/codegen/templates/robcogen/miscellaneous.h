@@ -4,11 +4,11 @@
 @opening@
 
 /** The centre of mass of all links in base coordinates, by transforms as they are. */
-iit::rbd::Vector3d getWholeBodyCOM(
+@vector3@ getWholeBodyCOM(
     const dyn::InertiaProperties& inertia, const HomogeneousTransforms& transforms);
 
 /** The same after updating transforms. */
-iit::rbd::Vector3d getWholeBodyCOM(
+@vector3@ getWholeBodyCOM(
     const dyn::InertiaProperties& inertia, const JointState& q, HomogeneousTransforms& transforms);
 
 @closing@

@@ -5,7 +5,7 @@
 #include "jsim.h"
 #include "inertia_properties.h"
 #include "jacobians.h"
-#include <iit/rbd/traits/TraitSelector.h>
+#include <@"iit/rbd/scalar_traits.h" if robot.has_names_of_0_5 else "iit/rbd/traits/TraitSelector.h"@>
 
 @opening@
 namespace tpl {
@@ -16,7 +16,7 @@ struct Traits {
     EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 
     typedef SCALAR S;
-    typedef typename iit::rbd::tpl::TraitSelector<SCALAR>::Trait Trait;
+    typedef @"iit::rbd::ScalarTraits<SCALAR>" if robot.has_names_of_0_5 else "typename iit::rbd::tpl::TraitSelector<SCALAR>::Trait"@ Trait;
     typedef Trait ScalarTraits;
     typedef typename @space@::tpl::JointState<SCALAR> JointState;
 
@@ -50,6 +50,6 @@ const bool Traits<SCALAR>::floating_base;
 
 }
 
-typedef tpl::Traits<double> Traits;
+typedef tpl::Traits<@real@> Traits;
 
 @closing@

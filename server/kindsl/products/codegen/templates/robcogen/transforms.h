@@ -2,7 +2,7 @@
 #include <Eigen/Dense>
 #include <iit/rbd/rbd.h>
 #include <iit/rbd/TransformsBase.h>
-#include <iit/rbd/traits/DoubleTrait.h>
+#include <iit/rbd/@trait_header@>
 #include "declarations.h"
 #include "kinematics_parameters.h"
 #include "transforms.impl.h"
@@ -85,7 +85,7 @@ public:
 }
 
 {% for kind in kinds %}
-using @kind.name@Transforms = tpl::@kind.name@Transforms<rbd::DoubleTrait>;
+using @kind.name@Transforms = tpl::@kind.name@Transforms<@trait@>;
 {% endfor %}
 
 @closing@

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef IIT_RBD_INERTIAMATRIX_H_
 #define IIT_RBD_INERTIAMATRIX_H_
 // The inertia of a rigid body as a 6x6 matrix about some origin.
@@ -95,6 +96,8 @@ class InertiaMatrixSparse : public SparseMatrix<SCALAR> {};
 }
 
 using InertiaMatrixDense = tpl::InertiaMatrixDense<double>;
+template <typename S>
+using InertiaMat = tpl::InertiaMatrixDense<S>;
 
 }
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef IIT_RBD_STATEDEPENDENTBASE_H_
 #define IIT_RBD_STATEDEPENDENTBASE_H_
 // What depends on a state; the class derived from it has the function `update`.

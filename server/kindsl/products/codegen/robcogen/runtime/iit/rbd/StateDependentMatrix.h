@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef IIT_RBD_STATEDEPENDENTMATRIX_H_
 #define IIT_RBD_STATEDEPENDENTMATRIX_H_
 // A matrix that depends on a state.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef IIT_RBD_TRANSFORMSBASE_H_
 #define IIT_RBD_TRANSFORMSBASE_H_
 // Transforms and Jacobians that depend on a state.

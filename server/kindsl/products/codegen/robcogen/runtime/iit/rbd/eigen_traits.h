@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef IIT_RBD_EIGEN_TRAITS_H_
 #define IIT_RBD_EIGEN_TRAITS_H_
 // Transforms are for Eigen what their matrices are.

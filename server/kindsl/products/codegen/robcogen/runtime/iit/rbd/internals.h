@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef IIT_RBD_INTERNALS_H_
 #define IIT_RBD_INTERNALS_H_
 // The entries of 3x3 matrices by their names.

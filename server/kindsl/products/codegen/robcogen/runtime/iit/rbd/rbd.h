@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef IIT_RBD_RBD_H_
 #define IIT_RBD_RBD_H_
 // Types of six-dimensional vectors and matrices. The angular part comes first.
@@ -40,6 +41,19 @@ struct Core {
     static Part3DConst angularPart(const Vector6& v) { return Part3DConst(v, 0, 0); }
     static Part3DConst linearPart(const Vector6& v) { return Part3DConst(v, 3, 0); }
 };
+
+template <typename S>
+using Velocity = typename Core<S>::VelocityVector;
+template <typename S>
+using Force = typename Core<S>::ForceVector;
+template <typename S>
+using Mat33 = typename Core<S>::Matrix33;
+template <typename S>
+using Mat66 = typename Core<S>::Matrix66;
+template <typename S>
+using Vec3 = typename Core<S>::Vector3;
+template <typename S>
+using Vec6 = typename Core<S>::Vector6;
 
 typedef Core<double> Cored;
 using Matrix33d = Cored::Matrix33;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef IIT_RBD_ROBCOGEN_COMMONS_H_
 #define IIT_RBD_ROBCOGEN_COMMONS_H_
 // Functions of spatial vectors and inertias that programs for generated code use too.
@@ -6,7 +7,6 @@
 #include "TransformsBase.h"
 #include "internals.h"
 #include "rbd.h"
-#include "types.h"
 
 namespace iit {
 namespace rbd {

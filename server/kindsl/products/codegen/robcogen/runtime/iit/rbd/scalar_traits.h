@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef IIT_RBD_SCALAR_TRAITS_H_
 #define IIT_RBD_SCALAR_TRAITS_H_
 // The functions of numbers that generated code calls.
@@ -34,8 +35,12 @@ struct AnyTrait {
 
 struct DoubleTrait : AnyTrait<double> {};
 struct FloatTrait : AnyTrait<float> {};
-typedef DoubleTrait DoubleTraits;
-typedef FloatTrait FloatTraits;
+
+/** As RobCoGen 0.5 calls them. */
+template <typename SCALAR>
+struct ScalarTraits : AnyTrait<SCALAR> {};
+typedef ScalarTraits<double> DoubleTraits;
+typedef ScalarTraits<float> FloatTraits;
 
 }
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef IIT_RBD_UTILS_H_
 #define IIT_RBD_UTILS_H_
 // Small helpers for programs that use generated code.
@@ -8,7 +9,6 @@
 #include <iostream>
 
 #include "rbd.h"
-#include "types.h"
 
 namespace iit {
 namespace rbd {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef IIT_RBD_TRAITS_TRAITSELECTOR_H_
 #define IIT_RBD_TRAITS_TRAITSELECTOR_H_
 // The functions that belong to a type of numbers.
