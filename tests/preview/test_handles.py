@@ -234,6 +234,32 @@ async def test_a_leg_is_mirrored_only_where_its_name_tells_a_side(opened_once):
         assert await button.count() == count, link
 
 
+COVERED = """() => {
+  kindsl.viewer.render();
+  const names = [...document.querySelectorAll(".label")].filter((e) => e.style.visibility === "visible");
+  const covered = names.filter((element) => {
+    const box = element.getBoundingClientRect();
+    return [...document.querySelectorAll(".handle .line")].some((line) => {
+      const length = line.getTotalLength(), place = line.getScreenCTM();
+      return Array.from({ length: 60 }, (_, i) => line.getPointAtLength((length * i) / 59).matrixTransform(place))
+        .some(({ x, y }) => x > box.left && x < box.right && y > box.top && y < box.bottom);
+    });
+  });
+  return [names.length, covered.map((element) => element.textContent)];
+}"""
+
+
+@pytest.mark.parametrize("mode", ["move", "turn"])
+async def test_no_handle_lies_on_a_name(opened_once, mode):
+    owner, page = opened_once
+    await owner.show(QUADRUPED)
+    await until_shown(page, "Quadruped")
+    await grasp(page, "joint", "LF_HFE")
+    await page.evaluate("(mode) => kindsl.editing.choose(mode)", mode)
+    shown, covered = await page.evaluate(COVERED)
+    assert shown > 4 and covered == []
+
+
 async def test_without_an_owner_there_are_no_handles(browser):
     server = PreviewServer()
     await server.start()

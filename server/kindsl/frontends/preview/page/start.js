@@ -87,6 +87,7 @@ page.bars = panelBars(() => page.address.note());
 page.address = new Address(page);
 page.pull = new PullDrag(page);
 page.editing = new Editing(page);
+page.labels.obstacles = () => page.editing.handles.boxes();
 page.history = new History(takeState, putState, page.editing);
 page.keys = new Keys(pane, page);
 page.motion = new Motion(scene, {
@@ -221,8 +222,8 @@ const render = viewer.render.bind(viewer);
 viewer.render = () => {
   refresh();
   render();
-  page.labels.place();
   page.editing.place();
+  page.labels.place();
   page.compass.update();
   page.scaleBar.update();
   page.away.update();

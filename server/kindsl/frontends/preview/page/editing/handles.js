@@ -19,6 +19,7 @@ const LENGTH = 84; // pixels
 /** @type {Readonly<Record<string, number>>} */
 const RADII = { rx: 55, ry: 62, rz: 69 }; // pixels
 const PIECES = 48; // of a ring
+const GRIP = 8; // pixels beside its line that a handle covers
 const LEAST = 12; // pixels that an arrow must have to be dragged
 export const LENGTHS = ["x", "y", "z"];
 export const ANGLES = ["rx", "ry", "rz"];
@@ -116,6 +117,15 @@ export class Handles {
    */
   aim(name) {
     for (const [other, { group }] of this.shapes) group.classList.toggle("aimed", other === name);
+  }
+
+  /**
+   * What the handles cover, in boxes along their lines, for names to keep off.
+   * @returns {number[][]}
+   */
+  boxes() {
+    if (this.svg.style.display === "none") return [];
+    return [...this.shapes.values()].flatMap(({ places }) => places.slice(1).flatMap((to, i) => boxesAlong(places[i], to)));
   }
 
   /**
@@ -218,6 +228,15 @@ function ring(origin, axis, radius) {
   return Array.from({ length: PIECES }, (_, i) => {
     const angle = (2 * Math.PI * i) / PIECES;
     return origin.clone().addScaledVector(u, radius * Math.cos(angle)).addScaledVector(v, radius * Math.sin(angle));
+  });
+}
+
+/** @param {Place} from @param {Place} to */
+function boxesAlong([x0, y0], [x1, y1]) {
+  const pieces = Math.max(1, Math.ceil(Math.hypot(x1 - x0, y1 - y0) / GRIP));
+  return Array.from({ length: pieces + 1 }, (_, i) => {
+    const [x, y] = [x0 + ((x1 - x0) * i) / pieces, y0 + ((y1 - y0) * i) / pieces];
+    return [x - GRIP, y - GRIP, x + GRIP, y + GRIP];
   });
 }
 

@@ -57,9 +57,13 @@ export class Labels {
     scene.onChange(() => { this.things = null; });
   }
 
+  // What else lies over the picture, as boxes that names keep off.
+  /** @type {() => readonly Box[]} */
+  obstacles = () => [];
+
   // Put the most important names beside their things; called after each picture.
   place() {
-    const seen = this.seen(), places = new LabelPlaces(this.pane, seen.map(({ box }) => box), this.letters(), this.rods());
+    const seen = this.seen(), places = new LabelPlaces(this.pane, seen.map(({ box }) => box), [...this.letters(), ...this.obstacles()], this.rods());
     const most = Math.max(FEWEST, Math.floor((this.pane.clientWidth * this.pane.clientHeight) / AREA));
     /** @type {At[]} */
     const named = [];
