@@ -236,12 +236,14 @@ async def test_a_leg_is_mirrored_only_where_its_name_tells_a_side(opened_once):
 
 COVERED = """() => {
   kindsl.viewer.render();
-  const names = [...document.querySelectorAll(".label")].filter((e) => e.style.visibility === "visible");
+  const labels = [...document.querySelectorAll(".label")];
+  const names = labels.filter((each) => each.style.visibility === "visible");
   const covered = names.filter((element) => {
     const box = element.getBoundingClientRect();
     return [...document.querySelectorAll(".handle .line")].some((line) => {
       const length = line.getTotalLength(), place = line.getScreenCTM();
-      return Array.from({ length: 60 }, (_, i) => line.getPointAtLength((length * i) / 59).matrixTransform(place))
+      return Array.from({ length: 60 }, (_, i) => line.getPointAtLength((length * i) / 59))
+        .map((point) => point.matrixTransform(place))
         .some(({ x, y }) => x > box.left && x < box.right && y > box.top && y < box.bottom);
     });
   });

@@ -103,7 +103,12 @@ def test_a_link_whose_axis_is_elsewhere_gets_no_mesh(urdf):
     assert {v.link for v in messages(preview, "visual")} == {"upper"}
     (told,) = messages(preview, "meshes")
     assert told.problems[0].startswith("meshes of 'slider' left out: the axis of its joint is")
-    assert "4.06° away in arm.urdf" in told.problems[0]
+    assert told.problems[0].endswith("is 4.06° away in arm.urdf")
+    urdf.write_text(urdf.read_text().replace("prismatic", "continuous"))
+    turning = ARM.replace("p_joint lift", "r_joint lift").replace("(0.4, 0.0", "(0.45, 0.0")
+    preview.show(analyse(turning), ())
+    (told,) = messages(preview, "meshes")
+    assert told.problems[0].endswith("is 50 mm away in arm.urdf")
 
 
 @pytest.mark.parametrize(

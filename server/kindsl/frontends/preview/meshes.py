@@ -25,6 +25,7 @@ from kindsl.robots.scene.state import Messages, keyed, path_of
 
 # Of an axis beside ours: of the robot's size, and as a sine. More is another robot's mesh.
 _FAR, _TURNED = 5e-3, 1e-2
+_DUST = 1e-9  # metres, or a sine: rounding of the arithmetic, which no message tells
 _MOST_VISUALS = 2000
 _MOST_BYTES = 256 * 2**20
 _SHOWN = 3
@@ -143,8 +144,10 @@ def _refused(
         if kind != ours.joint_kinds[body - 1]:
             yield its, f"meshes of '{link}' left out: its joint is {kind} in {name}"
         elif sine > _TURNED or distance > _FAR * (size or 1.0):
-            gap = f"{1e3 * distance:.3g} mm and {degrees(asin(min(1.0, sine))):.3g}° away"
-            yield its, f"meshes of '{link}' left out: the axis of its joint is {gap} in {name}"
+            turned = f"{degrees(asin(min(1.0, sine))):.3g}°" if sine > _DUST else ""
+            gap = f"{1e3 * distance:.3g} mm" if distance > _DUST else ""
+            away = f"{' and '.join(filter(None, (gap, turned)))} away in {name}"
+            yield its, f"meshes of '{link}' left out: the axis of its joint is {away}"
 
 
 def _axis(skeleton: Linkage, body: int) -> AxisLine:
