@@ -38,7 +38,7 @@ def can_mirror(model: Model, link: str) -> bool:
 
 
 def mirror_leg(analysis: Analysis, link: str) -> Gesture | Refusal:
-    """Return the edits that add the mirror image of a link with all that it carries."""
+    """Return the edits that add the counterpart of a link with all that it carries."""
     model = analysis.model
     leg = _leg(model, link)
     if isinstance(leg, Refusal):

@@ -15,7 +15,6 @@ from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Construct, Place
 from kindsl.language.syntax.indentation import indentation
-from kindsl.language.syntax.tree import Node
 from kindsl.language.text.edits import TextEdit
 from kindsl.language.text.lines import is_first_on_line
 
@@ -25,7 +24,16 @@ def with_child(analysis: Analysis, body: Link, link: str, joint: str) -> TextEdi
     section = next(body.node.nodes("children"), None)
     if section is None:
         return None
-    return _absolute(analysis, body, _child(body.island.text, section, f"{link} via {joint}"))
+    text, entry = body.island.text, f"{link} via {joint}"
+    opening, closing = section.children[1].end, section.children[-1].start
+    is_bare = text[section.children[1].start : closing].strip() == "{"
+    if not is_bare or not is_first_on_line(text, section.start):
+        edit = inserted_section(text, section, last_section(section), [entry])
+    else:
+        # The first child stands on a line of its own where sections do.
+        indent, newline = indentation(text, section.start), newline_of(text)
+        edit = TextEdit(opening, closing, f"{newline}{indent}    {entry}{newline}{indent}")
+    return _absolute(analysis, body, edit)
 
 
 def with_frame(analysis: Analysis, body: Link, lines: Sequence[str]) -> TextEdit | None:
@@ -50,16 +58,6 @@ def fresh_name(model: Model, stem: str) -> str:
 def next_id(model: Model) -> int:
     """Return the number behind the last one, which keeps all others as they are."""
     return 1 + max((link.id or 0 for link in model.links), default=0)
-
-
-def _child(text: str, section: Node, entry: str) -> TextEdit | None:
-    """Return the edit that lists a child; the first on a line of its own where sections are."""
-    opening, closing = section.children[1].end, section.children[-1].start
-    is_bare = text[section.children[1].start : closing].strip() == "{"
-    if not is_bare or not is_first_on_line(text, section.start):
-        return inserted_section(text, section, last_section(section), [entry])
-    indent, newline = indentation(text, section.start), newline_of(text)
-    return TextEdit(opening, closing, f"{newline}{indent}    {entry}{newline}{indent}")
 
 
 def _absolute(analysis: Analysis, body: Link, edit: TextEdit | None) -> TextEdit | None:
