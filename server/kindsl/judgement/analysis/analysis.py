@@ -21,7 +21,7 @@ from kindsl.judgement.analysis.settings import Settings, is_enabled, severity_of
 from kindsl.judgement.analysis.syntax_findings import is_explained, syntax_findings
 from kindsl.judgement.rules.base import Finding, Rule
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.registry import all_rules, checking_rules
+from kindsl.judgement.rules.registry import all_rules, checking_rules, rules_with
 from kindsl.judgement.rules.xml_elements import CONCERN_XML, begins_as_urdf
 from kindsl.language.semantics.model import Model
 from kindsl.language.syntax.document import SyntaxDocument, parse, paused_collector
@@ -244,8 +244,8 @@ def running_rules(
 ) -> RunningRules:
     """Return the rules that run under some settings, on XML those that concern it."""
     settings = Settings(targets=targets, select=select, ignore=ignore)
-    enabled = (rule for rule in checking_rules() if is_enabled(rule, settings))
-    return by_sight(rule for rule in enabled if not is_xml or rule.code in CONCERN_XML)
+    concerned = rules_with(CONCERN_XML) if is_xml else checking_rules()
+    return by_sight(rule for rule in concerned if is_enabled(rule, settings))
 
 
 # Its name in public is `kindsl.Document`.

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 from kindsl.judgement.analysis.settings import Settings, is_enabled
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.inertia.judgements import is_placeholder
-from kindsl.judgement.rules.registry import all_rules
+from kindsl.judgement.rules.registry import rules_with
 from kindsl.judgement.rules.xml_elements import OF_PARTS
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
@@ -34,8 +34,10 @@ def xml_findings(
         settings: Which rules report.
         found: What the rules found that concern it.
     """
-    rules = {rule.code: rule for rule in all_rules() if is_enabled(rule, settings)}
-    for flaw in document.flaws if isinstance(document, XmlDocument) else ():
+    flaws = document.flaws if isinstance(document, XmlDocument) else ()
+    codes = frozenset((_MISSING, _PLACEHOLDER, *(flaw.code for flaw in flaws)))
+    rules = {rule.code: rule for rule in rules_with(codes) if is_enabled(rule, settings)}
+    for flaw in flaws:
         if flaw.code in rules:
             yield rules[flaw.code], Finding(flaw.at, flaw.message)
     bodies = _bodies(model)

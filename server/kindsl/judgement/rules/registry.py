@@ -26,6 +26,13 @@ def checking_rules() -> tuple[Rule, ...]:
 
 
 @cache
+def rules_with(codes: frozenset[str]) -> tuple[Rule, ...]:
+    """Return the rules with some codes, without loading any other."""
+    names = (n for n in _module_names() if n.partition("_")[0].upper() in codes)
+    return tuple(rule_module(name).RULE for name in names)
+
+
+@cache
 def all_codes() -> tuple[str, ...]:
     """Return the codes of all rules, without loading one."""
     return tuple(sorted(name.partition("_")[0].upper() for name in _module_names()))
