@@ -15,6 +15,7 @@ from kindsl.judgement.analysis.text_fix import prove
 from kindsl.judgement.config.file_names import TRANSFORMS_SUFFIX
 from kindsl.judgement.config.robots import SUFFIX
 from kindsl.judgement.rules.base import Severity
+from kindsl.judgement.rules.xml_elements import begins_as_urdf
 from kindsl.language.semantics.model import Model
 from kindsl.language.syntax.document import parse
 
@@ -71,8 +72,11 @@ def check(task: Task) -> Checked:
 def _checked(task: Task, text: str) -> Checked:
     if task.shown.endswith(TRANSFORMS_SUFFIX):
         return Checked(_transforms(task, text), None)
-    is_document = task.shown.endswith(SUFFIX)
-    analysis = Analysis(parse(text), task.settings) if is_document else analyse(text, task.settings)
+    if task.shown.endswith(SUFFIX) and begins_as_urdf(text):
+        # Under its name it has to be a document.
+        analysis = Analysis(parse(text), task.settings)
+    else:
+        analysis = analyse(text, task.settings)
     is_as_written = task.fix_mode is FixMode.NONE or analysis.syntax.is_xml
     if is_as_written or not is_decodable(text):
         return _outcome(task, analysis)
