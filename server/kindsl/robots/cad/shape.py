@@ -18,29 +18,29 @@ class ShapeError(ValueError):
     """Sizes, a mass or a density that no body has; the message is a sentence."""
 
 
-class Kind(NamedTuple):
+class ShapeKind(NamedTuple):
     """A kind of shape with the names of its sizes, metres."""
 
     name: str
     sizes: tuple[str, ...]
 
 
-BOX = Kind("box", ("x", "y", "z"))
-CYLINDER = Kind("cylinder", ("radius", "length"))
-HOLLOW_CYLINDER = Kind("hollow cylinder", ("outer radius", "inner radius", "length"))
-SPHERE = Kind("sphere", ("radius",))
-CAPSULE = Kind("capsule", ("radius", "length"))
+BOX = ShapeKind("box", ("x", "y", "z"))
+CYLINDER = ShapeKind("cylinder", ("radius", "length"))
+HOLLOW_CYLINDER = ShapeKind("hollow cylinder", ("outer radius", "inner radius", "length"))
+SPHERE = ShapeKind("sphere", ("radius",))
+CAPSULE = ShapeKind("capsule", ("radius", "length"))
 KINDS = (BOX, CYLINDER, HOLLOW_CYLINDER, SPHERE, CAPSULE)
 
 
-def kind_called(name: str) -> Kind | None:
+def kind_called(name: str) -> ShapeKind | None:
     """Return the kind of a name, its words separated in any way, None if there is none."""
     words = name.replace("-", " ").replace("_", " ")
     return next((kind for kind in KINDS if kind.name == words), None)
 
 
 def shape_properties(
-    kind: Kind,
+    kind: ShapeKind,
     sizes: Sequence[Decimal],
     mass: Decimal | None = None,
     density: Decimal | None = None,
@@ -117,7 +117,7 @@ def require_positive(given: Mapping[str, Decimal | None]) -> None:
 
 
 def _check(
-    kind: Kind, sizes: Sequence[Decimal], mass: Decimal | None, density: Decimal | None
+    kind: ShapeKind, sizes: Sequence[Decimal], mass: Decimal | None, density: Decimal | None
 ) -> None:
     given = {**dict(zip(kind.sizes, sizes, strict=True)), "mass": mass, "density": density}
     require_positive({f"{name} of the {kind.name}": value for name, value in given.items()})
@@ -126,7 +126,7 @@ def _check(
         raise ShapeError(f"{radii}: this is no {kind.name}")
 
 
-def _geometry(kind: Kind, sizes: Sequence[Fraction]) -> tuple[Fraction, Moments]:
+def _geometry(kind: ShapeKind, sizes: Sequence[Fraction]) -> tuple[Fraction, Moments]:
     if kind is BOX:
         return _box(*sizes)
     if kind is CYLINDER:

@@ -21,13 +21,12 @@ from kindsl.robots.comparison.matching import MatchedJoints, matched, matching_f
 from kindsl.robots.comparison.number_differences import (
     NumberDifference,
     Tolerances,
-    digits_of_rounding,
     frame_differences,
     inertia_differences,
-    is_rounded,
     joint_differences,
 )
 from kindsl.robots.comparison.pair import Pair
+from kindsl.robots.comparison.rounding import digits_of_rounding, is_rounded
 from kindsl.robots.comparison.side import ComparedSide
 from kindsl.robots.comparison.turned_axes import axis_differences, described_with_axis
 from kindsl.robots.comparison.twins import TwinFile
@@ -105,8 +104,8 @@ def compared_mechanics(
     bounds = Tolerances(size_of(one), tolerance)
     rough = bounds._replace(is_rough=True)
     loose = bounds._replace(digits=digits_of_rounding(ours, theirs, matching.theirs))
-    is_rounded = loose.digits is not None and not wrong
-    if is_rounded:
+    has_rounded = loose.digits is not None and not wrong
+    if has_rounded:
         same = Pair(ours, theirs, matching, as_written(matching))
         if found_same := _under_rounding(same, bounds, loose):
             return found_same
@@ -121,7 +120,7 @@ def compared_mechanics(
         root = found.alignment.frames[0]
         again = _under(_aligned(ours, theirs, matching, root, bounds), bounds)
         found = min(found, again, key=_n_differences)
-    if is_rounded and found.numbers:
+    if has_rounded and found.numbers:
         aligned_pair = _aligned(ours, theirs, matching, found.alignment.frames[0], loose)
         found = _under_rounding(aligned_pair, bounds, loose) or found
     found = _with_turned_axes(ours, theirs, bounds, found)
@@ -198,7 +197,11 @@ def _under(pair: Pair, bounds: Tolerances) -> MechanicalComparison:
     if not _is_one_robot(pair):
         return MechanicalComparison(matching, alignment, (), structure[:1], ())
     found = list(_numbers(pair, bounds))
-    rounded = tuple(number for number in found if is_rounded(number))
+    rounded = tuple(
+        number
+        for number in found
+        if is_rounded(number.here_number, number.there_number, number.unit)
+    )
     numbers = tuple(number for number in found if number not in rounded)
     only = (*conventions(pair), *rounded_numbers(pair.theirs.label, rounded))
     return MechanicalComparison(matching, alignment, numbers, structure, only, rounded)

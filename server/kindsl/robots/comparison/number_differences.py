@@ -1,14 +1,14 @@
 """The numbers in which two robots differ: the fewest of either file that make the difference."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from math import floor, hypot, log10
+from collections.abc import Callable, Sequence
+from math import hypot
 from typing import NamedTuple
 
 from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from
 from kindsl.mechanics.rigid.pose import RigidPose, angle_between
 from kindsl.robots.comparison.pair import Pair
 from kindsl.robots.comparison.quantities import INERTIA, POSE, TURNS
-from kindsl.robots.comparison.side import ComparedSide
+from kindsl.robots.comparison.rounding import Digits
 from kindsl.robots.comparison.written import (
     WrittenInertia,
     WrittenNumber,
@@ -22,15 +22,6 @@ _ROUNDING = 1e-11
 _FLOAT = 2e-7
 # An angle less than this is what a program leaves of zero, radians.
 _NO_ANGLE = 1e-6
-# Beside half a unit of the last of three digits: rounding to fewer moves a number by over 0.5 %,
-# as much as somebody who changes it.
-_THREE_DIGITS = 200.0
-# One digit is that of any number.
-_TWO_DIGITS = 20.0
-# Of the halves of last digits: nobody who corrects a number by hand adds two digits to it.
-_FINER = 99.0
-# So many numbers that a person changed are not all roundings of the old ones by chance.
-_BY_CHANCE = 3
 # Of a frame whose digits in the other file are not known, beside the robot and in radians.
 _FRAME = 1e-5
 # Zero in an MJCF, kg m^2: MuJoCo takes nothing less.
@@ -106,18 +97,6 @@ class _WantedNumbers(NamedTuple):
     unlike: tuple[int, ...]
 
 
-class Digits(NamedTuple):
-    """The greatest numbers of digits in a file whose numbers are rounded."""
-
-    significant: int
-    decimals: int
-
-    def half(self, value: float) -> float:
-        """Return how far a value may be rounded: zeros at its end are not written."""
-        lead = floor(log10(abs(value))) if value else -self.decimals
-        return 0.5 * 10.0 ** max(lead + 1 - self.significant, -self.decimals)
-
-
 class Tolerances(NamedTuple):
     """The differences that count as none.
 
@@ -185,61 +164,6 @@ def inertia_differences(pair: Pair, body: int, bounds: Tolerances) -> list[Numbe
     # No single number makes up for an inertia that is not written.
     left = [each for each in found if each.quantity == INERTIA[0]] or found
     return [each._replace(our_changes=(), their_changes=()) for each in left]
-
-
-def is_rounded(difference: NumberDifference) -> bool:
-    """Return whether one file has the other's number, rounded to three digits or more."""
-    numbers = difference.here_number, difference.there_number
-    if numbers[0] is None or numbers[1] is None:
-        return False
-    coarse, fine = sorted((numbers[0], numbers[1]), key=lambda number: -number.half)
-    if not _is_rounding(coarse, fine):
-        return False
-    is_finer = fine.half > 0.0 or difference.unit == "rad"
-    is_much_finer = is_finer and coarse.half >= _FINER * fine.half
-    return is_much_finer and abs(coarse.value) >= _THREE_DIGITS * coarse.half
-
-
-def digits_of_rounding(
-    ours: ComparedSide, theirs: ComparedSide, bodies: Mapping[int, int]
-) -> Digits | None:
-    """Return the digits of a file that has numbers of the other, rounded; None if neither has."""
-    pairs = [
-        pair for body, its in bodies.items() for pair in _number_pairs(ours, theirs, body, its)
-    ]
-    roundings = [
-        (is_ours, coarse)
-        for is_ours, coarse, fine in pairs
-        if abs(coarse.value - fine.value) > coarse.slack
-        and abs(coarse.value) >= _TWO_DIGITS * coarse.half
-        and _is_rounding(coarse, fine)
-    ]
-    if len(roundings) < _BY_CHANCE or len({is_ours for is_ours, _ in roundings}) > 1:
-        return None
-    found = [
-        (-log10(2.0 * coarse.half), floor(log10(abs(coarse.value)))) for _, coarse in roundings
-    ]
-    return Digits(round(max(d + lead for d, lead in found)) + 1, round(max(d for d, _ in found)))
-
-
-def _number_pairs(
-    ours: ComparedSide, theirs: ComparedSide, body: int, its: int
-) -> Iterator[tuple[bool, WrittenNumber, WrittenNumber]]:
-    """Yield the numbers of a body that both files write, the one of fewer digits first."""
-    parts = zip(ours.inertias[body], theirs.inertias[its], strict=False)
-    forms: list[tuple[_Form, _Form]] = [p for p in parts if p[0].is_about_com == p[1].is_about_com]
-    if body:
-        forms.append((ours.joints[body - 1], theirs.joints[its - 1]))
-    for form, other in forms:
-        for here, there in zip(form.numbers, other.numbers, strict=True):
-            if here is not None and there is not None:
-                is_ours = here.half >= there.half
-                yield is_ours, *((here, there) if is_ours else (there, here))
-
-
-def _is_rounding(coarse: WrittenNumber, fine: WrittenNumber) -> bool:
-    is_near = abs(coarse.value - fine.value) <= coarse.half * (1.0 + _FLOAT)
-    return is_near and coarse.value != 0.0 and not coarse.is_implied and coarse.half > fine.half
 
 
 def _wanted_pose(
