@@ -12,14 +12,14 @@ from kindsl.robots.cad.shape import (
     CYLINDER,
     HOLLOW_CYLINDER,
     SPHERE,
-    Kind,
     ShapeError,
+    ShapeKind,
     shape_called,
     shape_properties,
 )
 
 
-def made(kind: Kind, sizes: str, **heavy: str) -> MassProperties:
+def made(kind: ShapeKind, sizes: str, **heavy: str) -> MassProperties:
     given = {name: Decimal(value) for name, value in heavy.items()}
     return shape_properties(kind, [Decimal(size) for size in sizes.split()], **given)
 
@@ -38,7 +38,9 @@ def test_a_box_is_exact() -> None:
         (SPHERE, "0.1", 4 / 3 * pi * 1e-3, 0.4 * 0.01, 0.4 * 0.01),
     ],
 )
-def test_round_shapes(kind: Kind, sizes: str, volume: float, across: float, along: float) -> None:
+def test_round_shapes(
+    kind: ShapeKind, sizes: str, volume: float, across: float, along: float
+) -> None:
     found = made(kind, sizes, density="1000")
     mass = 1000 * volume
     assert float(found.mass) == pytest.approx(mass, rel=5e-9)
@@ -76,7 +78,7 @@ def test_digits_follow_what_is_given() -> None:
         (HOLLOW_CYLINDER, "0.1 0.1 1", "not less than the outer"),
     ],
 )
-def test_sizes_that_no_body_has(kind: Kind, sizes: str, said: str) -> None:
+def test_sizes_that_no_body_has(kind: ShapeKind, sizes: str, said: str) -> None:
     with pytest.raises(ShapeError, match=said):
         made(kind, sizes, mass="1.0")
 
