@@ -21,14 +21,15 @@ def function(entries: int, name: str = "poses", takes: str = "q") -> Function:
     [
         (99, 1, False), (100, 1, True),
         (149, 100, False), (150, 100, True), (150, 101, False),
-        (20_000, 1, True), (20_001, 1, False),
+        (10_000, 1, True), (10_001, 1, False),
         (9_999, 4096, True), (9_999, 4097, False),
     ],
 )  # fmt: skip
 def test_neither_little_nor_very_much_is_in_lanes(
     operations: int, entries: int, is_wide: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("kindsl.products.codegen.c_sources.operations", lambda *_: operations)
+    place = "kindsl.mechanics.dynamics.generation.emitters.lanes.operations"
+    monkeypatch.setattr(place, lambda *_: operations)
     assert _is_wide(MADE, function(entries)) is is_wide
     assert not _is_wide(MADE, function(entries, "jacobian_tip"))
     assert not _is_wide(MADE, function(entries, takes="qd"))

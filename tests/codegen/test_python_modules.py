@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from tests.codegen.compiling import COMPILERS, EIGEN, needs_compiler
 from tests.codegen.robots import ALL, PLAIN, bodies_of_seed, library, reference
+from tests.dynamics.random_bodies import with_drives
 from tests.support.differences import worst_difference
 
 import kindsl
@@ -19,7 +20,11 @@ from kindsl.products.codegen.library import Options
 from kindsl.products.codegen.reference import Reference
 
 ROOT = Path(__file__).parents[2]
-FEW = ("poses", "inverse_dynamics", "forward_dynamics", "gravity_torque")
+# What JAX computes on arrays, and one function that it computes in straight lines.
+FEW = (
+    "poses", "inverse_dynamics", "inverse_dynamics_actuated", "forward_dynamics",
+    "joint_space_inertia", "gravity_torque", "bias_torque", "center_of_mass",
+)  # fmt: skip
 NAMES = {"v0": "base_velocity", "a0": "base_acceleration", "g": "gravity"}
 CORPUS = """
 Robot R {
@@ -106,6 +111,10 @@ def check_jax() -> None:
     import jax
 
     jax.config.update("jax_enable_x64", True)
+    for seed in (4, 12, 7):
+        bodies = with_drives(bodies_of_seed(seed, 4), np.random.default_rng(seed))
+        some = tuple(x for x in FEW if bodies.is_floating or not x.endswith("_actuated"))
+        _assert_right(_language(bodies, "jax", some), library(bodies, some), reference(bodies))
     bodies = bodies_of_seed(1, 3)
     module = _language(bodies, "jax", FEW)
     _assert_right(module, library(bodies, FEW), reference(bodies))
@@ -117,6 +126,15 @@ def check_jax() -> None:
         values["q"], *rest, gravity=values["g"]
     )
     np.testing.assert_allclose(slope, expected.dtau_dq[:, 6:], rtol=1e-10, atol=1e-10)
+    batch = np.random.default_rng(1).uniform(-1.0, 1.0, (4, bodies.n_links))
+    mapped = jax.vmap(call)(batch)
+    np.testing.assert_allclose(mapped, call(batch), rtol=1e-12, atol=1e-12)
+    assert module.gravity_torque(np.zeros((0, bodies.n_links))).shape == (0, bodies.n_links + 6)
+    jax.config.update("jax_enable_x64", False)
+    tau = _language(bodies, "jax", FEW).gravity_torque(batch.astype(np.float32))
+    assert tau.dtype == np.float32
+    expected = reference(bodies).mechanics.gravity_torque(batch)
+    np.testing.assert_allclose(tau, expected, rtol=1e-3, atol=1e-4 * abs(expected).max())
 
 
 def test_casadi() -> None:

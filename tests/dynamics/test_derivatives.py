@@ -11,8 +11,8 @@ from tests.support.differences import worst_difference
 from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanics.dynamics.generation.emitters.numbers import evaluate
-from kindsl.mechanics.dynamics.generation.emitters.straight_line import operations
 from kindsl.mechanics.dynamics.generation.functions import QUANTITIES
+from kindsl.mechanics.dynamics.generation.terms import operations
 from kindsl.mechanics.dynamics.quantities import SingularInertiaError
 from kindsl.mechanics.spatial.arrays import Array
 

@@ -2,13 +2,16 @@
 
 import math
 import operator
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from tests.dynamics.random_bodies import random_bodies, random_inertia, random_rotation
+from tests.dynamics.random_bodies import random_bodies, random_inertia, random_rotation, with_drives
 
+from kindsl.mechanics.dynamics.generation import forward_dynamics
+from kindsl.mechanics.dynamics.generation.emitters.numbers import evaluate
 from kindsl.mechanics.dynamics.generation.emitters.numpy_rows import batch_function, run_in_chunks
 from kindsl.mechanics.dynamics.generation.emitters.scalar_python import (
     scalar_function,
@@ -16,9 +19,10 @@ from kindsl.mechanics.dynamics.generation.emitters.scalar_python import (
 )
 from kindsl.mechanics.dynamics.generation.emitters.straight_line import computed
 from kindsl.mechanics.dynamics.generation.factorization import solve_symmetric
+from kindsl.mechanics.dynamics.generation.function import inputs_of
 from kindsl.mechanics.dynamics.generation.mass_moments import MassMoments
 from kindsl.mechanics.dynamics.generation.robot import robot_of
-from kindsl.mechanics.dynamics.generation.terms import Graph, Term, cosine_and_sine
+from kindsl.mechanics.dynamics.generation.terms import Graph, Term, cosine_and_sine, operations
 from kindsl.mechanics.dynamics.generation.trace import Trace, trace
 from kindsl.mechanics.dynamics.quantities import SingularInertiaError
 from kindsl.mechanics.spatial.inertia import pseudo_inertia
@@ -164,3 +168,43 @@ def test_symmetric_systems_are_solved(size: int) -> None:
 def test_a_singular_system_is_an_error() -> None:
     with pytest.raises(SingularInertiaError):
         solve_symmetric([[0.0]], [1.0])
+
+
+@pytest.mark.parametrize(
+    ("n_links", "is_floating"), [(5, False), (5, True), (20, True), (34, False)]
+)
+def test_both_ways_of_forward_dynamics_agree(
+    n_links: int, is_floating: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """And of both the one with fewer operations is taken."""
+    generator = np.random.default_rng(n_links)
+    robot = robot_of(with_drives(random_bodies(generator, n_links, is_floating), generator))
+    x, found, counts = inputs_of(robot), [], []
+    values = {index: float(generator.uniform(-1.0, 1.0)) for index in robot.graph.inputs}
+    for shallow, deep in ((0.0, 0.0), (1e9, 1e9), (0.0, 1e9)):
+        monkeypatch.setattr(forward_dynamics, "SURELY_SHALLOW", shallow)
+        monkeypatch.setattr(forward_dynamics, "SURELY_DEEP", deep)
+        entries = forward_dynamics.forward_dynamics(
+            robot.tree, x.q, x.qd, x.tau, x.v0, x.g, x.external
+        )
+        found.append(np.array(evaluate(robot.graph, values, entries)))
+        counts.append(operations(robot.graph, entries))
+    scale = abs(found[1]).max()
+    np.testing.assert_allclose(found[0], found[1], atol=1e-11 * scale)
+    assert counts[2] == min(counts[:2])
+
+
+def test_forward_dynamics_of_a_chain_grows_with_its_length() -> None:
+    sizes = []
+    for n in (30, 60):
+        bodies = random_bodies(np.random.default_rng(1), n, is_floating=False)
+        robot = robot_of(replace(bodies, parents=tuple(range(n))))
+        x = inputs_of(robot)
+        sizes.append(
+            operations(
+                robot.graph,
+                forward_dynamics.forward_dynamics(robot.tree, x.q, x.qd, x.tau, x.v0, x.g),
+            )
+        )
+    # Not twice as many exactly: some axes are turned by right angles, as chance has it.
+    assert sizes[1] < 2.4 * sizes[0]

@@ -23,10 +23,9 @@ from kindsl.mechanics.dynamics.generation.emitters.scalar_python import scalar_s
 from kindsl.mechanics.dynamics.generation.emitters.straight_line import (
     computed,
     cut,
-    operations,
     setup_nodes,
 )
-from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar, cosine_and_sine
+from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar, cosine_and_sine, operations
 from kindsl.mechanics.dynamics.generation.trace import Trace
 
 RECORDED = Path(__file__).parent / "recorded" / "sources.txt"

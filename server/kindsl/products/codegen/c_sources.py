@@ -5,12 +5,13 @@ from collections.abc import Iterator, Sequence
 from kindsl.mechanics.dynamics.generation.emitters.c import CArray, CBody, c_definition, literal
 from kindsl.mechanics.dynamics.generation.emitters.lanes import (
     Wide,
+    is_worth_lanes,
     prefixed,
     shared,
     wide_functions,
 )
-from kindsl.mechanics.dynamics.generation.emitters.straight_line import operations
 from kindsl.mechanics.dynamics.generation.function import Function, Result
+from kindsl.mechanics.dynamics.generation.terms import operations
 from kindsl.products.codegen.c_text import (
     EXTERNAL,
     batch_declaration,
@@ -24,12 +25,6 @@ from kindsl.products.codegen.library import Library
 
 # Compilers take as long for code with external forces as for that without.
 MOST_ADDED = 0.05
-# In lanes is neither what costs less than to write it down, nor what takes compilers long or fills
-# the stack.
-LEAST_IN_LANES = 100
-LEAST_PER_ENTRY = 1.5
-MOST_OPERATIONS = 20_000
-MOST_IN_LANES = 4096
 
 
 def sources(library: Library) -> Iterator[tuple[str, str]]:
@@ -198,15 +193,10 @@ def _batch(library: Library, function: Function) -> str:
 
 def _is_wide(library: Library, function: Function) -> bool:
     entries = [entry for result in function.results for entry in result.entries]
-    takes = [argument.name for argument in function.arguments]
-    least = max(LEAST_IN_LANES, LEAST_PER_ENTRY * len(entries))
-    return (
-        has_lanes(library)
-        and takes[:1] == ["q"]
-        and not function.name.startswith("jacobian_")
-        and len(entries) <= MOST_IN_LANES
-        and least <= operations(library.robot.graph, entries) <= MOST_OPERATIONS
-    )
+    takes_angles = [argument.name for argument in function.arguments][:1] == ["q"]
+    # A Jacobian may depend on no joint at all; lanes would be empty then.
+    is_apt = takes_angles and not function.name.startswith("jacobian_")
+    return has_lanes(library) and is_apt and is_worth_lanes(library.robot.graph, entries)
 
 
 def _lanes(library: Library, function: Function) -> tuple[str, str]:

@@ -1,6 +1,6 @@
 """Text that generated modules in Python share, whatever they compute with."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from kindsl.mechanics.dynamics.generation.emitters.python_lines import python_function
 from kindsl.mechanics.dynamics.generation.function import Function
@@ -14,13 +14,16 @@ LENGTHS = {"v0": 6, "a0": 6, "g": 3}
 EXTERNAL = "external_forces"
 
 
-def module_text(library: Library, how: str, own: tuple[str, str, str]) -> str:
+def module_text(
+    library: Library, how: str, own: tuple[str, str, str], without: Collection[str] = ()
+) -> str:
     """Return a whole module.
 
     Args:
         library: The functions to write.
         how: Requirements and use of the module, for its docstring.
         own: Its imports, its `_answer` and its `forward_kinematics`.
+        without: The functions whose code on components is not written.
     """
     imports, answer, poses = own
     parts = [
@@ -31,7 +34,7 @@ def module_text(library: Library, how: str, own: tuple[str, str, str]) -> str:
         parts += [poses, ""]
     if "jacobians" in library.functions:
         parts += [jacobian_table(library), "", JACOBIAN_CODE, ""]
-    return "\n".join([*parts, *(text + "\n" for text in straight_lines(library))])
+    return "\n".join([*parts, *(text + "\n" for text in straight_lines(library, without))])
 
 
 def docstring(library: Library, how: str) -> str:
@@ -68,10 +71,12 @@ def constants(library: Library) -> str:
     )
 
 
-def straight_lines(library: Library) -> Iterator[str]:
-    """Yield the code of all functions, on scalars."""
+def straight_lines(library: Library, without: Collection[str]) -> Iterator[str]:
+    """Yield the code of functions, on scalars."""
     parameters: list[Scalar] = [*library.robot.parameters.values()]
     for function in library.all_functions:
+        if function.name in without:
+            continue
         name = library.function_names[function.name]
         arguments: dict[str, list[Scalar]] = {"p": parameters}
         arguments.update((a.name, [*a.components]) for a in function.arguments)

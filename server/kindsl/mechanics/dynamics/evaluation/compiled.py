@@ -27,9 +27,9 @@ from kindsl.mechanics.spatial.arrays import Array
 
 # Methods that answer by themselves for float64 arrays of the right shape, by group.
 METHODS = {
-    "plain": (
-        "joint_space_inertia", "inverse_dynamics", "forward_dynamics", "gravity_torque",
-        "bias_torque", "kinetic_energy", "potential_energy", "center_of_mass",
+    "plain": ("inverse_dynamics", "forward_dynamics", "gravity_torque", "bias_torque"),
+    "masses": (
+        "joint_space_inertia", "kinetic_energy", "potential_energy", "center_of_mass",
         "center_of_mass_jacobian",
     ),
     "derivatives": (
@@ -49,8 +49,8 @@ class CompiledMechanics(Mechanics):
 
     Methods take and return what those of `Mechanics` do; those of dynamics and masses also take
     `out`, an array (or a tuple of arrays for several results) that is filled and returned.
-    Jacobians, external forces, derivatives, and what controllers of the whole body need, are
-    compiled on their first use.
+    Inertia and masses, Jacobians, external forces, derivatives, and what controllers of the whole
+    body need, are compiled on their first use.
     """
 
     def __init__(self, bodies: Bodies, threads: int = 1) -> None:
@@ -85,7 +85,7 @@ class CompiledMechanics(Mechanics):
     def _bind(self, group: str) -> None:
         """Let compiled functions answer instead of this class's methods."""
         extension = self._group(group)
-        batches = group != "plain" or self._threads == 1
+        batches = group not in ("plain", "masses") or self._threads == 1
         for name in METHODS[group]:
             method: Method = partial(_general, getattr(Mechanics, name), self)
             if name in extension.shapes:
@@ -173,7 +173,8 @@ class _Rows:
         """Return a quantity's entries in one row per configuration, shape (..., entries)."""
         has_load = request.external is not None or request.base_acceleration is not None
         name = f"{request.function}_loaded" if has_load else request.function
-        extension = self._owner._group("loads" if has_load else "plain")
+        group = "masses" if name == "joint_space_inertia" else "plain"
+        extension = self._owner._group("loads" if has_load else group)
         given = dict(zip(("q", "qd"), request.joint_vectors, strict=False))
         if len(request.joint_vectors) > 2:
             given |= dict.fromkeys(("qdd", "tau"), request.joint_vectors[2])

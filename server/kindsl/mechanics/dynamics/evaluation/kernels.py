@@ -15,6 +15,7 @@ from kindsl.mechanics.dynamics.generation.emitters.extension import (
     KernelResult,
     extension_source,
 )
+from kindsl.mechanics.dynamics.generation.emitters.lanes import is_worth_lanes
 from kindsl.mechanics.dynamics.generation.function import Function, argument, inputs_of
 from kindsl.mechanics.dynamics.generation.functions import QUANTITIES
 from kindsl.mechanics.dynamics.generation.masses import total_mass
@@ -27,10 +28,8 @@ Method = Callable[..., Any]
 
 # The quantities that are compiled together: all but the first when they are asked for.
 GROUPS = {
-    "plain": (
-        "poses", "joint_space_inertia", "inverse_dynamics", "forward_dynamics",
-        "gravity_torque", "bias_torque", "energies", "center_of_mass",
-    ),
+    "plain": ("poses", "inverse_dynamics", "forward_dynamics", "gravity_torque", "bias_torque"),
+    "masses": ("joint_space_inertia", "energies", "center_of_mass"),
     "jacobians": ("jacobians",),
     "loads": ("inverse_dynamics", "inverse_dynamics_actuated", "forward_dynamics"),
     "derivatives": ("inverse_dynamics_derivatives", "forward_dynamics_derivatives", "regressor"),
@@ -124,13 +123,13 @@ def kernels_of(robot: Robot, group: str) -> list[Kernel]:
                 if f.loaded is not None
             ]
         kernels += [
-            _kernel(function, robot, is_wide=group in ("plain", "control"))
+            _kernel(function, robot, may_be_wide=group in ("plain", "masses", "control"))
             for function in functions
         ]
     return kernels
 
 
-def _kernel(function: Function, robot: Robot, *, is_wide: bool) -> Kernel:
+def _kernel(function: Function, robot: Robot, *, may_be_wide: bool) -> Kernel:
     name = function.name
     results = [KernelResult(r.shape, r.entries) for r in function.results]
     if name == "poses":
@@ -140,6 +139,8 @@ def _kernel(function: Function, robot: Robot, *, is_wide: bool) -> Kernel:
     accelerates = name in ACCELERATING and (
         robot.tree.is_floating or not name.startswith("inverse_dynamics")
     )
+    entries = [entry for result in results for entry in result.entries]
+    is_wide = may_be_wide and is_worth_lanes(robot.graph, entries)
     return Kernel(name, _arguments(function), results, accelerates, is_wide, documentation(name))
 
 

@@ -53,11 +53,7 @@ def newton_euler(
     """
     joints = joint_motions(tree, q)
     motions = body_motions(tree, joints, qd, qdd, base_w, base_a, base_wd)
-    forces, moments = [*motions.forces], [*motions.moments]
-    for i, wrench in enumerate(external):
-        moments[i] = subtract(moments[i], wrench[:3])
-        forces[i] = subtract(forces[i], wrench[3:])
-    forces, moments = carried_wrenches(tree, joints, forces, moments)
+    forces, moments = carried_wrenches(tree, joints, *loaded(motions, external))
     tau = [
         moments[i][2] if joints[i].kind == "revolute" else forces[i][2] for i in tree.links()
     ]  # fmt: skip
@@ -114,6 +110,15 @@ def body_motions(
     forces = [body.force(a_i, W_i) for body, a_i, W_i in own]
     moments = [body.moment(a_i, W_i) for body, a_i, W_i in own]
     return BodyMotions(w, wd, a, forces, moments)
+
+
+def loaded(motions: BodyMotions, external: Sequence[Vector]) -> tuple[list[Vector], list[Vector]]:
+    """Return the forces and moments of bodies less what acts on them from outside, if anything."""
+    if not external:
+        return motions.forces, motions.moments
+    wrenches = list(zip(external, motions.forces, motions.moments, strict=True))
+    forces = [subtract(force, wrench[3:]) for wrench, force, _ in wrenches]
+    return forces, [subtract(moment, wrench[:3]) for wrench, _, moment in wrenches]
 
 
 def carried_wrenches(

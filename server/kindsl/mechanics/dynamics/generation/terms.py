@@ -166,6 +166,11 @@ def needed(graph: Graph, values: Iterable[Scalar]) -> list[int]:
     return sorted(found)
 
 
+def operations(graph: Graph, values: Iterable[Scalar]) -> int:
+    """Return how many operations values take."""
+    return sum(graph.nodes[index][0] != "input" for index in needed(graph, values))
+
+
 def operand_nodes(graph: Graph, index: int) -> list[int]:
     """Return the nodes that a node depends on directly."""
     operation, *operands = graph.nodes[index]

@@ -131,6 +131,11 @@ class JointMotion:
         turned = body.rotated_about_z(self._cosine, self._sine)
         return turned.rotated(self._R).displaced(self.offset)
 
+    def symmetric_in_parent(self, M: Matrix) -> Matrix:
+        """Rotate the link's coordinates of a symmetric matrix to the parent's."""
+        turned = MassMoments(M, ZERO, 0.0).rotated_about_z(self._cosine, self._sine)
+        return turned.rotated(self._R).second
+
     def rotation_in(self, base_R_p: Matrix) -> Matrix:
         """Return `base_R_i` from the parent's `base_R_p`."""
         rows = [transform([list(c) for c in zip(*self._R, strict=True)], row) for row in base_R_p]

@@ -1,18 +1,78 @@
 """A module in Python that computes with JAX."""
 
-from kindsl.products.codegen.array_module import array_module
+from kindsl.mechanics.dynamics.generation.emitters.python_lines import python_function
+from kindsl.mechanics.dynamics.generation.terms import Scalar
+from kindsl.products.codegen.array_module import POSES
+from kindsl.products.codegen.filling import template
 from kindsl.products.codegen.language import Language
 from kindsl.products.codegen.library import Library
+from kindsl.products.codegen.python_text import module_text
 from kindsl.products.codegen.reference import Reference
 
-IMPORTS = "import jax.numpy as np\nfrom jax.numpy import cos, sign, sin\n"
+IMPORTS = "import jax.numpy as np\nimport numpy\nfrom jax.numpy import cos, sign, sin\n"
 HOW = """\
-Needs JAX only; pure functions for jit, grad and vmap. Leading dimensions are batches.
-Numbers are 64 bits wide only with jax.config.update('jax_enable_x64', True)."""
+Needs JAX only; pure functions for jit, grad and vmap. Leading dimensions are batches, which a
+function takes at once: call it in jit. Numbers are 64 bits wide only with
+jax.config.update('jax_enable_x64', True)."""
+
+ANSWER = '''\
+def _answer(function, shapes, parameters, *vectors):
+    """Call a function with the batch as the last dimension; None stands for zeros."""
+    arrays = [np.zeros(n) if x is None else np.asarray(x, dtype=float) for x, n in vectors]
+    for array, (_, n) in zip(arrays, vectors):
+        if array.shape[-1:] != (n,):
+            raise ValueError(f"an argument has shape {array.shape}, expected (..., {n})")
+    batch = np.broadcast_shapes(*(array.shape[:-1] for array in arrays))
+    size = numpy.prod(batch, dtype=int)
+    whole = [np.broadcast_to(array, (*batch, array.shape[-1])) for array in arrays]
+    parts = [array.reshape((size, array.shape[-1])).T for array in whole]
+    results = []
+    for entries, shape in zip(function(_values(parameters), *parts), shapes):
+        if isinstance(entries, list):
+            entries = np.stack([np.broadcast_to(entry, (size,)) for entry in entries])
+        results.append(entries.T.reshape((*batch, *shape)))
+    return tuple(results) if len(results) > 1 else results[0]
+'''
+# What is computed with arrays; all else is written as operations on the components of vectors.
+IN_ARRAYS = frozenset(
+    ("poses", "joint_space_inertia", "inverse_dynamics", "inverse_dynamics_actuated",
+     "forward_dynamics", "gravity_torque", "bias_torque")
+)  # fmt: skip
 
 
 def _files(library: Library, _: Reference, _parameters: dict[str, float]) -> dict[str, str]:
-    return array_module(library, IMPORTS, HOW)
+    own = (IMPORTS, ANSWER, POSES)
+    text = module_text(library, HOW, own, without=IN_ARRAYS)
+    return {f"{library.prefix}.py": f"{text}\n{_tables(library)}\n{template(ARRAYS)}"}
+
+
+ARRAYS = "bodies_in_arrays.txt"
+
+
+def _tables(library: Library) -> str:
+    """Return the numbers of the bodies and frames, as functions of parameters."""
+    robot, tree = library.robot, library.robot.tree
+    parameters: dict[str, list[Scalar]] = {"p": [*robot.parameters.values()]}
+    bodies: list[list[Scalar]] = []
+    for R, r, body in zip(tree.rotations, tree.positions, tree.masses, strict=True):
+        tensor = [x for row in body.inertia() for x in row]
+        bodies.append([*(x for row in R for x in row), *r, body.mass, *body.first, *tensor])
+    frames: list[list[Scalar]] = [
+        [*(x for row in frame.R for x in row), *frame.r] for frame in robot.targets
+    ]
+    drives = tree.drives
+    friction = (drives.armature, drives.damping, drives.friction) if drives is not None else ()
+    return "\n".join(
+        (
+            f"PARENTS = {tuple(tree.parents)!r}",
+            f"KINDS = {tuple(tree.kinds[1:])!r}",
+            f"CARRIERS = {tuple(frame.body for frame in robot.targets)!r}",
+            f"# Rotors, viscous and Coulomb friction of the joints.\nDRIVES = {friction!r}\n\n",
+            python_function(robot.graph, "_numbers", parameters, bodies),
+            "",
+            python_function(robot.graph, "_frames", parameters, frames),
+        )
+    )
 
 
 LANGUAGE = Language(_files)

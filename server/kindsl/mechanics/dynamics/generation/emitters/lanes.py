@@ -6,13 +6,20 @@ from pathlib import Path
 from typing import NamedTuple
 
 from kindsl.mechanics.dynamics.generation.emitters.c import CArray, CBody, Dialect, c_definition
-from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar, Term
+from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar, Term, operations
 
 _SHARED = Path(__file__).with_name("lanes.c")
 _NAMES = re.compile(
     r"\b(LANES|NO_LANES|LARGEST_ANGLE|MIXED|(?:FIRST|SECOND)_IN_TURNS|lanes|bits|spread|signs|"
     r"small_sine_and_cosine|sines_and_cosines|transpose|gather|scatter)\b"
 )
+
+# In lanes is neither what costs less than to write it down, nor what takes compilers long or fills
+# the stack.
+LEAST_IN_LANES = 100
+LEAST_PER_ENTRY = 1.5
+MOST_OPERATIONS = 10_000
+MOST_IN_LANES = 4096
 
 
 class Wide(NamedTuple):
@@ -31,6 +38,13 @@ class Wide(NamedTuple):
     gives: Mapping[str, Sequence[Scalar]]
     known: Mapping[int, str] = {}
     context: tuple[str, str] | None = None
+
+
+def is_worth_lanes(graph: Graph, entries: Sequence[Scalar]) -> bool:
+    """Return whether batches of a function gain from lanes and compilers take them in."""
+    least = max(LEAST_IN_LANES, LEAST_PER_ENTRY * len(entries))
+    count = operations(graph, entries)
+    return len(entries) <= MOST_IN_LANES and least <= count <= MOST_OPERATIONS
 
 
 def shared(prefix: str = "") -> str:

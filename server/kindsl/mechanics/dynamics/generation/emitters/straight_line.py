@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 from itertools import count
 from typing import NamedTuple
 
-from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar, Term, needed, operand_nodes
+from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar, Term, operand_nodes
 
 OPERATORS = ("+", "-", "*", "/")
 
@@ -101,8 +101,3 @@ def setup_nodes(graph: Graph, parameters: Iterable[int], order: Iterable[int]) -
         if operands and all(operand in found for operand in operands):
             found.add(index)
     return found
-
-
-def operations(graph: Graph, values: Iterable[Scalar]) -> int:
-    """Return how many operations values take."""
-    return sum(graph.nodes[index][0] != "input" for index in needed(graph, values))
