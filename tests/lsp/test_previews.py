@@ -1,7 +1,7 @@
 """Which versions are drawn while someone types faster than they can be drawn."""
 
 import asyncio
-from typing import Any
+from typing import Any, ClassVar
 
 import pytest
 from lsprotocol import types
@@ -19,7 +19,10 @@ ROBOT = "Robot R {{\nRobotBase base {{ children {{ }} }}\n// {}\n}}\n"
 class Slow:
     """A preview that takes its time: a version is drawn when it is let go on."""
 
+    made: ClassVar[list["Slow"]] = []
+
     def __init__(self, *_: object, **__: object) -> None:
+        self.made.append(self)
         self.begun: list[str] = []
         self.told: list[str] = []
         self.may_draw = asyncio.Semaphore(0)
@@ -44,6 +47,7 @@ class Slow:
 
 @pytest.fixture
 async def session(monkeypatch: pytest.MonkeyPatch) -> Session:
+    Slow.made.clear()
     monkeypatch.setattr(preview_server, "PreviewServer", Slow)
     session = KindslLanguageServer().session
     session.loop = asyncio.get_running_loop()
@@ -55,9 +59,8 @@ async def session(monkeypatch: pytest.MonkeyPatch) -> Session:
 @pytest.fixture
 async def slow(session: Session) -> Slow:
     opening = asyncio.ensure_future(session.previews.open(URI))
-    await until(lambda: session.previews._preview is not None or opening.done())
-    slow = session.previews._preview
-    assert isinstance(slow, Slow)
+    await until(lambda: Slow.made or opening.done())
+    (slow,) = Slow.made
     slow.may_draw.release()
     await opening
     # What was found is listed then, which must not come between what a test types.
@@ -71,9 +74,8 @@ async def slow(session: Session) -> Slow:
 async def test_a_page_lists_what_is_wrong_though_it_was_told_before(session: Session) -> None:
     session.on_findings.clear()
     opening = asyncio.ensure_future(session.previews.open(URI))
-    await until(lambda: session.previews._preview is not None or opening.done())
-    slow = session.previews._preview
-    assert isinstance(slow, Slow)
+    await until(lambda: Slow.made or opening.done())
+    (slow,) = Slow.made
     for _ in range(2):
         slow.may_draw.release()
     await opening
