@@ -87,6 +87,40 @@ def one_product(generator: random.Random, body: Body, _: Sequence[Body]) -> Body
     return body._replace(moments=tuple(-m if j == i else m for j, m in enumerate(body.moments)))
 
 
+def stray_minus(generator: random.Random, body: Body, _: Sequence[Body]) -> Body:
+    i = generator.randrange(3)
+    return body._replace(moments=tuple(-m if j == i else m for j, m in enumerate(body.moments)))
+
+
+def one_scaled(factor: float) -> Plant:
+    def plant(generator: random.Random, body: Body, _: Sequence[Body]) -> Body:
+        i = generator.randrange(3)
+        moments = (m * factor if j == i else m for j, m in enumerate(body.moments))
+        return body._replace(moments=tuple(moments))
+
+    return plant
+
+
+def digit_lost(generator: random.Random, body: Body, _: Sequence[Body]) -> Body:
+    """Leave out one of the first digits of one number."""
+    numbers = ten(body)
+    chosen = generator.choice([i for i, x in enumerate(numbers) if x])
+    text = decimal(numbers[chosen])
+    at = generator.choice([i for i, c in enumerate(text) if c in "123456789"][:3])
+    left = text[:at] + text[at + 1 :]
+    numbers[chosen] = float(left) if left.strip("-.") else 0.0
+    return Body(numbers[0], tuple(numbers[1:4]), tuple(numbers[4:]))
+
+
+def about_com_and_signs(_: random.Random, body: Body, __: Sequence[Body]) -> Body:
+    ix, iy, iz, *products = shifted(body, -1.0).moments
+    return body._replace(moments=(ix, iy, iz, *(-p for p in products)))
+
+
+def unit_about_com(generator: random.Random, body: Body, others: Sequence[Body]) -> Body | None:
+    return scaled(1e9, 1e7, 1e6, 1e4)(generator, shifted(body, -1.0), others)
+
+
 def copied(generator: random.Random, body: Body, others: Sequence[Body]) -> Body | None:
     unlike = [o for o in others if not 0.5 < o.mass / body.mass < 2.0]
     return generator.choice(unlike) if unlike else None
@@ -95,6 +129,8 @@ def copied(generator: random.Random, body: Body, others: Sequence[Body]) -> Body
 KINDS: dict[str, Kind] = {
     "moments in another unit": Kind(scaled(1e9, 1e7, 1e6, 1e4), r"moments were in "),
     "moments about the CoM": Kind(moved(-1.0), r"taken about the CoM"),
+    "moments about the CoM, signs": Kind(about_com_and_signs, r"taken about the CoM"),
+    "unit, about the CoM": Kind(unit_about_com, r"moments were in "),
     "moments shifted twice": Kind(moved(1.0), r"twice"),
     "products negated": Kind(
         with_moments(lambda m: [*m[:3], *(-x for x in m[3:])]), r"sign.* of Ix|sign.* of Iy"
@@ -110,9 +146,15 @@ KINDS: dict[str, Kind] = {
     "mass in grams": Kind(heavier(1e3), r"mass were in g|mass of .* is|mass is "),
     "mass ten times": Kind(heavier(10.0), r"mass were divided by 10\b|mass of .* is|mass is "),
     "mass a tenth": Kind(heavier(0.1), r"mass were multiplied by 10\b|mass of .* is|mass is "),
-    "CoM in mm": Kind(com(lambda _, c: [1e3 * x for x in c]), r"CoM.* mm|millimetres"),
+    "CoM in mm": Kind(com(lambda _, c: [1e3 * x for x in c]), r"CoM.* mm\b|millimetres"),
+    "CoM in cm": Kind(com(lambda _, c: [1e2 * x for x in c]), r"CoM.* cm\b|centimetres"),
+    "CoM in inches": Kind(com(lambda _, c: [x / 0.0254 for x in c]), r"CoM.* in\b|inches"),
     "sign of the CoM": Kind(com(negated), r"of the CoM|CoM is|CoM of"),
     "CoM exchanged": Kind(com(swapped), r"of the CoM|CoM is|CoM of"),
+    "minus on one moment": Kind(stray_minus, r"sign of I[xyz]\b|minus"),
+    "a moment ten times": Kind(one_scaled(10.0), r"I[xyz]+ (were|was|is)"),
+    "a moment a tenth": Kind(one_scaled(0.1), r"I[xyz]+ (were|was|is)"),
+    "a digit lost": Kind(digit_lost, r"I[xyz]+ (were|was|is)|mass (were|was|of|is)|CoM"),
     "placeholder 0.001": Kind(
         with_moments(lambda _: [0.001, 0.001, 0.001, 0.0, 0.0, 0.0]), r"placeholder"
     ),
@@ -282,6 +324,11 @@ def table(pool: Sequence[Robot], number: int, seed: int, show: bool = False) -> 
         print(lines[-1], flush=True)
     lines.append(_row("*all*", total))
     print(lines[-1])
+    first, fixes = sum(e.is_first for e in total), [e for e in total if e.has_fix]
+    print(
+        f"told {sum(bool(e.codes) for e in total) / len(total):.1%}, first {first / len(total):.1%}"
+        f", fixes right {sum(e.is_right for e in fixes)} of {len(fixes)}"
+    )
     return "\n".join(lines) + "\n"
 
 

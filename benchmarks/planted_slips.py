@@ -1,11 +1,10 @@
 """How many slips planted in limbs are found: `python benchmarks/planted_slips.py [FOLDER ...]`.
 
 Each slip is made in the text of a whole robot, in a joint or a body of a limb that agreed with its
-twins before. Robots are the examples and the published models, and those of the folders given
-(`.kindsl`, `.urdf`). `--write` puts the table into the docs, `--honest` lists what is told of the
-robots as they are, `--wrong` the slips that are not told, `--seed N` and `--number N` choose other
-slips and how many of each kind, `--half 0` and `--half 1` take every other robot: rules are tuned
-on the first half only.
+twins before. Robots are those of `published.py`, and of the folders given. `--write` puts the table
+into the docs, `--honest` lists what is reported of the robots as they are, `--wrong` the slips that
+are not, `--seed N` and `--number N` choose other slips and how many of each kind, `--half 0` and
+`--half 1` take one half of the robots: rules are tuned on the first half only.
 """
 
 import argparse
@@ -15,7 +14,8 @@ from collections.abc import Callable, Iterator, Sequence
 from math import degrees, dist, pi
 from pathlib import Path
 from typing import NamedTuple
-from zlib import crc32
+
+from published import published
 
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.judgement.analysis.diagnostics import Diagnostic
@@ -24,9 +24,6 @@ from kindsl.language.semantics.kinematic_tree import Edge
 from kindsl.language.semantics.numbers import mass_distribution, written_pose
 from kindsl.language.semantics.places import Located, Place
 from kindsl.language.text.edits import TextEdit, apply_edits
-from kindsl.robots.interchange.format import AS_WRITTEN, FormatError
-from kindsl.robots.interchange.kindsl_writing import written_kindsl
-from kindsl.robots.interchange.registry import format_named
 from kindsl.robots.limbs.comparison import LimbComparison
 from kindsl.robots.limbs.limb import limbs_of, matched
 from kindsl.robots.limbs.names import label_of
@@ -221,22 +218,10 @@ NUMBERS_OF_JOINTS = frozenset(list(KINDS)[:7])
 
 
 def robots(folders: Sequence[Path], half: int | None) -> Iterator[Robot]:
-    """Yield the robots that can be read, each once, with what agrees in their limbs."""
-    seen = set()
-    for folder in (ROOT / "examples", ROOT.parent / "shared" / "corpus", *folders):
-        for path in sorted(folder.rglob("*")):
-            if path.suffix not in (".kindsl", ".urdf"):
-                continue
-            if half is not None and crc32(path.name.encode()) % 2 != half:
-                continue
-            text = path.read_text("utf-8", "replace")
-            if path.suffix == ".urdf":
-                text = from_urdf(path)
-            if text not in seen:
-                seen.add(text)
-                analysis = analyse(text)
-                if analysis.model.base is not None and not analysis.model.broken_islands:
-                    yield Robot(path.name, analysis, agreeing(analysis))
+    """Yield the robots of others with what agrees in their limbs."""
+    for each in published(folders, half):
+        if each.analysis.model.base is not None:
+            yield Robot(each.name, each.analysis, agreeing(each.analysis))
 
 
 def agreeing(analysis: Analysis) -> dict[str, list[str]]:
@@ -330,16 +315,6 @@ def _spans(analysis: Analysis, links: Sequence[str]) -> Iterator[tuple[int, int]
         if edge.child.link in links:
             yield analysis.resolver.span(edge.child)
             yield from (analysis.resolver.span(each) for each in (edge.joint, edge.link) if each)
-
-
-def from_urdf(path: Path) -> str:
-    """Return a URDF as a document, empty where it cannot be read."""
-    urdf = format_named("urdf")
-    assert urdf is not None and urdf.read is not None
-    try:
-        return written_kindsl(urdf.read(path, AS_WRITTEN)).text
-    except FormatError:
-        return ""
 
 
 def measure(

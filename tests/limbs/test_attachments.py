@@ -99,3 +99,26 @@ def test_joints_of_an_arm_that_have_their_links_words() -> None:
         [],
         [("upper_arm_link", "upper_arm_joint"), ("elbow_link", "elbow_joint")],
     )
+
+
+@pytest.mark.parametrize(
+    "names",
+    [
+        "torso mid back",
+        "front mid back",
+        "front_body mid_body rear_body",
+        "front_body rear_body",
+        "carriage_left carriage_right",
+        "LF RF",
+        "left middle right",
+        "spine_front spine_mid spine_rear",
+    ],
+)
+@pytest.mark.parametrize("joint", ["{}_joint", "joint_{}", "j{}"])
+@pytest.mark.parametrize("fins", [(), ("left_fin", "right_fin")])
+def test_links_on_one_chain_are_no_repeated_limb(
+    names: str, joint: str, fins: tuple[str, ...]
+) -> None:
+    chain = ["base", *names.split()]
+    pairs = [*pairwise(chain), *((chain[1], fin) for fin in fins)]
+    assert misplaced(*(Attachment(b, a, joint.format(b)) for a, b in pairs)) == ([], [])

@@ -417,3 +417,40 @@ def test_published_robots_are_left_in_peace() -> None:
             ],
         )
     ]
+
+
+def walker(right_arm: str) -> str:
+    """Return a robot with mirrored legs, and arms of which the right one's offsets are given."""
+    offsets = {
+        "left_leg": ("0.0, 0.1, -0.1", "0.02, 0.05, -0.3", "0.0, 0.03, -0.3"),
+        "right_leg": ("0.0, -0.1, -0.1", "0.02, -0.05, -0.3", "0.0, -0.03, -0.3"),
+        "left_arm": ("0.0, 0.2, 0.4", "0.1, 0.05, -0.2", "0.05, 0.03, -0.25"),
+        "right_arm": ("0.0, -0.2, 0.4", *right_arm.split("; ")),
+    }
+    parts, number = [], 1
+    for limb, places in offsets.items():
+        for part, place in zip(("upper", "lower", "end"), places, strict=True):
+            below = {"upper": "lower", "lower": "end"}.get(part)
+            child = f"{limb}_{below} via {limb}_{below}_joint" if below else ""
+            parts.append(link(f"{limb}_{part}", number, child))
+            parts.append(placed_joint(f"{limb}_{part}_joint", place, "0.0, 0.0, 0.0"))
+            number += 1
+    heads = " ".join(f"{limb}_upper via {limb}_upper_joint" for limb in offsets)
+    return robot(*sorted(parts, key=lambda part: "joint" in part[:8]), base=heads)
+
+
+def test_a_limb_that_is_copied_where_others_are_mirrored_is_reported() -> None:
+    copied = walker("0.1, 0.05, -0.2; 0.05, 0.03, -0.25")
+    (finding,) = found("KD510", copied)
+    assert finding.message == (
+        "limb 'right_arm_upper' is a copy of 'left_arm_upper', not its mirror image as the other "
+        "limbs of this robot are"
+    )
+    assert codes(walker("0.1, -0.05, -0.2; 0.05, -0.03, -0.25")) == []
+
+
+@pytest.mark.parametrize("right", ["0.6, 0.0, 0.0", "0.0, 0.5, 0.0"])
+def test_a_base_may_lie_at_one_of_two_arms(right: str) -> None:
+    text = two_arms("0.3, -0.1, 0.02")
+    moved = text.replace("0.0, 0.2, 0.5", "0.0, 0.0, 0.0").replace("0.0, -0.2, 0.5", right)
+    assert codes(moved) == []

@@ -54,8 +54,8 @@ def test_degrees_are_written_as_fractions_of_pi(angle: str, written: str) -> Non
     assert finding.fix.title == f"Write {written}"
 
 
-def fingers(*poses: str, kinds: str = "rrr", rotation: str = "0.0, 0.0, 0.5") -> str:
-    names = "abc"[: len(poses)]
+def fingers(*poses: str, kinds: str = "rrrr", rotation: str = "0.0, 0.0, 0.5") -> str:
+    names = "abcd"[: len(poses)]
     joints = [
         at(pose, rotation, f"to_{name}").replace("r_joint", f"{kind}_joint")
         for pose, name, kind in zip(poses, names, kinds, strict=False)
@@ -71,15 +71,20 @@ HERE, THERE = "0.0, 0.1, 0.0", "0.0, -0.1, 0.0"
     ("text", "messages"),
     [
         (fingers(HERE, THERE), []),
-        (fingers(HERE, HERE), ["joints 'to_b' and 'to_a' have the same frame"]),
+        (fingers(HERE, HERE), []),
+        (fingers(HERE, HERE, THERE), ["joints 'to_b' and 'to_a' have the same frame"]),
         (fingers(HERE, THERE, THERE), ["joints 'to_c' and 'to_b' have the same frame"]),
-        (fingers(HERE, "0.0, 1.0/10.0, 0.0"), ["joints 'to_b' and 'to_a' have the same frame"]),
+        (
+            fingers(HERE, "0.0, 1.0/10.0, 0.0", THERE),
+            ["joints 'to_b' and 'to_a' have the same frame"],
+        ),
         (fingers(HERE, HERE, kinds="rp"), []),
+        (fingers(HERE, HERE, HERE), []),
         (fingers("0.0, x, 0.0", "0.0, x, 0.0"), []),
-        (fingers("0.0, y, 0.0", HERE), ["joints 'to_b' and 'to_a' have the same frame"]),
+        (fingers("0.0, y, 0.0", HERE, THERE), ["joints 'to_b' and 'to_a' have the same frame"]),
         (fingers(HERE, HERE).replace("a via to_a", "a via lost"), []),
         (
-            fingers(HERE, HERE, HERE),
+            fingers(HERE, HERE, HERE, THERE),
             [
                 "joints 'to_b' and 'to_a' have the same frame",
                 "joints 'to_c' and 'to_a' have the same frame",

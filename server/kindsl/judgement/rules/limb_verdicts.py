@@ -19,6 +19,7 @@ from kindsl.language.semantics.unknown import Unknown
 from kindsl.language.text.facts import Fact
 from kindsl.robots.limbs.attachments import Attachment, LimbNames
 from kindsl.robots.limbs.limb import Limbs, limbs_of
+from kindsl.robots.limbs.mirrored import PairOfLimbs, pairs_of, unmirrored
 from kindsl.robots.limbs.verdicts import ComparedLimbs, LimbVerdict, agreed, verdicts
 from kindsl.robots.limbs.weighing import Masses
 from kindsl.robots.mechanism.link_inertia import link_inertia
@@ -145,3 +146,19 @@ def _assignments(model: Model, context: Context) -> tuple[Values, ...]:
 def _value(name: str, kind: object, n: int) -> float:
     low, width = _ARBITRARY.get(kind, _ANYTHING)
     return low + width * (crc32(f"{name} {n}".encode()) % 9973) / 9973.0
+
+
+_COPIED = Fact[tuple[object, list[PairOfLimbs]]]("copied limbs")
+
+
+def copied_limbs(model: Model, context: Context) -> list[PairOfLimbs]:
+    """Return the pair of limbs that is copied where all others are mirrored, if there is one."""
+
+    def found() -> list[PairOfLimbs]:
+        groups = [limbs for each in limbs_of(model, context.values).values() for limbs in each]
+        if not any(how == "LR" for limbs in groups for *_, how in limbs.pairs()):
+            return []
+        pairs = pairs_of(groups, _masses(model.bodies, context.values))
+        return list(unmirrored(pairs))
+
+    return model.facts.made_of(_COPIED, context, found)

@@ -9,6 +9,8 @@ from typing import NamedTuple
 from kindsl.robots.limbs.names import label_of, tokens
 
 _MOST_CROSSED, _MOST_ODD, _ENOUGH = 2, 40, 2
+# Where two hang on each other nobody can say which of them should not.
+_FEWEST_REPLICAS = 3
 _SAYING_NOTHING = frozenset(("link", "joint"))
 _Side = tuple[str, str]
 _Words = tuple[str, ...]
@@ -50,11 +52,15 @@ class LimbNames:
     def __init__(self, attachments: Sequence[Attachment]) -> None:
         self._attachments = attachments
         self._limb_words = _words_of_numbered(attachments)
-        links = [a.parent for a in attachments] + [a.link for a in attachments]
+        serial = self._serial()
+        # Of the names on one chain a side or a row says where on it, not of which limb.
+        apart = [a for a in attachments if a.link not in serial]
+        links = [a.parent for a in attachments if a.parent not in serial]
+        links += [a.link for a in apart]
         self._links = self._sided(dict.fromkeys(links))
         self._joints = self._sided(a.joint for a in attachments)
         by_part: dict[_Words, dict[_Side, list[Attachment]]] = {}
-        for attachment in attachments:
+        for attachment in apart:
             label, words = self._read(attachment.link)
             if any(label):
                 by_part.setdefault(words, {}).setdefault(label, []).append(attachment)
@@ -63,6 +69,24 @@ class LimbNames:
             for by_label in by_part.values()
             if len(by_label) > 1 and all(len(found) == 1 for found in by_label.values())
         ]
+
+    def _serial(self) -> set[str]:
+        """Return the links that carry, or hang on, another link called alike but for its side.
+
+        One of three or more may be misplaced, on a limb of another side: it is none of these.
+        """
+        parents = {a.link: a.parent for a in self._attachments}
+        by_part: dict[_Words, list[str]] = {}
+        for name in dict.fromkeys([*parents.values(), *parents]):
+            label, words = self._read(name)
+            if any(label):
+                by_part.setdefault(words, []).append(name)
+        serial: set[str] = set()
+        for names in by_part.values():
+            hanging = [name for name in names if not _above(name, parents).isdisjoint(names)]
+            if len(hanging) > 1 or (hanging and len(names) < _FEWEST_REPLICAS):
+                serial.update(names)
+        return serial
 
     @cached_property
     def elsewhere(self) -> list[Misplaced]:
@@ -158,6 +182,14 @@ class LimbNames:
         mine = self._links.get(attachment.link, ("", ""))
         is_same = all(x == y or not x or not y for x, y in zip(mine, label, strict=True))
         return _View(self._read(name)[1], "same" if is_same else "other")
+
+
+def _above(name: str, parents: Mapping[str, str]) -> set[str]:
+    """Return the names of the links between a link and the base."""
+    found: set[str] = set()
+    while (name := parents.get(name, "")) and name not in found:
+        found.add(name)
+    return found
 
 
 def _is_sided(twins: Sequence[Attachment], what: str, sided: _Sided) -> bool:

@@ -177,6 +177,7 @@ def _of_pair(c: WeighedComparison) -> Iterator[LimbVerdict]:
         ((round(one.cost, 2), min(one.n_retyped, other.n_retyped)), other.change, (one, other))
         for one, other in c.accusations
         if one.place.what != "angles" or limbs.is_seen_below(one.place.joint)
+        if not _is_base_at_one(limbs, one)
     ]
     ranked.sort(key=lambda each: each[:2])
     if ranked and ranked[0][0][1] <= most:
@@ -184,6 +185,19 @@ def _of_pair(c: WeighedComparison) -> Iterator[LimbVerdict]:
         places = dict.fromkeys(said.place for both in tied for said in both)
         repairs = tuple(MeantNumbers(said.place, (said.meant,)) for said in tied[0][::-1])
         yield LimbVerdict(tuple(places), repairs, (), False)
+
+
+def _is_base_at_one(limbs: LimbComparison, said: Accusation) -> bool:
+    """Return whether a carrier's origin lies at one of two heads, so that no plane is between."""
+    _, one, other = limbs.rows[0]
+    heads = one.joint, other.joint
+    if said.place.what != "translation" or said.place.joint not in heads:
+        return False
+    twin = other if said.place.joint == one.joint else one
+    is_there = all(
+        abs(x - y) < _SAME_PLACE for x, y in zip(said.meant, twin.translation, strict=True)
+    )
+    return is_there or not any(one.translation) or not any(other.translation)
 
 
 def _odd_masses(pairs: _Weighed) -> Iterator[LimbVerdict]:

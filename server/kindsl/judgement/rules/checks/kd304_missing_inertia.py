@@ -2,8 +2,8 @@
 
 ## What it does
 Reports a moving link without an `inertia_params` section: a warning, and an error for a floating
-base and for the target robcogen. KD601 reports the section missing in a fixed base, which robcogen
-requires too.
+base and for the target robcogen. Where no moving link of a robot has one, that is reported once.
+KD601 reports the section missing in a fixed base, which robcogen requires too.
 
 ## Why is this bad?
 RobCoGen2 reads the document and takes zero for everything, so all dynamics are wrong; RobCoGen
@@ -20,22 +20,37 @@ link upper {
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Finding, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import ROBCOGEN, Context
 from kindsl.judgement.rules.examples import link, robot
 from kindsl.judgement.rules.inertia.judgements import is_moving
-from kindsl.language.semantics.declarations import Declarations
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.model import Model
+
+_FEWEST_OF_ALL = 2
+_MOST_RELATED = 20
 
 
-def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each body without inertia whose inertia matters."""
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each body without inertia whose inertia matters, or one for all."""
+    moving = [body for body in model.bodies if is_moving(body)]
+    without = [b for b in moving if b.inertia is None and not b.island.problems]
     is_required = ROBCOGEN in context.targets
-    for body in declared.bodies():
-        if body.inertia is None and is_moving(body) and not body.island.problems:
-            what = "floating base" if body.is_base else "link"
-            is_error = is_required or body.is_base
-            severity = Severity.ERROR if is_error else Severity.WARNING
-            yield Finding(body.name, f"{what} '{body.name}' has no inertia", severity=severity)
+    if _FEWEST_OF_ALL <= len(moving) == len(without):
+        first, *others = without
+        severity = _severity(is_required, any(body.is_base for body in without))
+        message = f"none of the {len(without)} moving links has an inertia"
+        related = tuple(Related(b.name, f"link '{b.name}'") for b in others[:_MOST_RELATED])
+        yield Finding(first.name, message, related, severity=severity)
+        return
+    for body in without:
+        what = "floating base" if body.is_base else "link"
+        severity = _severity(is_required, body.is_base)
+        yield Finding(body.name, f"{what} '{body.name}' has no inertia", severity=severity)
+
+
+def _severity(*is_error: bool) -> Severity:
+    return Severity.ERROR if any(is_error) else Severity.WARNING
 
 
 _FLOATING = robot(link("leg", 1), base="leg via hip", joints="hip").replace(
@@ -46,7 +61,12 @@ RULE = Rule(
     "KD304",
     "missing-inertia",
     Severity.WARNING,
-    check_island=check_island,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE,
     good=(link("upper", 1),),
-    bad=(link("upper", 1, inertia=""), _FLOATING),
+    bad=(
+        link("upper", 1, inertia=""),
+        _FLOATING,
+        link("upper", 1, inertia="") + link("lower", 2, inertia=""),
+    ),
 )

@@ -1,7 +1,9 @@
 """Two joints of one body have the same frame.
 
 ## What it does
-Reports a joint whose frame is that of another joint of the same kind and the same predecessor.
+Reports a joint whose frame is that of another joint of the same kind and the same predecessor, in a
+body that carries further joints elsewhere. Joints of a left and a right part, or of numbered ones,
+and joints that are all in one place, as in grippers and pistons, lie so by design.
 
 ## Why is this bad?
 Usually one pose was copied and not edited.
@@ -24,6 +26,7 @@ from kindsl.language.semantics.kinematic_tree import Edge
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import written_pose
 from kindsl.mechanics.rigid.pose import RigidPose
+from kindsl.robots.limbs.names import label_of
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
@@ -35,30 +38,44 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
 
 def _coincident(edges: list[Edge], context: Context) -> Iterator[Finding]:
     known: dict[tuple[str, RigidPose], Joint] = {}
-    for edge in edges:
+    placed = {_place(edge, context) for edge in edges}
+    for edge in edges if len(placed) > 1 else ():
         moved = edge.joint
         here = written_pose(moved.pose, context.values) if moved is not None else None
         if moved is None or here is None:
             continue
         first = known.setdefault((moved.kind, here), moved)
-        if first is not moved:
+        if first is not moved and not _are_replicas(first, moved):
             message = f"joints '{moved.name}' and '{first.name}' have the same frame"
             related = Related(first.name, f"joint '{first.name}'")
             yield Finding(moved.name, message, (related,))
 
 
-def _hand(height: float) -> str:
-    links = link("thumb", 1), link("finger", 2)
-    joints = joint("left", 0.1), joint("right", height)
-    return robot(*links, *joints, base="thumb via left finger via right")
+def _place(edge: Edge, context: Context) -> object:
+    """Return the kind and the pose of an edge's joint."""
+    joint = edge.joint
+    return (joint.kind, written_pose(joint.pose, context.values)) if joint is not None else None
+
+
+def _are_replicas(one: Joint, other: Joint) -> bool:
+    """Return whether sides, rows or numbers alone tell two joints apart."""
+    here, there = label_of(str(one.name)), label_of(str(other.name))
+    return here != there and here.part == there.part
+
+
+def _hand(height: float, second: str = "wheel") -> str:
+    links = link("thumb", 1), link("finger", 2), link("palm", 3)
+    joints = joint("pivot", 0.1), joint(second, height), joint("wrist", 0.5)
+    base = f"thumb via pivot finger via {second} palm via wrist"
+    return robot(*links, *joints, base=base)
 
 
 RULE = Rule(
     "KD505",
     "coincident-siblings",
-    Severity.WARNING,
+    Severity.HINT,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES,
-    good=(_hand(0.2),),
+    good=(_hand(0.2), _hand(0.1, "pivot2")),
     bad=(_hand(0.1),),
 )

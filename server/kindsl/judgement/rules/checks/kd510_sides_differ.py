@@ -8,6 +8,10 @@ are reported in one finding. Where
 all joints agree, it is one CoM that a sign or an order of its coordinates keeps from that of the
 other side.
 
+A right limb that is a copy of the left one is reported where the robot's other limbs are mirrored,
+unless the limb is flat. A base that lies at one of the two limbs is left in peace: no plane is
+between them.
+
 ## Why is this bad?
 One of the two is wrong: the robot is not symmetric, though it looks so. Which of them is right
 only the author can tell.
@@ -25,8 +29,8 @@ from kindsl.judgement.rules.base import Finding, Fix, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import two_arms
 from kindsl.judgement.rules.inertia.shapes import is_told_of
-from kindsl.judgement.rules.limb_places import OF_A_LINK, located, numbers_at, told
-from kindsl.judgement.rules.limb_verdicts import limb_slips
+from kindsl.judgement.rules.limb_places import OF_A_LINK, joint_of, located, numbers_at, told
+from kindsl.judgement.rules.limb_verdicts import copied_limbs, limb_slips
 from kindsl.judgement.rules.limb_writing import as_numbers, rewriting, written
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
@@ -35,6 +39,7 @@ from kindsl.robots.limbs.verdicts import LimbVerdict, MeantNumbers
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each left and right limb that one slip keeps from being alike."""
+    yield from _of_copies(model, context)
     for verdict in limb_slips(model, context).verdicts:
         if not verdict.is_convicted and verdict.repairs:
             (here, _), (there, _) = verdict.repairs
@@ -53,6 +58,17 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
                 others = [Related(located(model, p), told(p)) for p in verdict.places if p != here]
                 choices = tuple(_choices(model, context, verdict))
                 yield Finding(located(model, here), message, tuple(others), choices=choices)
+
+
+def _of_copies(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for a right limb that is a copy where all others are mirrored."""
+    for pair in copied_limbs(model, context):
+        left, right = (joint_of(model, body.name) for body in (pair.left, pair.right))
+        if left is not None and right is not None:
+            message = f"limb '{pair.right.name}' is a copy of '{pair.left.name}', not its mirror "
+            message += "image as the other limbs of this robot are"
+            related = Related(left.name, f"joint '{left.name}' of the other side")
+            yield Finding(right.name, message, (related,))
 
 
 def _choices(model: Model, context: Context, verdict: LimbVerdict) -> Iterator[Fix]:
