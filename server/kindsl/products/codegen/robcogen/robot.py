@@ -32,7 +32,7 @@ _TYPES_IN_CLASSES = ("TRAIT", "SCALAR")
 DIALECT = TemplateDialect("class TRAIT", "TRAIT::Scalar", "TRAIT", "TRAIT::{}({})")
 
 
-class Parameter(NamedTuple):
+class GeneratedParameter(NamedTuple):
     """A run-time parameter.
 
     Attributes:
@@ -229,30 +229,30 @@ class GeneratedRobot:
         return [fixed, self.kernel(name, {"q": self.library.inputs.q}, {"X": entries}, True)]
 
     @cached_property
-    def parameters(self) -> list[Parameter]:
+    def parameters(self) -> list[GeneratedParameter]:
         """All parameters."""
         library = self.library
         both = zip(library.parameter_names.values(), library.defaults.values(), strict=True)
-        return [Parameter(place, name, value) for place, (name, value) in enumerate(both)]
+        return [GeneratedParameter(place, name, value) for place, (name, value) in enumerate(both)]
 
-    def _parameters_of(self, kind: ValueKind) -> list[Parameter]:
+    def _parameters_of(self, kind: ValueKind) -> list[GeneratedParameter]:
         kinds = self.library.parameter_kinds
         both = zip(self.library.parameter_names, self.parameters, strict=True)
         return [parameter for name, parameter in both if kind in kinds[name]]
 
     @property
-    def inertial(self) -> list[Parameter]:
+    def inertial(self) -> list[GeneratedParameter]:
         """The parameters of links' inertia."""
         return self._parameters_of(ValueKind.DYNAMICS)
 
     @cached_property
-    def kinematic(self) -> dict[str, list[Parameter]]:
+    def kinematic(self) -> dict[str, list[GeneratedParameter]]:
         """The parameters of frames, by their class."""
         kinds = {"lengths": ValueKind.LENGTH, "angles": ValueKind.ANGLE}
         return {group: self._parameters_of(kind) for group, kind in kinds.items()}
 
     @property
-    def kinematic_groups(self) -> dict[str, list[Parameter]]:
+    def kinematic_groups(self) -> dict[str, list[GeneratedParameter]]:
         """The classes of them that the robot has."""
         return {group: found for group, found in self.kinematic.items() if found}
 
