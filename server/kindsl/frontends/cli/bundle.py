@@ -83,7 +83,7 @@ class _Finder:
         """Return how a module is loaded, None for others."""
         if name not in self._modules:
             return None
-        source, _written, _length, code = self._modules[name]
+        source, _, _, code = self._modules[name]
         return spec_from_file_location(name, loader=_Loader(name, source, code))
 
 
