@@ -67,19 +67,9 @@ def run(args: "argparse.Namespace | SimpleNamespace") -> int:
 def main(arguments: list[str] | None = None) -> int:
     """Run as a command of its own; ends the process if the arguments are the process's."""
     if arguments is None:
-        run_and_exit(_bundled)
+        run_and_exit(lambda: main(sys.argv[1:]))
     options = only_paths(arguments) or _parsed(arguments)
     return run(options)
-
-
-def _bundled() -> int:
-    from kindsl.frontends.cli.bundle import load_bundled, write_bundle
-
-    is_bundled = load_bundled(__file__)
-    status = main(sys.argv[1:])
-    if not is_bundled and status == 0:
-        write_bundle(__file__)
-    return status
 
 
 def only_paths(arguments: list[str]) -> SimpleNamespace | None:
