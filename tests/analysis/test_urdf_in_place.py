@@ -139,6 +139,19 @@ def test_placeholders_and_missing_inertias_are_told_once() -> None:
     assert "'d' and 1 more have" in str(analyse(text).findings[1].message)
 
 
+@pytest.mark.parametrize("mass", ["-2", "2,5"])
+def test_a_mass_that_is_wrong_is_not_missing_as_well(mass: str) -> None:
+    codes = [code for code, _, _ in told(ARM.replace('value="2"', f'value="{mass}"'))]
+    assert codes and "KD304" not in codes
+
+
+def test_copied_moments_of_a_part_that_hardly_weighs_are_a_hint() -> None:
+    dust = " ".join(f'{name}="1e-6"' for name in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz"))
+    text = robot(link("trunk"), link("foot", dust, "1e-6"), joint("f", "trunk", "foot", "fixed"))
+    assert ("KD315", "hint") in [(code, severity) for code, severity, _ in told(text)]
+    assert "warning" not in [s for code, s, _ in told(text) if code == "KD315"]
+
+
 def test_a_part_that_hardly_weighs_is_a_hint() -> None:
     text = robot(
         link("upper"),

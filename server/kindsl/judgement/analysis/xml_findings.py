@@ -14,7 +14,7 @@ from kindsl.language.semantics.places import Located
 from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.robots.interchange.xml_document import XmlDocument, XmlIsland
 
-_MISSING, _PLACEHOLDER = "KD304", "KD310"
+_MISSING, _PLACEHOLDER, _COPIED = "KD304", "KD310", "KD315"
 # A part of so small a share of its body's mass hardly matters to how the body moves.
 _NEGLIGIBLE = 0.01
 _MOST_RELATED = 20
@@ -47,7 +47,7 @@ def xml_findings(
     light = _light_parts(bodies)
     for rule, finding in found:
         plain = finding._replace(fix=None, choices=())
-        if rule.code in OF_PARTS and id(finding.at.island) in light:
+        if rule.code in (*OF_PARTS, _COPIED) and id(finding.at.island) in light:
             plain = plain._replace(severity=Severity.HINT)
         yield rule, plain
 
@@ -82,6 +82,12 @@ def _mass(link: Link) -> float:
     return max((mass.literal or 0.0) if mass is not None else 0.0, 0.0)
 
 
+def _is_massless(link: Link) -> bool:
+    """Return whether no mass is given: one that is negative or unreadable is reported itself."""
+    mass = link.inertia.mass if link.inertia is not None else None
+    return link.inertia is None or (mass is not None and mass.literal == 0.0)
+
+
 def _light_parts(bodies: Iterable[tuple[Link, list[Link], bool]]) -> set[int]:
     """Return the islands of parts whose mass is next to nothing beside that of their body."""
     light = set()
@@ -106,7 +112,7 @@ def _placeholders(model: Model) -> Iterator[Finding]:
 
 def _missing(bodies: Iterable[tuple[Link, list[Link], bool]]) -> Iterator[Finding]:
     """Yield one finding for all bodies of a file that move and have no mass."""
-    without = [first for first, parts, moves in bodies if moves and not any(map(_mass, parts))]
+    without = [first for first, parts, moves in bodies if moves and all(map(_is_massless, parts))]
     if without:
         verb = "have" if without[1:] else "has"
         what = f"link '{without[0].name}'{_more(without)} {verb} no inertia, and a joint moves "
