@@ -1,15 +1,16 @@
 """A moment of inertia was copied into another attribute.
 
 ## What it does
-Reports an inertia in a URDF whose product `ixy` equals its moment `ixx`, or whose six numbers are
-all the same.
+Reports an inertia in a URDF whose product `ixy` equals its moment `ixx` in three digits or more, or
+whose six numbers are all the same.
 
 ## Why is this bad?
-No body has such numbers: one was copied over another that is lost.
+One number was copied over another that is lost: no body has six equal ones, and two agree in so
+many digits hardly ever by chance.
 
 ## Example
 ```xml
-<inertia ixx="0.01" ixy="0.01" ixz="0" iyy="0.02" iyz="0" izz="0.02"/>
+<inertia ixx="0.0123" ixy="0.0123" ixz="0" iyy="0.025" iyz="0" izz="0.025"/>
 ```
 """
 
@@ -17,9 +18,12 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.number_writing import significant_digits
 from kindsl.judgement.rules.xml_elements import elements, number, urdf_link
 from kindsl.language.semantics.model import Model
 
+# Two digits agree by chance in one of a hundred bodies.
+_LEAST_DIGITS = 3
 _TENSOR = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 
 
@@ -31,7 +35,8 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         if inertia is None or None in numbers or not numbers[0]:
             continue
         are_equal = len(set(numbers)) == 1
-        if are_equal or numbers[1] == numbers[0]:
+        is_precise = significant_digits(inertia.get("ixx") or "") >= _LEAST_DIGITS
+        if are_equal or (is_precise and numbers[1] == numbers[0]):
             which = "all six moments are" if are_equal else "'ixy' is the same as 'ixx':"
             message = f"moments of '{link.get('name')}' were copied: {which} {numbers[0]:g} kg·m²"
             yield Finding(island.place(inertia, "ixy"), message)
@@ -44,7 +49,7 @@ RULE = Rule(
     check_document=check_document,
     good=(urdf_link('ixx="0.01" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.02"'),),
     bad=(
-        urdf_link('ixx="0.01" ixy="0.01" ixz="0" iyy="0.02" iyz="0" izz="0.02"'),
+        urdf_link('ixx="0.0123" ixy="0.0123" ixz="0" iyy="0.025" iyz="0" izz="0.025"'),
         urdf_link('ixx="0.01" ixy="0.01" ixz="0.01" iyy="0.01" iyz="0.01" izz="0.01"'),
     ),
 )
