@@ -161,6 +161,11 @@ def test_copied_moments_of_a_part_that_hardly_weighs_are_a_hint() -> None:
     assert "warning" not in [s for code, s, _ in told(text) if code == "KD315"]
 
 
+def test_two_links_of_one_name_are_no_second_root() -> None:
+    text = robot().replace("</robot>", '<link name="base"/></robot>')
+    assert [code for code, _, _ in told(text)] == ["KD102"]
+
+
 def test_a_part_that_hardly_weighs_is_a_hint() -> None:
     text = robot(
         link("upper"),

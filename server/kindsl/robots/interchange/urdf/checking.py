@@ -112,7 +112,8 @@ def defects(robot: Any) -> Iterator[UrdfDefect]:
 def root_links(links: list[Any], joints: list[Any]) -> list[str]:
     """Return the links that no joint carries."""
     carried = {end_of(joint, "child") for joint in joints}
-    return [name for name in (str(link.get("name")) for link in links) if name not in carried]
+    names = dict.fromkeys(str(link.get("name")) for link in links)
+    return [name for name in names if name not in carried]
 
 
 def end_of(joint: Any, which: str) -> str:
