@@ -161,9 +161,42 @@ def test_copied_moments_of_a_part_that_hardly_weighs_are_a_hint() -> None:
     assert "warning" not in [s for code, s, _ in told(text) if code == "KD315"]
 
 
+@pytest.mark.parametrize("words", ["hello", "<![CDATA[ <x> ]]>"])
+def test_words_between_elements_do_no_harm(words: str) -> None:
+    text = BAD.replace('  <link name="upper">', f'{words}\n  <link name="upper">')
+    assert told(text) == [("KD302", "error", 6)]
+    assert analyse(text).text == text
+
+
+def test_a_xacro_is_not_judged_as_what_it_is_not_yet() -> None:
+    text = '<robot xmlns:xacro="x" name="a">\n<xacro:include filename="b"/>\n</robot>'
+    assert told(text) == [("KD001", "error", 2)]
+    assert "<xacro:include> has to be expanded" in analyse(text).findings[0].message
+    assert told(ARM.replace("<robot", '<robot xmlns:xacro="x"')) == []
+
+
 def test_two_links_of_one_name_are_no_second_root() -> None:
     text = robot().replace("</robot>", '<link name="base"/></robot>')
     assert [code for code, _, _ in told(text)] == ["KD102"]
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+def test_lines_end_where_they_do_for_xml(end: str) -> None:
+    text = end.join(('<robot name="a">', "<!-- \x85\u2028 -->", "<link>", "</robot>", ""))
+    (found,) = analyse(text).findings
+    assert text[found.start : found.end] == "</robot>"
+
+
+def test_bytes_that_are_no_utf_8_are_told_with_their_place() -> None:
+    text = ARM.replace('"arm"', '"\udce9"')
+    assert told(text) == [("KD004", "error", 2)]
+    assert "0xE9" in analyse(text).findings[0].message
+
+
+def test_a_text_that_was_unreadable_is_judged_again_after_an_edit() -> None:
+    text = ARM.replace("</robot>", "")
+    end = len(text)
+    assert analyse(text).edited([TextEdit(end, end, "</robot>")]).findings == ()
 
 
 def test_a_part_that_hardly_weighs_is_a_hint() -> None:

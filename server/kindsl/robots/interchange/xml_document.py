@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.lowering import OtherIsland
 from kindsl.language.semantics.places import Name, Place
+from kindsl.language.syntax.comment_problems import UNDECODABLE, bytes_message
 from kindsl.language.syntax.document import Chunk, SyntaxDocument
 from kindsl.language.syntax.tree import Island, Node, Token
 from kindsl.language.text.edits import TextEdit, apply_edits
@@ -22,6 +23,8 @@ _REST_OF_LINE = re.compile(r"(?:[^\S\r\n]|<!--[^\r\n]*?-->)*")
 _TAG = re.compile(r"""<(?:[^"'>]|"[^"]*"|'[^']*')*>""")
 _ATTRIBUTE = r"""[\s"']{name}\s*=\s*(?:"([^"]*)"|'([^']*)')"""
 _WORD = re.compile(r"\S+")
+_LINE_END = re.compile(r"\r\n?|\n")
+_AROUND = "<x>"
 _CHUNK = 96
 # A zero without a point is exact: as a decimal it has more digits than any number beside it.
 _EXACT_ZERO = "0.000000000000000"
@@ -37,7 +40,7 @@ class XmlIsland(OtherIsland):
     __slots__ = ("element",)
 
     def __init__(self, text: str, is_element: bool) -> None:
-        self.element = parsed_xml(text) if is_element else None
+        self.element = _parsed_piece(text) if is_element else None
         comments = tuple(match.span() for match in _COMMENT.finditer(text))
         super().__init__(text, (), (), (), comments, ())
         if self.element is not None:
@@ -147,6 +150,19 @@ class XmlDocument(SyntaxDocument):
         return self.make(apply_edits(self.text, edits), self)
 
 
+def _parsed_piece(text: str) -> XmlElement:
+    """Return the element of a piece, which may have words beside it that no program reads."""
+    try:
+        return parsed_xml(text)
+    except XmlError:
+        (element,) = root = parsed_xml(f"{_AROUND}{text}</x>")
+        for each in root.iter():
+            each.offset -= len(_AROUND)  # type: ignore[attr-defined]
+            if hasattr(each, "end"):
+                each.end -= len(_AROUND)
+        return element  # type: ignore[return-value]
+
+
 def _unmade(text: str, former: SyntaxDocument | None) -> SyntaxDocument:
     raise NotImplementedError
 
@@ -174,13 +190,20 @@ def end_of_element(text: str, element: Any) -> int:
 
 def unreadable(text: str, error: XmlError) -> XmlDocument:
     """Return the document of a text that is no XML, with the flaw that says so."""
-    lines = text.splitlines(keepends=True)
-    start = sum(map(len, lines[: error.line - 1]))
-    line = lines[error.line - 1] if error.line <= len(lines) else ""
+    strange = None if text.isascii() else UNDECODABLE.search(text)
+    if strange is not None:
+        return refused(text, "KD004", bytes_message(strange[0]), *strange.span())
+    ends = [match.span() for match in _LINE_END.finditer(text)]
+    starts, stops = [0, *(end for _, end in ends)], [*(start for start, _ in ends), len(text)]
+    start, stop = starts[error.line - 1], stops[error.line - 1]
+    return refused(text, "KD001", str(error), start, max(stop, start + 1))
+
+
+def refused(text: str, code: str, message: str, start: int, end: int) -> XmlDocument:
+    """Return the document of a text of which nothing is judged, with the flaw that says why."""
     island = Island(text, (), (), (), (), ())
     document = XmlDocument([island])
-    place = Place(island, start, start + max(len(line.rstrip()), 1))
-    document.flaws = (Flaw("KD001", str(error), place),)
+    document.flaws = (Flaw(code, message, Place(island, start, end)),)
     return document
 
 

@@ -30,6 +30,7 @@ from kindsl.robots.interchange.xml_document import (
     XmlDocument,
     XmlIsland,
     pieces,
+    refused,
     unreadable,
 )
 from kindsl.robots.interchange.xml_reading import XmlElement, XmlError, parsed_xml
@@ -125,7 +126,24 @@ def urdf_document(text: str, former: SyntaxDocument | None = None) -> XmlDocumen
     try:
         root = parsed_xml(text)
     except XmlError as error:
-        return unreadable(text, error)
+        document = unreadable(text, error)
+    else:
+        document = _of_xacro(text, root) or _of_elements(text, root, former)
+    document.make = urdf_document
+    return document
+
+
+def _of_xacro(text: str, root: XmlElement) -> XmlDocument | None:
+    """Return the document of a xacro, of which a URDF is yet to be made; None of any other."""
+    own = (each for each in root.iter() if each.tag.startswith("xacro:"))
+    first: Any = next(own, None)
+    if first is None:
+        return None
+    message = f"a xacro, not a URDF: <{first.tag}> has to be expanded before it is judged"
+    return refused(text, "KD001", message, first.offset, first.offset + len(first.tag) + 1)
+
+
+def _of_elements(text: str, root: XmlElement, former: SyntaxDocument | None) -> XmlDocument:
     known: dict[tuple[str, bool], list[UrdfIsland]] = {}
     for island in former.islands if former is not None else ():
         if isinstance(island, UrdfIsland):
@@ -137,7 +155,6 @@ def urdf_document(text: str, former: SyntaxDocument | None = None) -> XmlDocumen
         same = known.get(key)
         islands.append(same.pop(0) if same else UrdfIsland(*key))
     document = XmlDocument(islands, former.versions if former is not None else None)
-    document.make = urdf_document
     document.flaws = tuple(_flaws(root, islands))
     return document
 
