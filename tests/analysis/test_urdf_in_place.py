@@ -175,6 +175,17 @@ def test_a_xacro_is_not_judged_as_what_it_is_not_yet() -> None:
     assert told(ARM.replace("<robot", '<robot xmlns:xacro="x"')) == []
 
 
+def test_a_document_type_and_an_empty_robot_are_of_a_urdf() -> None:
+    doctype = '<!DOCTYPE robot [\n<!ENTITY m "2">\n]>'
+    text = ARM.replace("<robot", f"{doctype}<robot")
+    assert told(text) == [("KD001", "error", 3)]
+    assert "an entity declared" in analyse(text).findings[0].message
+    assert told(BAD.replace("<robot", '<!DOCTYPE robot SYSTEM "r"><robot')) == [
+        ("KD302", "error", 5)
+    ]
+    assert [code for code, _, _ in told("<robot/>")] == ["KD001", "KD008"]
+
+
 def test_two_links_of_one_name_are_no_second_root() -> None:
     text = robot().replace("</robot>", '<link name="base"/></robot>')
     assert [code for code, _, _ in told(text)] == ["KD102"]
@@ -226,3 +237,16 @@ def test_the_linter_reads_a_urdf(tmp_path: Path, capsys: pytest.CaptureFixture[s
     assert main([str(path), "--output-format", "json"]) == 1
     (found,) = json.loads(capsys.readouterr().out)
     assert (found["code"], found["start"]["line"]) == ("KD302", 5)
+
+
+@pytest.mark.parametrize("text", ["", "hello\n", "Robot a { }\n", "<robots/>"])
+def test_the_linter_takes_a_urdf_at_its_name(
+    text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "arm.urdf"
+    path.write_text(text)
+    assert main([str(path), "--output-format", "json"]) == 1
+    (found,) = json.loads(capsys.readouterr().out)
+    assert found["code"] == "KD001" and (
+        "XML" in found["message"] or "<robots>" in found["message"]
+    )

@@ -18,7 +18,8 @@ OF_PARTS = frozenset(("KD301", "KD302", "KD303", "KD311"))
 # Rules that look at nothing but XML.
 OF_XML = frozenset(("KD315", "KD521", "KD522", "KD523", "KD524", "KD525"))
 CONCERN_XML = OF_PARTS | OF_XML | {"KD501"}
-_URDF = re.compile(r"\ufeff?\s*(?:<(?:\?.*?\?|!--.*?--)>\s*)*<robot[\s>]", re.DOTALL)
+_DOCTYPE = r"!DOCTYPE[^\[>]*(?:\[[^\]]*\]\s*)?"
+_URDF = re.compile(rf"\ufeff?\s*(?:<(?:\?.*?\?|!--.*?--|{_DOCTYPE})>\s*)*<robot[\s/>]", re.DOTALL)
 _LIMITED = ("revolute", "prismatic")
 
 

@@ -21,6 +21,7 @@ from kindsl.language.syntax.document import parse
 
 _CODE = "KD004"
 _NAME = "invalid-character"
+_URDF_SUFFIX = ".urdf"
 
 
 class FixMode(Enum):
@@ -75,6 +76,10 @@ def _checked(task: Task, text: str) -> Checked:
     if task.shown.endswith(SUFFIX) and begins_as_urdf(text):
         # Under its name it has to be a document.
         analysis = Analysis(parse(text), task.settings)
+    elif task.shown.endswith(_URDF_SUFFIX):
+        from kindsl.robots.interchange.urdf.document import urdf_document
+
+        analysis = Analysis(urdf_document(text), task.settings)
     else:
         analysis = analyse(text, task.settings)
     is_as_written = task.fix_mode is FixMode.NONE or analysis.syntax.is_xml
