@@ -12,6 +12,7 @@ from kindsl.frontends.cli.outcome import Failure, as_failures
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.judgement.config.errors import ConfigurationError
 from kindsl.judgement.rules.base import Severity
+from kindsl.judgement.rules.xml_elements import begins_as_urdf
 from kindsl.language.semantics.places import Located
 from kindsl.language.syntax.readings import two_readings
 from kindsl.language.text.lines import LineIndex
@@ -74,9 +75,12 @@ def read_document(path: str, choices: Choices) -> Analysis:
     """Return the analysis of a file, or of stdin for `-`.
 
     Raises:
-        CommandError: The file or the configuration cannot be read.
+        CommandError: The file or the configuration cannot be read, or it is a URDF.
     """
     text = read_whole(path)
+    if begins_as_urdf(text):
+        message = "a URDF: 'kindsl convert' makes a document of it"
+        raise CommandError([Failure(shown_name(path), message)], status=1)
     try:
         return analyse(text, choices.settings_for(shown_name(path)))
     except ConfigurationError as error:
