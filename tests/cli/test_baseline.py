@@ -202,3 +202,21 @@ def test_transforms_documents_have_known_findings_too(kdsl_lint: Runner, folder:
     told = kdsl_lint()
     assert "'fr_nowhere'" not in told.out
     assert "'fr_none'" in told.out
+
+
+def test_findings_of_a_urdf_are_known_by_their_elements(kdsl_lint: Runner, folder: Path) -> None:
+    link = '<link name="{}"><inertial><mass value="-1"/></inertial></link>\n'
+    robot = f'<robot name="arm">\n{link.format("a")}</robot>\n'
+    for name in ("arm.urdf", "b.urdf"):
+        (folder / name).write_text(robot)
+    (folder / "kindsl.toml").write_text(TOML)
+    assert kdsl_lint("--write-baseline", "known.json", "arm.urdf", "b.urdf").status == 0
+    told = kdsl_lint("arm.urdf", "b.urdf")
+    assert (told.status, told.out) == (0, "")
+    assert told.err == "no findings in 2 documents; 2 known and silent\n"
+    moved = robot.replace("</robot>", f"{link.format('b')}</robot>")
+    (folder / "arm.urdf").write_text(moved)
+    told = kdsl_lint("arm.urdf")
+    assert "mass of 'a'" not in told.out and "stale" not in told.err
+    (folder / "b.urdf").unlink()
+    assert "it has 1 finding that is no longer there" in kdsl_lint("arm.urdf").err

@@ -6,13 +6,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from kindsl.frontends.cli.documents.document_reading import CommandError
 from kindsl.frontends.cli.documents.sources import is_decodable
 from kindsl.frontends.cli.documents.writing import write_output
+from kindsl.frontends.cli.linter.one_document import URDF_SUFFIX, syntax_of
 from kindsl.frontends.cli.outcome import LintedFile, RunOutcome
 from kindsl.judgement.analysis.known_findings import blocks_of, identities, lines_of
 from kindsl.judgement.config.baseline import baseline_path, baseline_text, path_in, read_baseline
 from kindsl.judgement.config.configuration import Configuration
 from kindsl.judgement.config.file_names import TRANSFORMS_SUFFIX
 from kindsl.judgement.config.robots import SUFFIX
-from kindsl.language.syntax.document import parse
 from kindsl.language.text.phrases import counted
 
 
@@ -28,7 +28,7 @@ def stale_remarks(
         gone = (
             sum(known.values())
             for document, known in read_baseline(configuration).items()
-            if document.endswith((SUFFIX, TRANSFORMS_SUFFIX))
+            if document.endswith((SUFFIX, TRANSFORMS_SUFFIX, URDF_SUFFIX))
             and not os.path.exists(os.path.join(folder, document))
         )
         number = sum(file.n_stale for file in own) + sum(gone)
@@ -58,5 +58,5 @@ def _has_blocks(file: LintedFile) -> bool:
 
 def _identities(file: LintedFile) -> Iterator[str]:
     is_robot = not file.path.endswith(TRANSFORMS_SUFFIX)
-    blocks = blocks_of(parse(file.text)) if is_robot else lines_of(file.text)
+    blocks = blocks_of(syntax_of(file.path, file.text)) if is_robot else lines_of(file.text)
     return identities(file.findings, blocks)

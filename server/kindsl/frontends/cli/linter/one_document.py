@@ -17,11 +17,11 @@ from kindsl.judgement.config.robots import SUFFIX
 from kindsl.judgement.rules.base import Severity
 from kindsl.judgement.rules.xml_elements import begins_as_urdf
 from kindsl.language.semantics.model import Model
-from kindsl.language.syntax.document import parse
+from kindsl.language.syntax.document import SyntaxDocument, parse
 
 _CODE = "KD004"
 _NAME = "invalid-character"
-_URDF_SUFFIX = ".urdf"
+URDF_SUFFIX = ".urdf"
 
 
 class FixMode(Enum):
@@ -73,15 +73,7 @@ def check(task: Task) -> Checked:
 def _checked(task: Task, text: str) -> Checked:
     if task.shown.endswith(TRANSFORMS_SUFFIX):
         return Checked(_transforms(task, text), None)
-    if task.shown.endswith(SUFFIX) and begins_as_urdf(text):
-        # Under its name it has to be a document.
-        analysis = Analysis(parse(text), task.settings)
-    elif task.shown.endswith(_URDF_SUFFIX):
-        from kindsl.robots.interchange.urdf.document import urdf_document
-
-        analysis = Analysis(urdf_document(text), task.settings)
-    else:
-        analysis = analyse(text, task.settings)
+    analysis = Analysis(syntax_of(task.shown, text), task.settings)
     is_as_written = task.fix_mode is FixMode.NONE or analysis.syntax.is_xml
     if is_as_written or not is_decodable(text):
         return _outcome(task, analysis)
@@ -94,6 +86,16 @@ def _checked(task: Task, text: str) -> Checked:
         if failure is not None:
             return Checked(_file(task, analysis), failure)
     return _outcome(task, better, text, n_fixed)
+
+
+def syntax_of(name: str, text: str) -> SyntaxDocument:
+    """Return the syntax of a robot's file: of XML for a URDF, unless its name is a document's."""
+    is_urdf = begins_as_urdf(text) and not name.endswith(SUFFIX)
+    if not is_urdf and not name.endswith(URDF_SUFFIX):
+        return parse(text)
+    from kindsl.robots.interchange.urdf.document import urdf_document
+
+    return urdf_document(text)
 
 
 def _transforms(task: Task, text: str) -> LintedFile:
