@@ -1,5 +1,6 @@
 """`kdsl-lint`: what is reported, and with which status."""
 
+import io
 import json
 import re
 from pathlib import Path
@@ -283,3 +284,12 @@ def test_two_of_a_kind_and_unlike_errors_are_told_one_by_one(
     told = kdsl_lint()
     assert told.out.count("error[KD001]") > 1
     assert "more like it" not in told.out
+
+
+def test_no_generator_has_a_verdict_on_a_urdf(
+    kdsl_lint: Runner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    content = b'<robot name="arm"><link name="base"/></robot>'
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(content)))
+    told = kdsl_lint("-v", "-")
+    assert (told.status, told.out) == (0, "") and "robcogen" not in told.err

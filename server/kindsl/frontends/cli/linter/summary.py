@@ -45,10 +45,12 @@ def _counts(outcome: RunOutcome) -> str:
 
 
 def _verdicts(file: LintedFile) -> Iterator[str]:
-    from kindsl.judgement.analysis.analysis import analyse
+    from kindsl.frontends.cli.linter.one_document import syntax_of
+    from kindsl.judgement.analysis.analysis import Analysis
     from kindsl.judgement.analysis.verdicts import verdicts
 
-    return map(str, verdicts(analyse(file.text)))
+    syntax = syntax_of(file.path, file.text)
+    return iter(()) if syntax.is_xml else map(str, verdicts(Analysis(syntax)))
 
 
 def _is_robot(file: LintedFile) -> bool:
