@@ -165,6 +165,7 @@ def test_patterns(pattern: str, path: str, is_meant: bool) -> None:
         ("target = [\n", ":2:1: error: not valid TOML: "),
         ("x = = 1\n", ":1:5: error: not valid TOML: invalid value"),
         ("1975-01-01 = 3\nx", ":2:2: error: not valid TOML: "),
+        (f"[parameters]\nx = 1{'0' * 5000}\n", ":2:5: error: a number has more digits than"),
     ],
 )
 def test_what_is_wrong_is_told_with_its_place(text: str, told: str) -> None:

@@ -31,6 +31,7 @@ from kindsl.language.text.regular import require_regular
 _TOML_ERROR = re.compile(
     r"(?P<what>.*?)(?: \(at (?:line (?P<line>\d+), column (?P<column>\d+)|end.*)\))?", re.DOTALL
 )
+_DIGITS = re.compile(r"\d[\d_]*")
 _START = KeyPlace(1, 1, 0, 0)
 
 
@@ -119,10 +120,8 @@ def _problem(
     path, places = (*configuration.root, *mistake.keys), configuration.places
     above = (path[:length] for length in range(len(path), 0, -1))
     start, end = next(places[known] for known in above if known in places)
-    line, column = lines.position(start)
-    key = dotted(mistake.keys)
+    key, place = dotted(mistake.keys), _place(lines, start, end)
     message = mistake.sentence or f"'{key or dotted(PYTHON_TABLE)}' {mistake.predicate}"
-    place = KeyPlace(line + 1, column + 1, start, end)
     return ConfigurationProblem(configuration.path, place, key, printable(message))
 
 
@@ -143,6 +142,11 @@ def _parsed(path: str, text: str) -> dict[str, Any]:
         raise _not_toml(path, text, str(error)) from None
     except RecursionError:
         raise _error(path, _START, "is nested too deeply") from None
+    except ValueError:
+        # Python refuses to read whole numbers of thousands of digits.
+        longest = max(_DIGITS.finditer(text), key=lambda run: len(run[0]))
+        place = _place(LineIndex(text), *longest.span())
+        raise _error(path, place, "a number has more digits than can be read") from None
 
 
 def _not_toml(path: str, text: str, message: str) -> ConfigurationError:
@@ -154,9 +158,13 @@ def _not_toml(path: str, text: str, message: str) -> ConfigurationError:
         offset = lines.offset(line - 1, column - 1)
         place = KeyPlace(line, column, offset, offset)
     else:
-        line, column = lines.position(len(text))
-        place = KeyPlace(line + 1, column + 1, len(text), len(text))
+        place = _place(lines, len(text), len(text))
     return _error(path, place, f"not valid TOML: {what[:1].lower()}{what[1:]}")
+
+
+def _place(lines: LineIndex, start: int, end: int) -> KeyPlace:
+    line, column = lines.position(start)
+    return KeyPlace(line + 1, column + 1, start, end)
 
 
 def _error(path: str, place: KeyPlace, message: str) -> ConfigurationError:
