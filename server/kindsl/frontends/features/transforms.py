@@ -67,13 +67,15 @@ def _items(text: str, start: int, model: Model | None) -> Iterator[CompletionIte
             yield CompletionItem("<-", "keyword", "<- ", "the base first")
         elif expected == "a robot name":
             yield from (CompletionItem(n, "link", n, "the robot") for n in _robot(model))
-        elif expected == "'base'":
+        elif expected == "'base'" and "'target'" in before.expected:
             yield CompletionItem(
                 "base, target", "snippet", _PAIR, "a pair of frames", is_snippet=True
             )
-        elif expected in ("'target'", "'Robot'") and "'base'" not in before.expected:
+        elif expected == "'base'" or (expected == "'target'" and "'base'" not in before.expected):
             name = expected.strip("'")
-            yield CompletionItem(name, "keyword", f"{name}=" if name == "target" else f"{name} ")
+            yield CompletionItem(name, "keyword", f"{name}=")
+        elif expected == "'Robot'":
+            yield CompletionItem("Robot", "keyword", "Robot ")
 
 
 def _frames(text: str, start: int, model: Model | None) -> Iterator[CompletionItem]:
