@@ -169,6 +169,12 @@ def test_what_cannot_be_solved_is_refused() -> None:
     assert set_component(robot("0.0*x"), J, "x", 3.0) == refused
 
 
+def test_a_product_with_a_minus_is_solved_like_one_with_a_star() -> None:
+    """What `2.0 -x` means for robcogen, the one generator that takes it."""
+    change = set_component(robot("2.0 -x"), J, "x", 3.0)
+    assert change == ComponentChange("Set x of joint 'j'", "-1.5", 3.0, preview=(("x", -1.5),))
+
+
 def test_a_new_form_of_the_same_text_edits_nothing() -> None:
     """The value changes by less than is written."""
     change = set_component(robot("0.5"), J, "x", 0.5 + 2e-12)

@@ -15,6 +15,7 @@ from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.parameters import Constant, Parameter
 from kindsl.language.syntax.arithmetic import number_of
 from kindsl.language.syntax.tree import Node
+from kindsl.language.syntax.value_forms import is_signed_product
 from kindsl.robots.mechanism.reading import named_frames
 
 LENGTHS = ("x", "y", "z")
@@ -100,8 +101,9 @@ def _factor(node: Node) -> float:
         return number_of(node.children[0]) or 0.0
     if node.kind == "negate":
         return -_factor(operands[0])
-    if node.kind == "multiply":
-        return (number_of(operands[0].children[0]) or 0.0) * _factor(operands[1])
+    if node.kind == "multiply" or is_signed_product(node):
+        product = (number_of(operands[0].children[0]) or 0.0) * _factor(operands[1])
+        return product if node.kind == "multiply" else -product
     if node.kind == "divide":
         divisor = number_of(operands[1].children[0])
         return _factor(operands[0]) / divisor if divisor else 0.0
