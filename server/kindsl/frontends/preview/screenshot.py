@@ -10,7 +10,7 @@ from kindsl.frontends.preview.assets import PreviewUnavailableError
 from kindsl.language.text.writing import write_file
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
-SIZE = (1200, 800)
+SIZE = "1200,800"  # width and height, pixels
 _PATIENCE = 120.0  # seconds
 _FLAGS = (
     "--headless", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic",
@@ -19,13 +19,12 @@ _FLAGS = (
 )  # fmt: skip
 
 
-def take_screenshot(page: str, target: Path, size: tuple[int, int] = SIZE) -> None:
+def take_screenshot(page: str, target: Path) -> None:
     """Write a PNG of an exported page's picture, without its panel.
 
     Args:
         page: The page.
         target: The file to write.
-        size: Width and height in pixels.
 
     Raises:
         PreviewUnavailableError: There is no Chromium, or it fails.
@@ -35,7 +34,7 @@ def take_screenshot(page: str, target: Path, size: tuple[int, int] = SIZE) -> No
         source = Path(folder, "page.html")
         source.write_text(page, encoding="utf-8")
         picture = Path(folder, "picture.png")
-        _run(_command(browser, source, picture, size))
+        _run(_command(browser, source, picture))
         if not picture.is_file():
             raise PreviewUnavailableError(f"'{browser}' has drawn nothing")
         write_file(str(target), picture.read_bytes())
@@ -54,12 +53,12 @@ def find_browser() -> str:
     return browser
 
 
-def _command(browser: str, source: Path, picture: Path, size: tuple[int, int]) -> list[str]:
+def _command(browser: str, source: Path, picture: Path) -> list[str]:
     # Chromium's sandbox does not work for the superuser, as in containers.
     is_superuser = hasattr(os, "geteuid") and os.geteuid() == 0
     return [
         browser, *_FLAGS, *(["--no-sandbox"] if is_superuser else []),
-        f"--user-data-dir={source.parent / 'profile'}", f"--window-size={size[0]},{size[1]}",
+        f"--user-data-dir={source.parent / 'profile'}", f"--window-size={SIZE}",
         f"--screenshot={picture}",
         f"{source.as_uri()}#picture",
     ]  # fmt: skip

@@ -11,9 +11,7 @@ LOOKS_UNTIL_LOST = 10
 Fingerprint = tuple[Stamp | None, ...]
 
 
-async def saves(
-    paths: Sequence[str], known: Fingerprint, interval: float = INTERVAL
-) -> AsyncIterator[bool]:
+async def saves(paths: Sequence[str], known: Fingerprint) -> AsyncIterator[bool]:
     """Yield True each time that a file has changed, been replaced or appeared.
 
     Yields False once when the first file has been away for so long that nobody is replacing it.
@@ -21,11 +19,10 @@ async def saves(
     Args:
         paths: The files; the first is the one that has to be there.
         known: Their fingerprint when they were last read.
-        interval: Seconds between two looks.
     """
     away = 0
     while True:
-        await asyncio.sleep(interval)
+        await asyncio.sleep(INTERVAL)
         present = fingerprint(paths)
         away = away + 1 if present[0] is None else 0
         if away == LOOKS_UNTIL_LOST:
