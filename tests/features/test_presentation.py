@@ -6,11 +6,13 @@ from tests.support.cursor import at_cursor
 from tests.support.published import published_models
 
 from kindsl.frontends.features.code_lenses import code_lenses
-from kindsl.frontends.features.inlay_hints import ALL_HINTS, InlayHintOptions, inlay_hints
+from kindsl.frontends.features.inlay_hints import InlayHintOptions, inlay_hints
 from kindsl.frontends.features.signature_help import signature_help
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.language.semantics.parameters import Binding
+
+ALL_HINTS = InlayHintOptions(units=True)
 
 
 def hints(text, options=ALL_HINTS, bindings=None):

@@ -16,7 +16,7 @@ from kindsl.frontends.features.code_lenses import code_lenses
 from kindsl.frontends.features.completion.completion import completions, narrowed, suggestions
 from kindsl.frontends.features.document_links import document_links
 from kindsl.frontends.features.hover.hover import hover
-from kindsl.frontends.features.inlay_hints import ALL_HINTS, inlay_hints
+from kindsl.frontends.features.inlay_hints import InlayHintOptions, inlay_hints
 from kindsl.frontends.features.navigation import (
     bound_parameter,
     definitions,
@@ -98,7 +98,7 @@ FEATURES = (
     of_all("colours", semantic_tokens),
     of_all("links", document_links),
     of_all("lenses", code_lenses),
-    of_all("hints", lambda a: inlay_hints(a, 0, a.syntax.length, ALL_HINTS)),
+    of_all("hints", lambda a: inlay_hints(a, 0, a.syntax.length, InlayHintOptions(units=True))),
     of_all("hints unless asked for more", lambda a: inlay_hints(a, 0, a.syntax.length)),
     of_all("fix of all", fix_all_action),
     at_each("hover", hover),

@@ -12,7 +12,7 @@ from kindsl.frontends.features.code_lenses import code_lenses
 from kindsl.frontends.features.completion.completion import completions
 from kindsl.frontends.features.document_links import document_links
 from kindsl.frontends.features.hover.hover import hover
-from kindsl.frontends.features.inlay_hints import ALL_HINTS, inlay_hints
+from kindsl.frontends.features.inlay_hints import InlayHintOptions, inlay_hints
 from kindsl.frontends.features.navigation import (
     bound_parameter,
     definitions,
@@ -55,7 +55,7 @@ def visit(text, offsets):
     analysis = analyse(text)
     for feature in WHOLE:
         feature(analysis)
-    inlay_hints(analysis, 0, len(text), ALL_HINTS)
+    inlay_hints(analysis, 0, len(text), InlayHintOptions(units=True))
     for offset in offsets:
         for feature in AT_OFFSET:
             feature(analysis, offset)
@@ -140,7 +140,7 @@ def test_what_is_beyond_an_end_is_at_it(feature):
 
 def test_a_range_that_ends_before_it_begins_has_nothing():
     analysis = analyse(SMALL)
-    assert inlay_hints(analysis, 60, 50, ALL_HINTS) == ()
+    assert inlay_hints(analysis, 60, 50, InlayHintOptions(units=True)) == ()
     assert semantic_tokens(analysis, 60, 50) == ()
 
 

@@ -45,7 +45,6 @@ class InlayHintOptions(NamedTuple):
     inertia: bool = True
 
 
-ALL_HINTS = InlayHintOptions(units=True)
 DEFAULT_HINTS = InlayHintOptions()
 
 
