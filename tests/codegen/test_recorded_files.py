@@ -25,8 +25,11 @@ from kindsl.products.codegen.manifest import NAME
 from kindsl.robots.interchange.generated_folder import digest
 
 RECORDED = Path(__file__).parent / "recorded"
-# A number of so many digits that machines may not agree on the last.
-LONG = re.compile(r"\b\d+\.\d{7,}(?:e[+-]\d+)?|\b\d\.?\d*e-[12]\d\b")
+# A number of so many digits that processors may not agree on the last, or on the sign of what is
+# but rounding; and the zero that it may be.
+LONG = re.compile(r"-?\b\d+\.\d{7,}(?:e[+-]\d+)?|-?\b\d\.?\d*e-[1-9]\d\b|-0\.0\b")
+# Products of short numbers may end in a 5 that would be rounded either way.
+OFF_HALVES = 3e-11
 SOME = ("poses", "jacobians", "foot_jacobians", "inverse_dynamics", "joint_space_inertia",
         "energies", "forward_dynamics")  # fmt: skip
 PLAIN = {
@@ -83,7 +86,7 @@ def generated(
 
 
 def _rounded(number: re.Match[str]) -> str:
-    return f"{round(float(number[0]), 9)}"
+    return f"{round(float(number[0]) + OFF_HALVES, 9) + 0.0}"
 
 
 def told(language: str) -> Iterator[str]:
