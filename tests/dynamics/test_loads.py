@@ -10,7 +10,7 @@ from tests.dynamics.random_bodies import random_bodies
 import kindsl
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 
-SHAPES = [(), (3,), (2, 45)]
+SHAPES = [(), (3,), (2, 45), (0,)]
 
 
 def _state(n: int, shape: tuple[int, ...]) -> np.ndarray:

@@ -1,6 +1,7 @@
 """Where nothing resists a motion, the joint is named; where numbers are too large, they are."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -117,3 +118,28 @@ def test_one_singular_row_of_a_batch_is_an_error(is_floating: bool, shape: tuple
     for method in METHODS[1:]:
         with pytest.raises(SingularInertiaError, match="motion of joint 'j2'"):
             getattr(Mechanics(bodies), method)(q, q, q)
+
+
+@pytest.mark.parametrize("is_floating", [False, True])
+@pytest.mark.parametrize("generates_code", [True, False])
+@pytest.mark.parametrize("shape", [(), (3,), (60,)])
+def test_mass_on_the_last_axis_is_no_inertia_anywhere(
+    is_floating: bool, generates_code: bool, shape: tuple[int, ...]
+) -> None:
+    """About the base, far from that axis, rounding leaves an inertia of 1e-16."""
+    generator = np.random.default_rng(3)
+    whole = random_bodies(generator, 6, is_floating)
+    masses, coms, inertias = whole.masses.copy(), whole.coms.copy(), whole.inertias.copy()
+    masses[6], coms[6], inertias[6] = 1.3, (0.0, 0.0, 0.37), 0.18 * np.diag((1.0, 1.0, 0.0))
+    bodies = replace(
+        whole, masses=masses, coms=coms, inertias=inertias,
+        joint_kinds=("revolute",) * 6, parents=tuple(range(6)),
+    )  # fmt: skip
+    mechanics = Mechanics(bodies, generates_code=generates_code)
+    q, qd, tau = generator.uniform(-1.0, 1.0, (3, *shape, 6))
+    with pytest.raises(SingularInertiaError, match="motion of joint 'joint6'"):
+        mechanics.forward_dynamics(q, qd, tau)
+    with pytest.raises(SingularInertiaError, match="motion of joint 'joint6'"):
+        mechanics.forward_dynamics_derivatives(q, qd, tau)
+    with pytest.raises(SingularInertiaError, match="motion of joint 'joint6'"):
+        mechanics.joint_space_inertia_inverse(q)

@@ -7,6 +7,9 @@ from kindsl.mechanics.dynamics.joints import apply
 from kindsl.mechanics.dynamics.posture import Posture, posture, supports
 from kindsl.mechanics.spatial.arrays import Array
 
+# A body on the way to an axis turns it once, by products of three terms.
+ROUNDINGS_PER_BODY = 3
+
 
 def joint_space_inertia(bodies: Bodies, q: Array) -> Array:
     """Return `M`, symmetric, with `M @ (base acceleration, qdd)` = the forces that it takes.
@@ -26,13 +29,24 @@ def joint_space_inertia(bodies: Bodies, q: Array) -> Array:
 
 def inertia_of(state: Posture) -> Array:
     """Return the joint-space inertia in a configuration, see `joint_space_inertia`."""
-    columns = state.columns()
+    columns, carried = state.columns(), state.of_columns(state.composites())
     # The force that moves each subtree, seen by the joints that support it.
-    f = apply(state.of_columns(state.composites()), columns)
+    f = apply(carried, columns)
     lower = np.tril(f @ np.swapaxes(columns, -1, -2) * supports(state.bodies))
     M: Array = lower + np.swapaxes(np.tril(lower, -1), -1, -2)
+    # What nothing resists is zero: about the base, rounding would leave an inertia.
+    unresisted = np.abs(np.sum(columns * f, axis=-1)) < _rounding(state, columns, carried)
+    M[unresisted[..., :, None] | unresisted[..., None, :]] = 0.0
     add_rotors(state.bodies, M)
     return M
+
+
+def _rounding(state: Posture, columns: Array, carried: Array) -> Array:
+    """Return what rounding may make of each diagonal entry that is zero, shape (..., nv)."""
+    sizes = np.abs(columns)
+    terms = np.sum(sizes * apply(np.abs(carried), sizes), axis=-1)
+    roundings = ROUNDINGS_PER_BODY * (state.bodies.n_links + 1)
+    return np.asarray(roundings * np.finfo(np.float64).eps * terms)
 
 
 def add_rotors(bodies: Bodies, M: Array) -> None:

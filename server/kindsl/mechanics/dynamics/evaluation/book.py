@@ -58,7 +58,7 @@ def _entries(bodies: Bodies, function: str, x: dict[str, Array]) -> Array:
     qd = x["qd"]
     if function == "bias_torque":
         return bias_torque(bodies, q, qd, v0, g)
-    external = x["fext"].reshape((len(q), -1, 6)) if "fext" in x else None
+    external = x["fext"].reshape((len(q), bodies.n_links + 1, 6)) if "fext" in x else None
     if function == "forward_dynamics":
         if len(q) < WORTH_RECURSION:
             a, _ = accelerations_by_inertia(posture(bodies, q), qd, x["tau"], v0, g, external)
