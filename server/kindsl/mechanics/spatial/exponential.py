@@ -19,8 +19,11 @@ def pose_error(A_T_B: npt.ArrayLike, A_T_C: npt.ArrayLike) -> Array:
     Args:
         A_T_B: Pose of B, shape (..., 4, 4).
         A_T_C: Pose of C, shape (..., 4, 4).
+
+    Raises:
+        ValueError: If one is no array of finite numbers of that shape.
     """
-    B, C = np.asarray(A_T_B, dtype=np.float64), np.asarray(A_T_C, dtype=np.float64)
+    B, C = pose_array("A_T_B", A_T_B), pose_array("A_T_C", A_T_C)
     B_E_A = np.swapaxes(B[..., :3, :3], -1, -2)
     rotation = B_E_A @ C[..., :3, :3]
     position = B_E_A @ (C[..., :3, 3:] - B[..., :3, 3:])
@@ -35,6 +38,23 @@ def pose_error(A_T_B: npt.ArrayLike, A_T_C: npt.ArrayLike) -> Array:
     return np.concatenate((turn, linear[..., 0]), axis=-1)
 
 
+def pose_array(quantity: str, values: npt.ArrayLike) -> Array:
+    """Return poses as an array (..., 4, 4).
+
+    Raises:
+        ValueError: If they are not real, finite numbers, or of another shape.
+    """
+    try:
+        poses = np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise ValueError(f"'{quantity}' holds something that is not a real number") from None
+    if poses.shape[-2:] != (4, 4):
+        raise ValueError(f"'{quantity}' has shape {poses.shape}, expected (..., 4, 4)")
+    if not np.isfinite(poses).all():
+        raise ValueError(f"'{quantity}' holds a value that is not finite")
+    return poses
+
+
 def pose_of_motion(motion: Array) -> Array:
     """Return `B_T_C` (..., 4, 4) after a unit of time at a constant spatial velocity (..., 6).
 
@@ -45,7 +65,10 @@ def pose_of_motion(motion: Array) -> Array:
     near_zero = angle < SMALL_ANGLE
     with np.errstate(divide="ignore", invalid="ignore"):
         first = np.where(near_zero, 1.0 - angle**2 / 6.0, np.sin(angle) / angle)
-        second = np.where(near_zero, 0.5 - angle**2 / 24.0, (1.0 - np.cos(angle)) / angle**2)
+        # By the half angle: of a small one, `1 - cos` has few digits.
+        second = np.where(
+            near_zero, 0.5 - angle**2 / 24.0, 2.0 * (np.sin(0.5 * angle) / angle) ** 2
+        )
         third = np.where(near_zero, 1.0 / 6.0 - angle**2 / 120.0, (1.0 - first) / angle**2)
     pose = np.zeros((*motion.shape[:-1], 4, 4))
     pose[..., :3, :3] = np.eye(3) + first * W + second * (W @ W)

@@ -40,7 +40,7 @@ from kindsl.mechanics.dynamics.quantities import (
     SingularInertiaError,
 )
 from kindsl.mechanics.spatial.arrays import Array
-from kindsl.mechanics.spatial.exponential import pose_of_motion
+from kindsl.mechanics.spatial.exponential import pose_array, pose_of_motion
 
 GRAVITY = np.array(STANDARD_GRAVITY)
 # Quantities that divide by inertia.
@@ -303,13 +303,17 @@ class Mechanics(WholeBody):
         arrays = {"q": joint_vector("q", q, self.joint_names)}
         arrays["qd"] = joint_vector("qd", qd, self.joint_names)
         conditions = base_conditions(self.bodies, base_velocity, STANDARD_GRAVITY)
-        common_batch_shape(arrays | conditions)
-        moved = arrays["q"] + dt * arrays["qd"]
+        (dt,) = vectors("dt", [dt], 1).tolist()
+        if base_pose is not None and not self.bodies.is_floating:
+            raise ValueError("'base_pose' is given, but the base is fixed")
+        pose = pose_array("base_pose", np.eye(4) if base_pose is None else base_pose)
+        entries = pose.reshape((*pose.shape[:-2], 16))
+        shape = common_batch_shape(arrays | conditions | {"base_pose": entries})
+        moved = np.zeros((*shape, self.n_joints)) + arrays["q"] + dt * arrays["qd"]
         if not self.bodies.is_floating:
             return moved
-        pose = np.eye(4) if base_pose is None else np.asarray(base_pose, dtype=np.float64)
         step = pose_of_motion(dt * conditions.get("base_velocity", AT_REST))
-        return FloatingConfiguration(moved, pose @ step)
+        return FloatingConfiguration(moved, np.zeros((*shape, 4, 4)) + pose @ step)
 
     def _evaluate(
         self,
