@@ -350,3 +350,26 @@ def test_copies_of_a_body_are_tried_together(judged):
     found = analyse(robot(*links, joints="last")).findings
     assert [finding.code for finding in found].count("KD306") == 2
     assert judged.count("candidates") == 1
+
+
+ARM_OF_A_ROBOT = "inertia_params { mass = 2.0 CoM = (0.02, 0.01, 0.3) Ix=%s Iy=%s Iz=%s"
+ARM_OF_A_ROBOT += " Ixy=0.00040 Ixz=0.01200 Iyz=0.00600 }"
+
+
+@pytest.mark.parametrize("place", range(3))
+def test_a_stray_minus_is_named(place: int) -> None:
+    moments = ["0.24140", "0.24160", "0.00310"]
+    meant = document_of_bodies([ARM_OF_A_ROBOT % tuple(moments)])
+    moments[place] = f"-{moments[place]}"
+    text = document_of_bodies([ARM_OF_A_ROBOT % tuple(moments)])
+    (named,) = [f for f in analyse(text, INERTIA).findings if f.code in CAUSES]
+    assert f"the sign of {('Ix', 'Iy', 'Iz')[place]} were changed" in named.message
+    assert named.fix is None or apply_edits(text, named.fix.edits) == meant
+
+
+def test_moments_of_about_one_number_are_a_placeholder_and_no_unit() -> None:
+    gripper = "inertia_params { mass = 0.99 CoM = (0.0, 0.0, 0.0) Ix=0.163 Iy=0.163 Iz=0.165"
+    text = document_of_bodies([f"{gripper} Ixy=0.0 Ixz=0.0 Iyz=0.0 }}"])
+    found = [f for f in analyse(text).findings if f.code.startswith("KD3")]
+    assert [(f.code, f.fix) for f in found] == [("KD310", None)]
+    assert "Ix, Iy and Iz are all about 0.163" in found[0].message

@@ -2,9 +2,9 @@
 
 ## What it does
 Says of an impossible inertia (KD301, KD302) that it would be consistent if the signs of some
-products, or of one component of the CoM, were changed, or the order of numbers: two moments or two
-coordinates of the CoM swapped, the moments written in URDF's order, or about other axes. KD306
-tells how causes are weighed.
+products, of one moment, or of one component of the CoM were changed, or the order of numbers: two
+moments or two coordinates of the CoM swapped, the moments written in URDF's order, or about other
+axes. KD306 tells how causes are weighed.
 
 ## Why is this bad?
 The language wants the products themselves, `Ixy = sum m x y`. The off-diagonal entries of an

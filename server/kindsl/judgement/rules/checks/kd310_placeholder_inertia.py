@@ -6,7 +6,8 @@ moving links of different parts. Parts are recognised by names without sides and
 and `RH_hip` are one part, and so are `segment1` and `segment2`.
 
 Says of an impossible inertia (KD301, KD302) or one of implausible density (KD311) that it is a
-placeholder where its three moments are one round number and the products zero, and which link of
+placeholder where its three moments are one round number, or below 1 kg·m² within 5 %, and the
+products zero, and which link of
 another part has the same moments, or the same centre of mass. KD306 tells how causes are weighed.
 
 ## Why is this bad?

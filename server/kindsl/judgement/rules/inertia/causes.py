@@ -18,6 +18,7 @@ from kindsl.judgement.rules.inertia.judgements import (
     Judgement,
     Verdict,
     can_be_of_matter,
+    is_about_one_number,
     is_round,
     verdict_of,
 )
@@ -166,6 +167,9 @@ def _without_meaning(
     for moments, where in ((body.moments, ""), (shifted(body, -1.0).moments, " about the CoM")):
         if is_round(moments):
             slips.append((Slip.PLACEHOLDER, (f"{moments[0]:.1g}{where}",)))
+            break
+        if is_about_one_number(moments):
+            slips.append((Slip.PLACEHOLDER, (f"about {moments[0]:.3g}{where}",)))
             break
     for slip, names in slips:
         h = Hypothesis((slip,), body, found.half, TABLE[slip].weight, names)

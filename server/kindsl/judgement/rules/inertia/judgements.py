@@ -142,6 +142,12 @@ def is_round(moments: Symmetric) -> bool:
     return 0.0 < size <= 1.0 and is_same and f"{size:.1e}"[2] == "0"
 
 
+def is_about_one_number(moments: Symmetric) -> bool:
+    """Return whether three moments, below 1 kg·m², differ by less than 5 %, without products."""
+    small, large = min(moments[:3]), max(moments[:3])
+    return 0.95 * large < small <= 1.0 and not any(moments[3:])
+
+
 def is_plain(inertia: Inertia) -> bool:
     """Return whether all values of an inertia are plain numbers."""
     com = inertia.com.components if inertia.com is not None else ()

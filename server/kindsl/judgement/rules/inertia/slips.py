@@ -44,6 +44,7 @@ class Slip(StrEnum):
     REFERENCE = "reference"
     TWICE = "shifted twice"
     SCALE = "scale"
+    MINUS = "sign of a moment"
     COM_SIGN = "sign of the CoM"
     COM_ORDER = "two coordinates of the CoM swapped"
     SWAP = "two moments swapped"
@@ -168,6 +169,13 @@ def _scaled(h: Hypothesis) -> Iterator[Hypothesis]:
         )
 
 
+def _other_moment_sign(h: Hypothesis) -> Iterator[Hypothesis]:
+    for index, moment in enumerate(h.body.moments[:3]):
+        if moment < 0.0:
+            body = h.body._replace(moments=_negated(h.body.moments, (index,)))
+            yield h._replace(body=body, names=(MOMENTS[index],), is_partial=True)
+
+
 def _other_com_sign(h: Hypothesis) -> Iterator[Hypothesis]:
     for index, axis in enumerate("xyz"):
         if h.body.com[index]:
@@ -240,6 +248,7 @@ TABLE = {
     Slip.SIGNS: SlipRow("KD307", 1.0, "URDF, MJCF and most CAD programs negate them", _other_signs),
     Slip.SCALE: SlipRow("KD308", 0.4, "each unit as CAD programs have it; else a digit", _scaled),
     Slip.MASS: SlipRow("KD314", 0.1, "in no published history; CAD programs give g", _other_mass),
+    Slip.MINUS: SlipRow("KD307", 0.5, "no body has a negative moment", _other_moment_sign),
     Slip.COM_SIGN: SlipRow("KD307", 0.15, "HyQ's legs, mirrored by hand", _other_com_sign),
     Slip.SWAP: SlipRow("KD307", 0.02, "in no published history", _swapped),
     Slip.ROWS: SlipRow("KD307", 0.02, "the order of URDF's attributes", _by_rows),

@@ -83,7 +83,7 @@ def clause(hypothesis: Hypothesis) -> str:
 
 
 def _slip(slip: Slip, h: Hypothesis) -> str:
-    if slip in (Slip.SIGNS, Slip.COM_SIGN):
+    if slip in (Slip.SIGNS, Slip.COM_SIGN, Slip.MINUS):
         return f"the {'sign' if len(h.names) == 1 else 'signs'} of {listed(h.names)} were changed"
     if slip in (Slip.SWAP, Slip.COM_ORDER):
         return f"{listed(h.names)} were swapped"
@@ -99,7 +99,7 @@ def _step(slip: Slip, h: Hypothesis) -> str:
     if slip in (Slip.SCALE, Slip.MASS):
         what, unit = ("mass", "kg") if slip is Slip.MASS else ("moments", "kg·m²")
         return f"Convert the {what} to {unit}" if h.unit else f"Multiply the {what} by {_ten(h)}"
-    if slip in (Slip.SIGNS, Slip.COM_SIGN):
+    if slip in (Slip.SIGNS, Slip.COM_SIGN, Slip.MINUS):
         return f"Change sign of {', '.join(h.names)}"
     return _STEPS.get(slip, "").format(*h.names)
 
