@@ -168,7 +168,8 @@ def _without_meaning(
         if is_round(moments):
             slips.append((Slip.PLACEHOLDER, (f"{moments[0]:.1g}{where}",)))
             break
-        if is_about_one_number(moments):
+        # Of an impossible body equal moments about the CoM are as likely: a ball on a rod.
+        if is_about_one_number(moments) and not found.is_impossible:
             slips.append((Slip.PLACEHOLDER, (f"about {moments[0]:.3g}{where}",)))
             break
     for slip, names in slips:
