@@ -252,13 +252,13 @@ def test_defect_of_a_rule_does_not_stop_the_others(
 ) -> None:
     from kindsl.frontends.cli.linter import one_document as checking
 
-    def broken(text: str, settings: object) -> object:
+    def broken(name: str, text: str) -> object:
         if "arm" in text:
             raise KeyError("oh")
-        return analyse(text, settings)  # type: ignore[arg-type]
+        return syntax_of(name, text)
 
-    analyse = checking.analyse
-    monkeypatch.setattr(checking, "analyse", broken)
+    syntax_of = checking.syntax_of
+    monkeypatch.setattr(checking, "syntax_of", broken)
     monkeypatch.delenv("KINDSL_TRACEBACK")
     (folder / "arm.kindsl").write_text(GOOD)
     (folder / "leg.kindsl").write_text(INTEGER.replace("arm", "leg"))

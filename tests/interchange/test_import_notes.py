@@ -152,7 +152,7 @@ WORLD = """<robot name="r"><link name="arm"/><joint name="turn" type="continuous
 
 def test_world_needs_no_link_of_its_own_as_in_drake() -> None:
     read = robot_of_urdf(WORLD.format("world"), "r")
-    assert [link.name for link in read.robot.links] == ["world", "arm"]
+    assert [body.name for body in read.robot.bodies] == ["world", "arm"]
     assert read.tells_base and not read.robot.is_floating
     with pytest.raises(FormatError, match="names a link 'wrld' that does not exist"):
         robot_of_urdf(WORLD.format("wrld"), "r")

@@ -2,8 +2,8 @@
 
 ## What it does
 Reports names that are keywords of C++ or of Octave, frames called `fr_<link>`, as the generators
-call the frame of a link, and links and frames called `fr_<joint>`, as transforms documents call the
-frame of a joint.
+call the frame of a link, and links called `fr_<joint>`, as transforms documents call the frame of
+a joint.
 
 ## Why is this bad?
 The names of links, joints, frames and parameters become identifiers of the generated code, which
@@ -31,14 +31,16 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
     for name in _names(model):
         if name in RESERVED_BY:
             yield Finding(name, f"'{name}' is a keyword of {RESERVED_BY[name]}")
-    joints = {str(joint.name) for joint in model.joints}
-    links, frames = ([thing.name for thing in things] for things in (model.links, model.frames))
-    for name in (*links, *frames):
-        owner = name.removeprefix("fr_")
-        is_frame_of_link = owner in model.body_named and name not in model.body_named
-        if owner != name and (is_frame_of_link or owner in joints):
-            kind = "link" if is_frame_of_link else "joint"
-            yield Finding(name, f"'{name}' is already the name of the frame of {kind} '{owner}'")
+    for kind, things, named in (
+        ("link", model.frames, model.body_named),
+        ("joint", model.links, model.joint_named),
+    ):
+        for name in (thing.name for thing in things):
+            owner = name.removeprefix("fr_")
+            is_hidden = owner != name and owner in named
+            if is_hidden and (kind == "joint" or name not in model.body_named):
+                message = f"'{name}' is already the name of the frame of {kind} '{owner}'"
+                yield Finding(name, message)
 
 
 def _names(model: Model) -> Iterator[Name | None]:
@@ -66,7 +68,6 @@ RULE = Rule(
         link("union", 1),
         link("until", 1),
         _FRAMED % "fr_head",
-        f"{_FRAMED % 'fr_neck'}\n{joint('neck')}",
         f"{link('fr_neck', 1)}\n{joint('neck')}",
     ),
 )

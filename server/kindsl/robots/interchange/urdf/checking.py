@@ -73,10 +73,10 @@ def checked(content: bytes | str) -> tuple[XmlElement, Remarkable]:
     joints = robot.findall("joint")
     _add_world(robot, joints)
     links = robot.findall("link")
-    if not links:
-        raise UrdfError("the URDF has no link")
     for defect in defects(robot):
         raise _error(defect.element, defect.what)
+    if not links:
+        raise UrdfError("the URDF has no link")
     roots = root_links(links, joints)
     if len(roots) != 1:
         told = ", ".join(f"'{name}'" for name in roots[:5]) + (", ..." if len(roots) > 5 else "")
