@@ -18,7 +18,7 @@ from tests.preview.robots import (
 from kindsl.robots.scene.encoding import plain
 from kindsl.robots.scene.robot import NOTHING_UNKNOWN, robot_messages
 
-SCRIPT = ROOT / "server" / "kindsl" / "preview" / "page" / "picture" / "kinematics.js"
+SCRIPT = ROOT / "server" / "kindsl" / "frontends" / "preview" / "page" / "picture" / "kinematics.js"
 DRIVER = """
 import { readFileSync } from "node:fs";
 const kinematics = await import(process.argv[1]);

@@ -5,7 +5,7 @@ import re
 
 from tests.preview.robots import ROOT
 
-PAGE = ROOT / "server" / "kindsl" / "preview" / "page"
+PAGE = ROOT / "server" / "kindsl" / "frontends" / "preview" / "page"
 # The lowest first; a folder imports from itself and from those before it.
 FOLDERS = ("base", "picture", "panel", "editing", "")
 # What the server says is written from its own classes; it imports nothing.
