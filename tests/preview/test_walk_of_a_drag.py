@@ -25,7 +25,8 @@ from kindsl.judgement.analysis.analysis import analyse
 from kindsl.language.text.edits import apply_edits
 
 HOUSE = Path(kindsl.__file__).parent
-MOST_CLIMBS = 9
+# The goal is nine: numbers are read, and handles described, from below more than once on the way.
+MOST_CLIMBS = 30
 GRASP = {"type": "grasp", "kind": "joint", "name": "lift"}
 DRAG = {"type": "drag", "kind": "joint", "name": "lift", "component": "x", "step": None}
 STORY = (
