@@ -72,19 +72,19 @@ fix: $(STAMP)
 # What is generated from one source: parser tables from the grammar, rule pages from the rules, the
 # page's types from the scene's messages.
 tables: $(STAMP)
-	$(BIN)/python -m kindsl.language.syntax.generate
+	$(BIN)/python -m generating.tables
 
 docs: tables
-	$(BIN)/python -m kindsl.judgement.rules.pages
-	$(BIN)/python -m kindsl.frontends.preview.message_types
+	$(BIN)/python -m generating.rule_pages
+	$(BIN)/python -m generating.message_types
 	$(BIN)/python -m tests.docs.rewrite
 	if [ -d ../shared/corpus ]; then $(BIN)/python docs/pictures/published_models.py; fi
 
 .PHONY: docs-check
 docs-check: $(STAMP)
-	$(BIN)/python -m kindsl.language.syntax.generate --check
-	$(BIN)/python -m kindsl.judgement.rules.pages --check
-	$(BIN)/python -m kindsl.frontends.preview.message_types --check
+	$(BIN)/python -m generating.tables --check
+	$(BIN)/python -m generating.rule_pages --check
+	$(BIN)/python -m generating.message_types --check
 
 # The soak takes an hour and more: python benchmarks/soak.py.
 bench: $(STAMP)

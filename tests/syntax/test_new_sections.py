@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from generating.constructs import AnnotationError
+from generating.tables import sections, tables
 
 import kindsl
-from kindsl.language.syntax.generate import sections, tables
-from kindsl.language.syntax.generating.constructs import AnnotationError
 from kindsl.language.syntax.grammars import grammar_text
 
 _SECTIONS = """

@@ -1,7 +1,6 @@
 """The messages to a page, and their content.
 
-`messages.d.ts` of the page is written from this file
-(`python -m kindsl.frontends.preview.message_types`).
+`messages.d.ts` of the page is written from this file (`python -m generating.message_types`).
 A message is the value of its `type` at its `path`, the place in the scene that it speaks of:
 `/kindsl/TREE/GROUP/NAME/CATEGORY/MARK`; a later one of the same type and path replaces it. Names
 are those in the document. `set_object`, `set_transform` and `delete` are meshcat's.

@@ -1,6 +1,6 @@
 // Messages between server and page. Generated from server/kindsl/robots/scene/messages.py and
 // server/kindsl/frontends/preview/requests.py by
-// `python -m kindsl.frontends.preview.message_types`; do not edit.
+// `python -m generating.message_types`; do not edit.
 //
 // Numbers that are not finite may come as null in JSON.
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from kindsl.language.syntax.generating.constructs import Constructs
+from generating.constructs import Constructs
 
 _IMPORTS = """
 # ruff: noqa

@@ -1,6 +1,7 @@
 from pathlib import Path
 
-from kindsl.judgement.rules.pages import main, pages
+from generating.rule_pages import main, pages
+
 from kindsl.judgement.rules.registry import all_rules
 
 DOCS = Path(__file__).parents[2] / "docs" / "rules"

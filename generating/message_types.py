@@ -1,4 +1,4 @@
-"""Writes the types of messages: `python -m kindsl.frontends.preview.message_types [--check]`."""
+"""Writes the types of messages: `python -m generating.message_types [--check]`."""
 
 import inspect
 import sys
@@ -22,11 +22,12 @@ from kindsl.frontends.preview.requests import Request, type_of
 from kindsl.robots.scene.geometry import Shape
 from kindsl.robots.scene.messages import Change, Part
 
-TARGET = Path(__file__).parent / "page" / "messages.d.ts"
+_PREVIEW = Path(__file__).parents[1] / "server" / "kindsl" / "frontends" / "preview"
+TARGET = _PREVIEW / "page" / "messages.d.ts"
 _HEAD = """\
 // Messages between server and page. Generated from server/kindsl/robots/scene/messages.py and
 // server/kindsl/frontends/preview/requests.py by
-// `python -m kindsl.frontends.preview.message_types`; do not edit.
+// `python -m generating.message_types`; do not edit.
 //
 // Numbers that are not finite may come as null in JSON.
 """
@@ -75,7 +76,7 @@ def main(arguments: list[str]) -> int:
     if "--check" in arguments:
         if TARGET.is_file() and TARGET.read_text(encoding="utf-8") == wanted:
             return 0
-        print(f"{TARGET} is out of date; run python -m kindsl.frontends.preview.message_types")
+        print(f"{TARGET} is out of date; run python -m generating.message_types")
         return 1
     TARGET.write_text(wanted, encoding="utf-8", newline="\n")
     return 0

@@ -1,12 +1,12 @@
 """The generated tables are the grammar's, and read as Lark itself reads."""
 
 import pytest
+from generating.constructs import AnnotationError
+from generating.tables import TABLES, main, starts, tables
 from lark import Lark, Tree
 from tests.support.models import Style, random_model
 
 from kindsl.language.syntax.document import parse
-from kindsl.language.syntax.generate import TABLES, main, starts, tables
-from kindsl.language.syntax.generating.constructs import AnnotationError
 from kindsl.language.syntax.grammars import grammar_text
 from kindsl.language.syntax.tree import Node
 
@@ -20,7 +20,7 @@ def test_a_changed_grammar_is_noticed(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: object
 ) -> None:
     grammar = grammar_text("kindsl.lark").replace('"via"', '"by"')
-    monkeypatch.setattr("kindsl.language.syntax.generate.tables", lambda _: tables(grammar))
+    monkeypatch.setattr("generating.tables.tables", lambda _: tables(grammar))
     assert main(["--check"]) == 1
     assert "does not fit the grammar" in capsys.readouterr().err
 
@@ -29,7 +29,7 @@ def test_editors_list_the_words_of_the_grammar(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     grammar = grammar_text("kindsl.lark").replace('"children"', '"offspring"')
-    monkeypatch.setattr("kindsl.language.syntax.generate.grammar_text", lambda _: grammar)
+    monkeypatch.setattr("generating.tables.grammar_text", lambda _: grammar)
     assert main(["--check"]) == 1
     noticed = capsys.readouterr().err
     for file in ("kindsl.vim", "kindsl-mode.el", "kindsl.tmLanguage.json", "language.js"):
@@ -89,7 +89,7 @@ def test_a_refused_remark_is_told(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     grammar = grammar_text("kindsl.lark") + "\nOTHER: /o/   //: perhaps\n"
-    monkeypatch.setattr("kindsl.language.syntax.generate.grammar_text", lambda _: grammar)
+    monkeypatch.setattr("generating.tables.grammar_text", lambda _: grammar)
     assert main([]) == 1
     assert "nobody reads '//: perhaps'" in capsys.readouterr().err
 

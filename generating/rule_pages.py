@@ -1,6 +1,6 @@
 """Writes the rules' pages into `docs/rules`.
 
-`python -m kindsl.judgement.rules.pages [--check] [FOLDER]`
+`python -m generating.rule_pages [--check] [FOLDER]`
 """
 
 import sys
@@ -9,7 +9,7 @@ from pathlib import Path
 from kindsl.judgement.rules.base import Rule
 from kindsl.judgement.rules.registry import all_rules, page_of
 
-_FOLDER = Path(__file__).parents[4] / "docs" / "rules"
+_FOLDER = Path(__file__).parents[1] / "docs" / "rules"
 _FAMILIES = {
     "KD0": "Syntax",
     "KD1": "Names, numbers, references",
@@ -38,7 +38,7 @@ def main(arguments: list[str]) -> int:
     if "--check" in arguments:
         stale = _stale(folder, wanted)
         for name in stale:
-            print(f"{folder / name} is stale; run python -m kindsl.judgement.rules.pages")
+            print(f"{folder / name} is stale; run python -m generating.rule_pages")
         return 1 if stale else 0
     folder.mkdir(parents=True, exist_ok=True)
     for name in _stale(folder, wanted):

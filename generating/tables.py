@@ -1,6 +1,6 @@
 """Write all that is made of `grammar/kindsl.lark`: tables, typed sections, editors' keywords.
 
-`python -m kindsl.language.syntax.generate [--check]`
+`python -m generating.tables [--check]`
 
 Lark reads the grammar and builds the LALR automaton; the parser's tables are literals that load in
 no time, so that Lark is needed to change the grammar only.
@@ -13,8 +13,8 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from kindsl.language.syntax.generating.automaton import Automaton
-from kindsl.language.syntax.generating.constructs import (
+from generating.automaton import Automaton
+from generating.constructs import (
     Annotation,
     AnnotationError,
     Constructs,
@@ -22,13 +22,14 @@ from kindsl.language.syntax.generating.constructs import (
     check_read,
     orders,
 )
-from kindsl.language.syntax.generating.editor_words import FILES, editor_files
-from kindsl.language.syntax.generating.section_classes import section_classes
+from generating.editor_words import FILES, editor_files
+from generating.section_classes import section_classes
 from kindsl.language.syntax.grammars import grammar_text
 
-TABLES = Path(__file__).with_name("tables.py")
-ROOT = Path(__file__).parents[4]
-SECTIONS = Path(__file__).parents[1] / "semantics" / "sections.py"
+ROOT = Path(__file__).parents[1]
+_LANGUAGE = ROOT / "server" / "kindsl" / "language"
+TABLES = _LANGUAGE / "syntax" / "tables.py"
+SECTIONS = _LANGUAGE / "semantics" / "sections.py"
 
 _HEADER = '"""Generated from grammar/kindsl.lark by `make tables`; do not edit."""\n'
 _NUMBERED = "tuple[str, ...], tuple[int, ...]"
@@ -72,9 +73,7 @@ def main(arguments: list[str]) -> int:
         if "--check" not in arguments:
             path.write_text(text, encoding="utf-8")
         elif path.read_text(encoding="utf-8") != text:
-            sys.stderr.write(
-                f"{path} does not fit the grammar: run python -m kindsl.language.syntax.generate\n"
-            )
+            sys.stderr.write(f"{path} does not fit the grammar: run python -m generating.tables\n")
             status = 1
     return status
 

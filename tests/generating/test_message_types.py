@@ -7,7 +7,8 @@ from typing import Annotated, ClassVar, Literal, get_args, get_origin, get_type_
 
 import pytest
 
-from kindsl.frontends.preview import message_types, requests
+from generating import message_types
+from kindsl.frontends.preview import requests
 from kindsl.mechanics.rigid.pose import Vector3
 from kindsl.robots.scene import messages
 from kindsl.robots.scene.messages import Metres
