@@ -9,7 +9,7 @@ export class EarlyCompletion implements vscode.Disposable, vscode.CompletionItem
   #registered: vscode.Disposable | undefined;
 
   constructor(private readonly server: ServerAccess) {
-    this.#following = server.onDidChange((state) => state === "starting" && void this.#standIn());
+    this.#following = server.onDidChange((state) => state !== "running" && void this.#standIn());
     void this.#standIn();
   }
 

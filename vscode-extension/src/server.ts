@@ -97,9 +97,9 @@ export class Server extends ServerLife<LanguageClient> implements PageServer {
   protected override async end(): Promise<void> {
     const client = this.current;
     this.current = undefined;
+    this.set("stopped");
     await client?.stop().catch((error) => this.log.warn(`The server did not stop in order: ${String(error)}`));
     this.#builtIn.kill();
-    this.set("stopped");
   }
 
   /** Take over the client's own transitions: a restart after a crash does not pass through here. */
