@@ -2,8 +2,8 @@
 
 from collections.abc import Mapping
 
-from kindsl.mechanics.dynamics.generation.emitters.straight_line import computed, operation_text
-from kindsl.mechanics.dynamics.generation.terms import Operand, Scalar, Term
+from kindsl.mechanics.dynamics.generation.emitters.straight_line import Notation, computed
+from kindsl.mechanics.dynamics.generation.terms import Scalar, Term
 from kindsl.mechanics.dynamics.generation.vectors import Matrix, transpose
 from kindsl.products.codegen.library import Library
 from kindsl.products.codegen.robcogen.dynamics_kernels import ten_of
@@ -75,18 +75,15 @@ def _lines(
     for name, parameter in library.robot.parameters.items():
         known[parameter.index] = f"params.{library.parameter_names[name]}"
 
-    def word(operand: Operand) -> str:
-        if isinstance(operand, int):
-            return known.get(operand) or f"x{operand}"
-        return f"({operand!r})"
+    def text(node: int) -> str:
+        return known.get(node) or f"x{node}"
 
-    lines = []
-    for node in computed(graph, list(values.values()), known):
-        operation, *operands = graph.nodes[node]
-        text = operation_text(operation, [word(operand) for operand in operands])
-        lines.append(f"x{node} = {text};")
-    for place, value in values.items():
-        lines.append(f"{place} = {word(value.index if isinstance(value, Term) else value)};")
+    notation = Notation("({!r})".format)
+    lines = [
+        f"x{node} = {notation.operation(graph, node, text)};"
+        for node in computed(graph, list(values.values()), known)
+    ]
+    lines += [f"{place} = {notation.word(value, text)};" for place, value in values.items()]
     return lines
 
 

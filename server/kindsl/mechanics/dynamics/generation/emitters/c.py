@@ -7,16 +7,17 @@ are two to three times as quick, and what they make runs no slower.
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import groupby
 from typing import NamedTuple
 
 from kindsl.mechanics.dynamics.generation.emitters.straight_line import (
+    Notation,
     Part,
     computed,
     cut,
-    operation_text,
 )
-from kindsl.mechanics.dynamics.generation.terms import Graph, Operand, Scalar, Term
+from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar, Term
 
 OPERATIONS_PER_PART = 500
 # So many equal constants one after the other are written in a loop; a regressor has thousands.
@@ -145,6 +146,9 @@ class _Writer:
     def __init__(self, graph: Graph, body: CBody, dialect: Dialect) -> None:
         self._graph = graph
         self._dialect = dialect
+        self._notation = Notation(
+            partial(literal, dialect=dialect), f"{{0}}{dialect.suffix}({{1}})", dialect.sign
+        )
         context = body.context[0] if body.context else ""
         self.given = {node: (context, text) for node, text in body.known.items()}
         for array in body.takes:
@@ -166,7 +170,7 @@ class _Writer:
         """Return the statements of a part."""
         lines, uses, local = list[str](), set[str](), set[int]()
         for node in part.nodes:
-            text = self._operation(node, local, uses)
+            text = self._notation.operation(self._graph, node, partial(self._text, local, uses))
             local.add(node)
             lines.append(f"const {self._dialect.type} x{node} = {text};")
             if node in part.kept:
@@ -194,7 +198,7 @@ class _Writer:
         """Yield arrays, places that follow one another there, and the text of what all hold."""
         rest = []
         for array, number, entry in self._rest:
-            text = self._operand(entry, set(), uses)
+            text = self._notation.word(entry, partial(self._text, set(), uses))
             if not isinstance(entry, Term):
                 text = self._dialect.constant.format(text)
             rest.append((array, number, text))
@@ -202,17 +206,7 @@ class _Writer:
         for (array, text, _), run in runs:
             yield array, [number for _, (_, number, _) in run], text
 
-    def _operation(self, node: int, local: set[int], uses: set[str]) -> str:
-        operation, *operands = self._graph.nodes[node]
-        words = [self._operand(o, local, uses) for o in operands]
-        if operation == "sign":
-            return self._dialect.sign.format(words[0])
-        return operation_text(operation, words, f"{{0}}{self._dialect.suffix}({{1}})")
-
-    def _operand(self, operand: Operand | Term, local: set[int], uses: set[str]) -> str:
-        node = operand.index if isinstance(operand, Term) else operand
-        if not isinstance(node, int):
-            return literal(node, self._dialect)
+    def _text(self, local: set[int], uses: set[str], node: int) -> str:
         if node in local:
             return f"x{node}"
         array, text = self.given.get(node) or (WORKSPACE, self._kept[node])

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from types import MappingProxyType
 from typing import NamedTuple
 
-from kindsl.mechanics.dynamics.generation.emitters.straight_line import cut, operation_text
+from kindsl.mechanics.dynamics.generation.emitters.straight_line import Notation, cut
 from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar, Term, operand_nodes
 
 # Compilers take one function of this size well; longer ones cost more than linear time.
@@ -77,7 +77,7 @@ def template_function(graph: Graph, function: Template, dialect: TemplateDialect
     if len(order) <= MOST_OPERATIONS:
         lines = _operations(graph, order, known, dialect, comments)
         lines += _copies(stored, known)
-        lines += [f"{name}[{place}] = {_text(v, {})};" for (name, place), v in stored.items()]
+        lines += [f"{name}[{place}] = {_stored(v)};" for (name, place), v in stored.items()]
         return _definition(function.name, declared, lines, dialect)
     return _in_parts(graph, function, order, known, stored, dialect, comments)
 
@@ -132,15 +132,11 @@ def _operations(
     dialect: TemplateDialect,
     comments: Mapping[int, str],
 ) -> list[str]:
-    lines = []
+    lines, notation = [], Notation(literal, dialect.call)
     for node in order:
         if node in comments:
             lines.append(f"// {comments[node]}")
-        operation, *operands = graph.nodes[node]
-        words = [
-            (known.get(o) or f"x{o}") if isinstance(o, int) else literal(o) for o in operands
-        ]  # fmt: skip
-        text = operation_text(operation, words, dialect.call)
+        text = notation.operation(graph, node, lambda o: known.get(o) or f"x{o}")
         lines.append(f"const S x{node} = {text};")
     return lines
 
@@ -151,10 +147,8 @@ def _copies(stored: Mapping[Place, Scalar], known: Mapping[int, str]) -> list[st
     return [f"const S x{node} = {known[node]};" for node in copied if node in known]
 
 
-def _text(value: Scalar, known: Mapping[int, str]) -> str:
-    if isinstance(value, Term):
-        return known.get(value.index) or f"x{value.index}"
-    return literal(value)
+def _stored(value: Scalar) -> str:
+    return f"x{value.index}" if isinstance(value, Term) else literal(value)
 
 
 def _in_parts(
@@ -187,7 +181,7 @@ def _in_parts(
     lines = [f"S {name}_of_parts[{size}];" for name, size in sizes.items()]
     lines += [f"S {_WORKSPACE}[{max(1, parts.n_kept)}];", *calls, *_copies(stored, known)]
     for (name, place), value in stored.items():
-        text = f"{name}_of_parts[{place}]" if (name, place) in written else _text(value, {})
+        text = f"{name}_of_parts[{place}]" if (name, place) in written else _stored(value)
         lines.append(f"{name}[{place}] = {text};")
     declared = [f"const S* {name}" for name in function.takes]
     declared += [f"S* {name}" for name in function.gives]

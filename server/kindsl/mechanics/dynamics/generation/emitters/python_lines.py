@@ -6,8 +6,10 @@ CasADi. The names `sin`, `cos` and `sign` are to be there.
 
 from collections.abc import Mapping, Sequence
 
-from kindsl.mechanics.dynamics.generation.emitters.straight_line import computed, operation_text
-from kindsl.mechanics.dynamics.generation.terms import Graph, Operand, Scalar, Term
+from kindsl.mechanics.dynamics.generation.emitters.straight_line import Notation, computed
+from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar, Term
+
+_PYTHON = Notation()
 
 
 def python_function(
@@ -28,24 +30,9 @@ def python_function(
             if isinstance(x, Term)
         )
     for node in computed(graph, [entry for result in results for entry in result], texts):
-        lines.append(f"x{node} = {_operation(graph, node, texts)}")
+        lines.append(f"x{node} = {_PYTHON.operation(graph, node, texts.__getitem__)}")
         texts[node] = f"x{node}"
-    given = [f"[{', '.join(_text(entry, texts) for entry in result)}]" for result in results]
+    words = [[_PYTHON.word(entry, texts.__getitem__) for entry in result] for result in results]
+    given = [f"[{', '.join(entries)}]" for entries in words]
     body = "\n".join(f"    {line}" for line in [*lines, f"return {', '.join(given)},"])
     return f"def {name}({', '.join(arguments)}):\n{body}\n"
-
-
-def _operation(graph: Graph, node: int, texts: Mapping[int, str]) -> str:
-    operation, *operands = graph.nodes[node]
-    words = [_operand(operand, texts) for operand in operands]
-    return operation_text(operation, words)
-
-
-def _text(entry: Scalar, texts: Mapping[int, str]) -> str:
-    return _operand(entry.index if isinstance(entry, Term) else entry, texts)
-
-
-def _operand(operand: Operand, texts: Mapping[int, str]) -> str:
-    if isinstance(operand, int):
-        return texts[operand]
-    return repr(operand) if operand >= 0.0 else f"({operand!r})"

@@ -10,8 +10,9 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from kindsl.mechanics.dynamics.generation.emitters.numbers import OPERATIONS
+from kindsl.mechanics.dynamics.generation.emitters.straight_line import Notation
 from kindsl.mechanics.dynamics.generation.factorization import is_zero
-from kindsl.mechanics.dynamics.generation.terms import Operand, Term
+from kindsl.mechanics.dynamics.generation.terms import Term
 from kindsl.mechanics.dynamics.generation.trace import Trace
 from kindsl.mechanics.spatial.arrays import Array
 
@@ -20,6 +21,7 @@ NumbersFunction: TypeAlias = Callable[..., tuple[float, ...]]
 
 # A value used once is written where it is used, unless the line grows longer than this.
 LONGEST_INLINED = 160
+_COMPACT = Notation(blank="")
 
 
 def scalar_function(trace: Trace) -> ScalarFunction:
@@ -76,7 +78,7 @@ def _source(trace: Trace, returned: Callable[[list[str]], list[str]]) -> str:
     for index in trace.needed():
         if index in texts:
             continue
-        text = _operation(trace, index, texts)
+        text = _COMPACT.operation(trace.graph, index, texts.__getitem__)
         if uses[index] == 1 and len(text) < LONGEST_INLINED:
             texts[index] = f"({text})"
         else:
@@ -107,20 +109,3 @@ def _uses(trace: Trace) -> Counter[int]:
     uses = Counter(operand for index in trace.needed() for operand in trace.operands(index))
     uses.update(output.index for output in trace.outputs if isinstance(output, Term))
     return uses
-
-
-def _operation(trace: Trace, index: int, texts: dict[int, str]) -> str:
-    operation, *operands = trace.graph.nodes[index]
-    words = [_operand(operand, texts) for operand in operands]
-    if operation in ("sin", "cos", "sign"):
-        return f"{operation}({words[0]})"
-    if operation == "neg":
-        return f"-{words[0]}"
-    return f"{words[0]}{operation}{words[1]}"
-
-
-def _operand(operand: Operand, texts: dict[int, str]) -> str:
-    if isinstance(operand, int):
-        return texts[operand]
-    text = repr(operand)
-    return f"({text})" if text.startswith("-") else text

@@ -1,13 +1,51 @@
-"""The order of a graph's operations, cut into parts that a compiler can take in."""
+"""Operations as a language writes them, in an order, cut into parts that a compiler can take in."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import count
 from typing import NamedTuple
 
-from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar, Term, operand_nodes
+from kindsl.mechanics.dynamics.generation.terms import Graph, Operand, Scalar, Term, operand_nodes
 
 OPERATORS = ("+", "-", "*", "/")
+
+
+def in_python(number: float) -> str:
+    """Return a number as an operand in Python."""
+    return repr(number) if number >= 0.0 else f"({number!r})"
+
+
+class Notation(NamedTuple):
+    """The notation of a language.
+
+    Attributes:
+        number: Returns the text of a number.
+        call: How a function is called, by its name and argument.
+        sign: How the sign of a value is computed, where that is no call.
+        blank: What stands around an operator.
+    """
+
+    number: Callable[[float], str] = in_python
+    call: str = "{0}({1})"
+    sign: str = ""
+    blank: str = " "
+
+    def word(self, value: Operand | Scalar, text: Callable[[int], str]) -> str:
+        """Return a number, or the text of a node."""
+        node = value.index if isinstance(value, Term) else value
+        return text(node) if isinstance(node, int) else self.number(node)
+
+    def operation(self, graph: Graph, node: int, text: Callable[[int], str]) -> str:
+        """Return the operation of a node, its operands by the texts of their nodes."""
+        operation, *operands = graph.nodes[node]
+        words = [self.word(operand, text) for operand in operands]
+        if operation in OPERATORS:
+            return f"{words[0]}{self.blank}{operation}{self.blank}{words[1]}"
+        if operation == "neg":
+            return f"-{words[0]}"
+        if operation == "sign" and self.sign:
+            return self.sign.format(words[0])
+        return self.call.format(operation, words[0])
 
 
 class Part(NamedTuple):
@@ -45,19 +83,6 @@ def computed(graph: Graph, values: Iterable[Scalar | None], known: Iterable[int]
             found.add(index)
             waiting += operand_nodes(graph, index)
     return [i for i in sorted(found - given) if graph.nodes[i][0] != "input"]
-
-
-def operation_text(operation: str, words: Sequence[str], call: str = "{0}({1})") -> str:
-    """Return an operation as most languages write it.
-
-    Args:
-        operation: Its name in a graph.
-        words: Its operands.
-        call: How a function is called, by its name and argument.
-    """
-    if operation in OPERATORS:
-        return f"{words[0]} {operation} {words[1]}"
-    return f"-{words[0]}" if operation == "neg" else call.format(operation, words[0])
 
 
 def cut(graph: Graph, order: Sequence[int], size: int) -> Parts:
