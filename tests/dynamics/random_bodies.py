@@ -3,11 +3,11 @@
 from dataclasses import replace
 
 import numpy as np
+from tests.support.spatial import rotation_from_intrinsic_xyz
 
 from kindsl.mechanics.dynamics.bodies import Bodies, BodyFrame, Drives
 from kindsl.mechanics.rigid.joint_kind import JointKind
 from kindsl.mechanics.spatial.arrays import Array
-from kindsl.mechanics.spatial.transforms import rotation_from_intrinsic_xyz
 
 QUARTER_TURNS = (-np.pi / 2, 0.0, np.pi / 2, np.pi)
 

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.dynamics.random_bodies import random_bodies, random_inertia, random_rotation, with_drives
+from tests.support.spatial import pseudo_inertia
 
 from kindsl.mechanics.dynamics.generation import forward_dynamics
 from kindsl.mechanics.dynamics.generation.emitters.numbers import evaluate
@@ -25,7 +26,6 @@ from kindsl.mechanics.dynamics.generation.robot import robot_of
 from kindsl.mechanics.dynamics.generation.terms import Graph, Term, cosine_and_sine, operations
 from kindsl.mechanics.dynamics.generation.trace import Trace, trace
 from kindsl.mechanics.dynamics.quantities import SingularInertiaError
-from kindsl.mechanics.spatial.inertia import pseudo_inertia
 
 numbers = st.one_of(
     st.sampled_from([0.0, 1.0, -1.0, 2.0]), st.floats(-3.0, 3.0, allow_subnormal=False)

@@ -4,12 +4,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.support.spatial import rotation_from_intrinsic_xyz
 
 import kindsl
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanics.spatial.inertia import move_inertia
-from kindsl.mechanics.spatial.transforms import rotation_from_intrinsic_xyz
 from kindsl.robots.mechanism.reading import reachable_linkage, whole_linkage
 
 ROOT = Path(__file__).parents[2]

@@ -9,11 +9,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.preview.robots import ARM, PLAIN, random_model
 from tests.support.documents import EXAMPLES, all_documents
+from tests.support.spatial import rotation_from_intrinsic_xyz
 
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.spatial.inertia import move_inertia
-from kindsl.mechanics.spatial.transforms import rotation_from_intrinsic_xyz
 from kindsl.robots.mechanism.errors import ModelError
 from kindsl.robots.mechanism.reading import named_frames, partial_linkage, reachable_linkage
 

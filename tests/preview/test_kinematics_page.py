@@ -14,6 +14,7 @@ from tests.preview.robots import (
     skeleton_in,
     skeleton_of,
 )
+from tests.support.spatial import rotation_from_intrinsic_xyz
 
 from kindsl.robots.scene.encoding import plain
 from kindsl.robots.scene.robot import NOTHING_UNKNOWN, robot_messages
@@ -155,7 +156,6 @@ def test_what_hangs_on_an_unknown_body_is_not_computed(number):
 
 
 def test_angles_are_the_languages(cases, answers):
-    from kindsl.mechanics.spatial.transforms import rotation_from_intrinsic_xyz
 
     for answer in answers:
         for name, angles in answer["angles"].items():

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from tests.support.spatial import rotation_from_intrinsic_xyz
 
 from kindsl.mechanics.rigid.pose import (
     IDENTITY,
@@ -17,7 +18,9 @@ from kindsl.mechanics.rigid.pose import (
     pose_from,
     pose_from_fixed_axes,
 )
-from kindsl.mechanics.spatial.transforms import homogeneous, rotation_from_intrinsic_xyz
+from kindsl.mechanics.spatial.transforms import (
+    homogeneous,
+)
 
 # Rounding of sums and products of numbers up to one.
 ROUNDING = 1e-15

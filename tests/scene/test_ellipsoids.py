@@ -4,10 +4,10 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 from tests.preview.robots import ARM, skeleton_of
+from tests.support.spatial import rotation_from_intrinsic_xyz
 
 from kindsl.mechanics.rigid.body import NO_BODY, MassDistribution
 from kindsl.mechanics.spatial.inertia import move_inertia
-from kindsl.mechanics.spatial.transforms import rotation_from_intrinsic_xyz
 from kindsl.robots.scene.ellipsoids import inertia_ellipsoid
 from kindsl.robots.scene.marks import mass_marks
 

@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.support.spatial import pseudo_inertia, rotation_from_intrinsic_xyz
 
 from kindsl.mechanics.spatial.arrays import Array
 from kindsl.mechanics.spatial.cross_products import cross, force_cross, motion_cross, skew
 from kindsl.mechanics.spatial.inertia import (
     move_inertia,
     point_inertia,
-    pseudo_inertia,
     second_moment,
     spatial_inertia,
 )
@@ -18,7 +18,6 @@ from kindsl.mechanics.spatial.transforms import (
     homogeneous,
     plucker,
     rotation_about_z,
-    rotation_from_intrinsic_xyz,
 )
 
 coordinates = st.floats(-3.0, 3.0, allow_subnormal=False)

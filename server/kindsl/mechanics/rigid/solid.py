@@ -41,7 +41,6 @@ class Solid(NamedTuple):
         is_possible: Whether a rigid body has this inertia; if not, the solid is drawn from the
             magnitudes of the second moments.
         longest: The axis of the largest second moment.
-        slenderness: 0 where the two largest radii of gyration are equal, near 1 for a rod.
     """
 
     center: Vector3
@@ -52,7 +51,6 @@ class Solid(NamedTuple):
     density: float
     is_possible: bool
     longest: Vector3
-    slenderness: float
 
     def support(self, direction: Vector3) -> Vector3:
         """Return the farthest point in a direction, in the body's axes."""
@@ -118,7 +116,6 @@ def _superquadric(
         density=body.mass / (volume * a * b * c),
         is_possible=is_possible,
         longest=pairs[0].axis,
-        slenderness=linear,
     )
 
 

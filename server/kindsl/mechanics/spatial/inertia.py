@@ -65,18 +65,3 @@ def second_moment(inertia: Array) -> Array:
     trace = np.trace(inertia, axis1=-2, axis2=-1)
     second: Array = 0.5 * trace[..., None, None] * np.eye(3) - inertia
     return second
-
-
-def pseudo_inertia(mass: Array, com: Array, inertia: Array) -> Array:
-    """Return `[[second moment, m c], [m c^T, m]]`, shape (..., 4, 4).
-
-    It moves by congruence, `A_T_B @ P_B @ A_T_B.T`, and is positive definite exactly for
-    physically consistent bodies.
-
-    Source: Wensing, Kim, Slotine 2018, sec. III.
-    """
-    P = np.zeros((*inertia.shape[:-2], 4, 4))
-    P[..., :3, :3] = second_moment(inertia)
-    P[..., :3, 3] = P[..., 3, :3] = np.asarray(mass)[..., None] * com
-    P[..., 3, 3] = mass
-    return P

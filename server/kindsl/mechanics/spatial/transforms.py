@@ -48,22 +48,3 @@ def rotation_about_z(angle: Array) -> Array:
     R[..., 0, 1] = -R[..., 1, 0]
     R[..., 2, 2] = 1.0
     return R
-
-
-def rotation_from_intrinsic_xyz(angles: Array) -> Array:
-    """Return `Rx @ Ry @ Rz`: turns about x, then the new y, then the new z.
-
-    Args:
-        angles: `(rx, ry, rz)`, shape (..., 3), radians.
-
-    Returns:
-        `A_R_B` of the turned frame B, shape (..., 3, 3).
-    """
-    cx, cy, cz = np.moveaxis(np.cos(angles), -1, 0)
-    sx, sy, sz = np.moveaxis(np.sin(angles), -1, 0)
-    rows = (
-        (cy * cz, -cy * sz, sy),
-        (cx * sz + sx * sy * cz, cx * cz - sx * sy * sz, -sx * cy),
-        (sx * sz - cx * sy * cz, sx * cz + cx * sy * sz, cx * cy),
-    )
-    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
