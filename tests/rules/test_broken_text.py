@@ -5,9 +5,9 @@ from collections.abc import Iterator
 import pytest
 
 from kindsl.judgement.analysis.analysis import analyse
-from kindsl.judgement.rules.broken_text import has_problem_within, is_cut_off
+from kindsl.judgement.rules.broken_text import is_cut_off
 from kindsl.judgement.rules.examples import STEEL_BALL, link, robot
-from kindsl.language.semantics.places import Place
+from kindsl.language.semantics.places import Place, has_problem_within
 
 
 def test_a_problem_within_a_place_or_right_beside_it_counts() -> None:

@@ -11,11 +11,11 @@ from tests.support.bodies import document_of_bodies, inertia_text, random_body, 
 from tests.support.recorded import assert_as_recorded
 
 from kindsl.judgement.analysis.analysis import analyse
-from kindsl.judgement.rules.inertia.causes import Cause, candidates
+from kindsl.judgement.diagnosis.causes import Cause, candidates
+from kindsl.judgement.diagnosis.slips import Hypothesis, hypotheses
+from kindsl.judgement.diagnosis.surroundings import surroundings
+from kindsl.judgement.diagnosis.suspects import suspects_of
 from kindsl.judgement.rules.inertia.repairs import explanations
-from kindsl.judgement.rules.inertia.slips import Hypothesis, hypotheses
-from kindsl.judgement.rules.inertia.surroundings import surroundings
-from kindsl.judgement.rules.inertia.suspects import suspects_of
 from kindsl.mechanics.rigid.body import (
     MassDistribution,
     eigensystem,
@@ -114,13 +114,13 @@ def weights() -> Iterator[str]:
         analysis = analyse(text)
         yield f"## {title}"
         model, context = analysis.model, analysis.context
-        suspects = suspects_of(model, context)
+        suspects = suspects_of(model, context.values)
         for found in suspects:
             yield f"{found.link.name}: {found.verdict.value}"
-            for cause in candidates(found, surroundings(model, context, found)):
+            for cause in candidates(found, surroundings(model, context.values, found)):
                 h = cause.hypothesis
                 yield f"    {_slips(h)}: weight {h.weight:.4g}, log {cause.log_likelihood:.5g}"
-        for found, causes in explanations(suspects, model, context):
+        for found, causes in explanations(suspects, model, context.values):
             told = (f"{_slips(c.hypothesis)} {c.probability:.3f}{_reasons(c)}" for c in causes)
             yield f"{found.link.name} of all: {'; '.join(told)}"
         for finding in analysis.findings:

@@ -19,8 +19,9 @@ from tests.support.bodies import (
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.diagnosis import explanations
 from kindsl.judgement.rules.examples import joint, link, robot
-from kindsl.judgement.rules.inertia import explanations, repairs
+from kindsl.judgement.rules.inertia import repairs
 from kindsl.language.semantics.parameters import Binding
 from kindsl.language.text.edits import TextEdit, apply_edits
 from kindsl.mechanics.rigid.body import MassDistribution, shifted

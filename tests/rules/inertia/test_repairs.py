@@ -9,14 +9,14 @@ from tests.support.one_rule import body, found
 
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.diagnosis.causes import Cause
+from kindsl.judgement.diagnosis.explanations import Explained
+from kindsl.judgement.diagnosis.judgements import Judgement
+from kindsl.judgement.diagnosis.likelihood import MassShape, shape_of
+from kindsl.judgement.diagnosis.slips import Hypothesis, Slip, hypotheses
+from kindsl.judgement.diagnosis.suspects import suspects_of
 from kindsl.judgement.rules.base import Finding
 from kindsl.judgement.rules.inertia import repairs
-from kindsl.judgement.rules.inertia.causes import Cause
-from kindsl.judgement.rules.inertia.explanations import Explained
-from kindsl.judgement.rules.inertia.judgements import Judgement
-from kindsl.judgement.rules.inertia.likelihood import MassShape, shape_of
-from kindsl.judgement.rules.inertia.slips import Hypothesis, Slip, hypotheses
-from kindsl.judgement.rules.inertia.suspects import suspects_of
 from kindsl.language.semantics.parameters import Binding
 from kindsl.mechanics.rigid.body import MassDistribution
 
@@ -71,7 +71,7 @@ def told_by(
 ) -> list[tuple[str, Finding]]:
     """Return what is told if these are the causes of the document's impossible inertias."""
     model, context = analysis.model, analysis.context
-    suspects = suspects_of(model, context)
+    suspects = suspects_of(model, context.values)
     explained = [Explained(f, list(own)) for f, own in zip(suspects, causes, strict=True)]
     monkeypatch.setattr(repairs, "explanations", lambda *given: explained)
     return repairs.findings(suspects, model, context)
@@ -89,7 +89,7 @@ def told(monkeypatch: pytest.MonkeyPatch) -> Told:
     ) -> list[tuple[str, Finding]]:
         bound = Settings(frozenset(targets), bindings={"load": Binding(2.0)})
         analysis = analyse(document_of_bodies([text]), bound)
-        (found,) = suspects_of(analysis.model, analysis.context)
+        (found,) = suspects_of(analysis.model, analysis.context.values)
         hs = [
             c.of(found) if isinstance(c, Chosen) else REFERENCE.of(found)._replace(body=c)
             for c in chosen
@@ -284,7 +284,7 @@ def tell_all(
     if base:
         text = text.replace("{ children", f"{{ {section(ABOUT_COM)} children", 1)
     analysis = analyse(text.replace("fixed", ""))
-    suspects = suspects_of(analysis.model, analysis.context)
+    suspects = suspects_of(analysis.model, analysis.context.values)
     chosen = [c for c in case.chosen if c is not None]
     causes = [
         [cause(found, c.of(found), case.probability)]

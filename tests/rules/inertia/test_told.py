@@ -6,9 +6,9 @@ from typing import Any
 
 import pytest
 
-from kindsl.judgement.rules.inertia.causes import Cause
-from kindsl.judgement.rules.inertia.likelihood import MassShape
-from kindsl.judgement.rules.inertia.slips import Hypothesis, Slip
+from kindsl.judgement.diagnosis.causes import Cause
+from kindsl.judgement.diagnosis.likelihood import MassShape
+from kindsl.judgement.diagnosis.slips import Hypothesis, Slip
 from kindsl.judgement.rules.inertia.told import clause, likely_cause, rivals, shared_cause, title
 from kindsl.language.text.quantities import sum_below, with_unit
 from kindsl.mechanics.rigid.body import MassDistribution, eigensystem

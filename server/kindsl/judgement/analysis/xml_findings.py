@@ -3,8 +3,8 @@
 from collections.abc import Iterable, Iterator
 
 from kindsl.judgement.analysis.settings import Settings, is_enabled
+from kindsl.judgement.diagnosis.judgements import is_placeholder
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
-from kindsl.judgement.rules.inertia.judgements import is_placeholder
 from kindsl.judgement.rules.registry import rules_with
 from kindsl.judgement.rules.xml_elements import OF_PARTS
 from kindsl.language.semantics.declarations import Link

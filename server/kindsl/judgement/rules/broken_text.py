@@ -2,14 +2,6 @@
 
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.parameters import Parameter
-from kindsl.language.semantics.places import Located
-
-
-def has_problem_within(at: Located) -> bool:
-    """Return whether something in a piece of text, or right beside it, is not in the language."""
-    return any(
-        problem.start <= at.end and problem.end >= at.start for problem in at.island.problems
-    )
 
 
 def is_doubtful(parameter: Parameter) -> bool:

@@ -1,11 +1,10 @@
 """Places of the numbers of a limb, and their names."""
 
-from kindsl.judgement.rules.broken_text import has_problem_within
-from kindsl.judgement.rules.inertia.judgements import TEN, keyword
+from kindsl.judgement.diagnosis.judgements import TEN, keyword
 from kindsl.language.semantics.declarations import Child, Joint, Vector
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.places import Located
+from kindsl.language.semantics.places import Located, has_problem_within
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.robots.limbs.weighing import Suspect
 

@@ -6,7 +6,11 @@ from math import isfinite, pi
 
 from kindsl.judgement.rules.base import Replacement
 from kindsl.language.semantics.expressions import Expression
-from kindsl.language.text.decimals import fixed_decimal, significant_decimal
+from kindsl.language.text.decimals import (
+    fixed_decimal,
+    significant_decimal,
+    significant_digits,
+)
 
 _SUMS = frozenset(("add", "subtract"))
 _SIGN = re.compile(r"([+-])\s*")
@@ -62,12 +66,6 @@ def opposite(value: Expression) -> str:
     if sign is None:
         return f"-{value.text}"
     return ("" if sign[1] == "-" else "-") + value.text[sign.end() :]
-
-
-def significant_digits(text: str) -> int:
-    """Return how many digits a number has from the first that is not zero, at least one."""
-    mantissa = text.lower().partition("e")[0]
-    return max(1, len("".join(filter(str.isdigit, mantissa)).lstrip("0")))
 
 
 def decimals(text: str) -> int:

@@ -10,11 +10,12 @@ may close a loop, excuses no joint, and no link where a joint is left over besid
 from collections.abc import Iterable, Sequence
 from typing import TypeVar
 
-from kindsl.judgement.rules.broken_text import has_problem_within, is_cut_off
+from kindsl.judgement.rules.broken_text import is_cut_off
 from kindsl.judgement.rules.duplicates import repeated_names
 from kindsl.language.semantics.declarations import Joint, Link
 from kindsl.language.semantics.kinematic_tree import Edge
 from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.places import has_problem_within
 from kindsl.language.text.facts import kept
 from kindsl.language.text.nearest import nearest_name, nearest_names
 

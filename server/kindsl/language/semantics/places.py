@@ -74,3 +74,10 @@ class Construct:
     def end(self) -> int:
         """One past the last code point, from the island's start."""
         return self.node.end
+
+
+def has_problem_within(at: Located) -> bool:
+    """Return whether something in a piece of text, or right beside it, is not in the language."""
+    return any(
+        problem.start <= at.end and problem.end >= at.start for problem in at.island.problems
+    )

@@ -29,6 +29,12 @@ def digits_after_point(value: float, digits: int) -> int:
     return max(1, digits - 1 - floor(log10(abs(value)))) if value else 1
 
 
+def significant_digits(text: str) -> int:
+    """Return how many digits a number has from the first that is not zero, at least one."""
+    mantissa = text.lower().partition("e")[0]
+    return max(1, len("".join(filter(str.isdigit, mantissa)).lstrip("0")))
+
+
 def rounded_decimal(value: float, scale: float) -> str:
     """Return a computed number with 15 digits.
 

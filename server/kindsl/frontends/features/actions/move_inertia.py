@@ -15,9 +15,9 @@ from kindsl.frontends.features.names_taken import names_taken
 from kindsl.frontends.features.tree_path import path_at
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.diagnosis.judgements import IMPOSSIBLE, Verdict, is_plain, judgements
 from kindsl.judgement.rules.base import Severity
 from kindsl.judgement.rules.context import ROBCOGEN2
-from kindsl.judgement.rules.inertia.judgements import IMPOSSIBLE, Verdict, is_plain, judgements
 from kindsl.language.semantics.declarations import Frame, Inertia, Link
 from kindsl.language.semantics.expressions import half_unit, symbols
 from kindsl.language.semantics.lowering import declarations
@@ -78,7 +78,7 @@ def _sound_actions(analysis: Analysis, moving: _Moving) -> Iterator[CodeAction]:
     A body that only its last digits make possible would be none if it were written as computed: its
     moments get no more decimals than they had.
     """
-    judged = judgements(declarations(moving.link.island), analysis.context)
+    judged = judgements(declarations(moving.link.island), analysis.context.values)
     found = next((each for each in judged if each.link is moving.link), None)
     if found is None or found.is_proved or found.verdict not in _BY_DIGITS:
         yield from _actions(analysis, moving)

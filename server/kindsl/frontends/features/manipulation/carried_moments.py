@@ -8,7 +8,7 @@ from kindsl.frontends.features.manipulation.gesture import Refusal
 from kindsl.frontends.features.manipulation.set_component import ComponentChange
 from kindsl.frontends.features.manipulation.things import LENGTHS
 from kindsl.judgement.analysis.analysis import Analysis
-from kindsl.judgement.rules.inertia.judgements import is_plain
+from kindsl.judgement.diagnosis.judgements import is_plain
 from kindsl.language.semantics.unknown import Unknown
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.language.text.decimals import rounded_decimal

@@ -3,7 +3,6 @@
 from typing import NamedTuple
 
 from kindsl.frontends.features.manipulation.gesture import Refusal
-from kindsl.judgement.rules.broken_text import has_problem_within
 from kindsl.language.semantics.declarations import Vector
 from kindsl.language.semantics.expressions import (
     ConstantUse,
@@ -13,6 +12,7 @@ from kindsl.language.semantics.expressions import (
 )
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.parameters import Constant, Parameter
+from kindsl.language.semantics.places import has_problem_within
 from kindsl.language.syntax.arithmetic import number_of
 from kindsl.language.syntax.tree import Node
 from kindsl.language.syntax.value_forms import is_signed_product

@@ -23,13 +23,13 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
-from kindsl.judgement.rules.broken_text import has_problem_within
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import two_links
 from kindsl.judgement.rules.reference_defects import reference_defects
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.places import has_problem_within
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:

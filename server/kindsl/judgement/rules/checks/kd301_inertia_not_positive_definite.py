@@ -29,17 +29,18 @@ where the language wants them about the origin of the link frame (KD306).
 
 from collections.abc import Iterator
 
+from kindsl.judgement.diagnosis.judgements import Verdict, judgements
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import inertia, link
-from kindsl.judgement.rules.inertia.judgements import Verdict, impossible, judgements
+from kindsl.judgement.rules.inertia.impossible import impossible
 from kindsl.language.semantics.declarations import Declarations
 from kindsl.language.text.quantities import with_unit
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
     """Yield a finding for each inertia that no choice within its digits makes positive definite."""
-    for found in judgements(declared, context):
+    for found in judgements(declared, context.values):
         if found.verdict is Verdict.INDEFINITE:
             smallest = with_unit(found.moments[0], "kg·m²")
             message = f"inertia of '{found.link.name}' is not positive definite: "

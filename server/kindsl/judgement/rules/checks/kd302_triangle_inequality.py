@@ -31,17 +31,18 @@ never an error.
 
 from collections.abc import Iterator
 
+from kindsl.judgement.diagnosis.judgements import Verdict, judgements
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import inertia, link
-from kindsl.judgement.rules.inertia.judgements import Verdict, impossible, judgements
+from kindsl.judgement.rules.inertia.impossible import impossible
 from kindsl.language.semantics.declarations import Declarations
 from kindsl.language.text.quantities import sum_below
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
     """Yield a finding for each inertia that is flatter than a plate."""
-    for found in judgements(declared, context):
+    for found in judgements(declared, context.values):
         if found.verdict in (Verdict.TRIANGLE, Verdict.WITHIN_ROUNDING):
             small, middle, large = found.moments
             message = f"inertia of '{found.link.name}' violates the triangle inequality: principal "

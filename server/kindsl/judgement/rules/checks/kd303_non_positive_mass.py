@@ -19,15 +19,15 @@ Writes the mass without its sign where the body is possible then. Unsafe: it is 
 
 from collections.abc import Iterator, Mapping
 
+from kindsl.judgement.diagnosis.digits import likely_half_widths, numbers_written
+from kindsl.judgement.diagnosis.judgements import Verdict, is_moving, verdict_of
 from kindsl.judgement.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
-from kindsl.judgement.rules.broken_text import has_problem_within
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import STEEL_BALL, link
-from kindsl.judgement.rules.inertia.digits import likely_half_widths, numbers_written
-from kindsl.judgement.rules.inertia.judgements import Verdict, is_moving, verdict_of
 from kindsl.language.semantics.declarations import Declarations, Inertia
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.numbers import mass_distribution
+from kindsl.language.semantics.places import has_problem_within
 from kindsl.language.text.quantities import with_unit
 from kindsl.mechanics.rigid.body import eigensystem, second_moments_about_com
 

@@ -20,10 +20,10 @@ link upper {
 
 from collections.abc import Iterator
 
+from kindsl.judgement.diagnosis.judgements import is_moving
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import ROBCOGEN, Context
 from kindsl.judgement.rules.examples import link, robot
-from kindsl.judgement.rules.inertia.judgements import is_moving
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 

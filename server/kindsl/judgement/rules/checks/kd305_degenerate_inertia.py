@@ -21,10 +21,10 @@ is 1 kg in one point.
 
 from collections.abc import Iterator
 
+from kindsl.judgement.diagnosis.judgements import Judgement, Verdict, judgements, keyword
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import inertia, link
-from kindsl.judgement.rules.inertia.judgements import Judgement, Verdict, judgements, keyword
 from kindsl.language.semantics.declarations import Declarations
 
 _NEGLIGIBLE = 1e-9
@@ -32,7 +32,7 @@ _NEGLIGIBLE = 1e-9
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
     """Yield a finding for each inertia that is singular but possible."""
-    for found in judgements(declared, context):
+    for found in judgements(declared, context.values):
         if found.verdict is Verdict.SINGULAR:
             message = f"inertia of '{found.link.name}' describes {_shape(found)}"
             yield Finding(keyword(found.inertia), message)

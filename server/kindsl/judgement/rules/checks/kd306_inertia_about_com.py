@@ -36,7 +36,7 @@ from collections.abc import Iterator
 from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import link
-from kindsl.judgement.rules.inertia.suspects import explained
+from kindsl.judgement.rules.inertia.told_causes import explained
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 

@@ -26,11 +26,11 @@ inertia_params {
 from collections.abc import Iterable, Iterator
 from itertools import starmap
 
+from kindsl.judgement.diagnosis.judgements import is_moving, keyword
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import link, robot
-from kindsl.judgement.rules.inertia.judgements import is_moving, keyword
-from kindsl.judgement.rules.inertia.suspects import explained
+from kindsl.judgement.rules.inertia.told_causes import explained
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Inertia, Link
 from kindsl.language.semantics.model import Model, model_part

@@ -23,17 +23,17 @@ is half a kilogram spread over 30 metres.
 
 from collections.abc import Iterator
 
+from kindsl.judgement.diagnosis.judgements import Verdict, judgements, keyword
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import inertia, link
-from kindsl.judgement.rules.inertia.judgements import Verdict, judgements, keyword
 from kindsl.language.semantics.declarations import Declarations
 from kindsl.robots.mechanism.body_verdicts import density_verdict
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
     """Yield a finding for each inertia of a body of no known material."""
-    for found in judgements(declared, context):
+    for found in judgements(declared, context.values):
         if found.verdict is Verdict.IMPLAUSIBLE:
             verdict = density_verdict(str(found.link.name), found.body)
             if verdict is not None:

@@ -27,13 +27,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
+from kindsl.judgement.diagnosis.judgements import keyword
+from kindsl.judgement.diagnosis.suspects import suspects_of
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import link, robot
-from kindsl.judgement.rules.inertia.judgements import keyword
 from kindsl.judgement.rules.inertia.mirror_images import mirror_difference
 from kindsl.judgement.rules.inertia.shapes import is_told_of
-from kindsl.judgement.rules.inertia.suspects import suspects_of
 from kindsl.judgement.rules.limb_places import OF_A_LINK
 from kindsl.judgement.rules.limb_verdicts import limb_slips
 from kindsl.language.semantics.aspects import Aspect
@@ -49,7 +49,7 @@ from kindsl.robots.limbs.weighing import differing, seen_by
 from kindsl.robots.mechanism.link_inertia import link_inertia
 
 if TYPE_CHECKING:
-    from kindsl.judgement.rules.inertia.slips import Hypothesis
+    from kindsl.judgement.diagnosis.slips import Hypothesis
 
 _NEARLY = Tolerance(5e-4, 0.05, 0.05)
 # How the two are no mirror images: the numbers that differ, or the slip of either.
@@ -72,7 +72,9 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
             b.name in told or is_told_of(b, model, context) for b in (left, right)
         ):
             continue
-        is_suspect = any(found.link in (left, right) for found in suspects_of(model, context))
+        is_suspect = any(
+            found.link in (left, right) for found in suspects_of(model, context.values)
+        )
         explained = None if is_suspect else _explained(model, slips, left, right)
         if explained is not None:
             yield explained
@@ -88,7 +90,7 @@ def _unlike(left: Link, right: Link, values: Mapping[str, float]) -> _Unlike:
     if not numbers and any(not differing(seen_by(here, C), there, _NEARLY) for C in REFLECTIONS):
         return "", ()
     # Imported for twins that are unlike only, since it delays the linter's start.
-    from kindsl.judgement.rules.inertia.surroundings import images
+    from kindsl.judgement.diagnosis.surroundings import images
     from kindsl.judgement.rules.inertia.unlike_twins import slips_of
 
     return numbers, (slips_of(here, images(there)), slips_of(there, images(here)))

@@ -28,10 +28,10 @@ where this lays the rod along the link. The fix is unsafe: it changes the robot.
 
 from collections.abc import Iterator
 
+from kindsl.judgement.diagnosis.judgements import keyword
 from kindsl.judgement.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import inertia, joint, link, placed_joint, robot
-from kindsl.judgement.rules.inertia.judgements import keyword
 from kindsl.judgement.rules.inertia.shapes import link_ends, shape_doubts
 from kindsl.language.semantics.declarations import Inertia, Joint, Link
 from kindsl.language.semantics.numbers import mass_distribution

@@ -18,9 +18,9 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.number_writing import significant_digits
 from kindsl.judgement.rules.xml_elements import elements, number, urdf_link
 from kindsl.language.semantics.model import Model
+from kindsl.language.text.decimals import significant_digits
 
 # Two digits agree by chance in one of a hundred bodies.
 _LEAST_DIGITS = 3

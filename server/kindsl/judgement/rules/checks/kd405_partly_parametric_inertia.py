@@ -22,14 +22,14 @@ inertia_params {
 
 from collections.abc import Iterable, Iterator
 
+from kindsl.judgement.diagnosis.judgements import is_moving, is_plain, keyword
 from kindsl.judgement.rules.base import Finding, Rule, Severity
-from kindsl.judgement.rules.broken_text import has_problem_within
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import inertia, link
-from kindsl.judgement.rules.inertia.judgements import is_moving, is_plain, keyword
 from kindsl.judgement.rules.units import is_unit
 from kindsl.language.semantics.declarations import Declarations, Inertia
 from kindsl.language.semantics.expressions import Expression, ParameterUse, symbols
+from kindsl.language.semantics.places import has_problem_within
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:

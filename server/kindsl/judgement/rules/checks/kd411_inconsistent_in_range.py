@@ -25,10 +25,10 @@ with `mass = payload` and constant moments.
 
 from collections.abc import Iterator
 
+from kindsl.judgement.diagnosis.judgements import is_moving, is_plain, keyword
 from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import inertia, link
-from kindsl.judgement.rules.inertia.judgements import is_moving, is_plain, keyword
 from kindsl.language.semantics.declarations import Declarations, Inertia, Link
 from kindsl.language.semantics.expressions import ParameterUse, symbols
 from kindsl.language.semantics.numbers import mass_distribution
@@ -47,7 +47,7 @@ def _findings(body: Link, inertia: Inertia, context: Context) -> Iterator[Findin
     if not ranges or mass_distribution(inertia, context.values) is None:
         return
     # Imported for ranges only, since it delays the linter's start.
-    from kindsl.judgement.rules.inertia.over_ranges import Conclusion, is_possible, over_ranges
+    from kindsl.judgement.diagnosis.over_ranges import Conclusion, is_possible, over_ranges
 
     if not is_possible(inertia, context.values):
         return

@@ -18,11 +18,11 @@ Divides the vector by 1000. Unsafe: millimetres are a guess.
 
 from collections.abc import Iterator
 
+from kindsl.judgement.diagnosis.judgements import judgements
 from kindsl.judgement.rules.base import Example, Finding, Fix, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import joint
 from kindsl.judgement.rules.geometry import lengths
-from kindsl.judgement.rules.inertia.judgements import judgements
 from kindsl.judgement.rules.number_writing import rescaled
 from kindsl.language.semantics.declarations import Declarations, Vector
 from kindsl.robots.mechanism.body_verdicts import GREATEST_LENGTH
@@ -32,7 +32,7 @@ _GREATEST_OF_IMPOSSIBLE = 5.0
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
     """Yield a finding for each vector that is longer than a robot."""
-    impossible = [j.inertia.com for j in judgements(declared, context) if j.is_impossible]
+    impossible = [j.inertia.com for j in judgements(declared, context.values) if j.is_impossible]
     for vector in lengths(declared):
         is_of_impossible = any(vector is com for com in impossible)
         greatest = _GREATEST_OF_IMPOSSIBLE if is_of_impossible else GREATEST_LENGTH

@@ -24,9 +24,10 @@ from kindsl.judgement.rules.base import Example, Finding, Fix, Replacement, Rule
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import joint, pitched_joint
 from kindsl.judgement.rules.geometry import rotations
-from kindsl.judgement.rules.number_writing import as_fraction_of_pi, significant_digits
+from kindsl.judgement.rules.number_writing import as_fraction_of_pi
 from kindsl.language.semantics.declarations import Declarations
 from kindsl.language.semantics.expressions import half_unit
+from kindsl.language.text.decimals import significant_digits
 
 _FEWEST_DIGITS = 3
 _SAFE_DIGITS = 5

@@ -19,7 +19,6 @@ from collections.abc import Iterator
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import ROBCOGEN2, Context
 from kindsl.judgement.rules.examples import STEEL_BALL, link
-from kindsl.judgement.rules.number_writing import significant_digits
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.lowering import declarations
@@ -27,6 +26,7 @@ from kindsl.language.semantics.model import Model
 from kindsl.language.syntax.document import Chunk
 from kindsl.language.syntax.tree import Island
 from kindsl.language.syntax.vocabulary import NUMBERS
+from kindsl.language.text.decimals import significant_digits
 from kindsl.language.text.facts import kept
 from kindsl.language.text.phrases import counted
 

@@ -31,12 +31,12 @@ fix is unsafe: it changes the robot. There is none where the twins' inertias are
 
 from collections.abc import Iterator
 
+from kindsl.judgement.diagnosis.judgements import TEN, is_impossible, is_round
 from kindsl.judgement.rules.base import Example, Finding, Fix, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import four_legs
-from kindsl.judgement.rules.inertia.judgements import TEN, is_impossible, is_round
 from kindsl.judgement.rules.inertia.shapes import is_told_of
-from kindsl.judgement.rules.inertia.suspects import told_causes
+from kindsl.judgement.rules.inertia.told_causes import told_causes
 from kindsl.judgement.rules.limb_places import OF_A_LINK, PARTS, located, numbers_at, place_at, told
 from kindsl.judgement.rules.limb_verdicts import limb_slips
 from kindsl.judgement.rules.limb_writing import as_numbers, rewriting, written
@@ -164,7 +164,7 @@ def _is_told_better(model: Model, context: Context, verdict: LimbVerdict) -> boo
     """Return whether a cause is looked for that makes a body possible, as its twins are."""
     body = model.body_named[verdict.places[0].link]
     return is_told_of(body, model, context) and not (
-        is_impossible(body, context) and _are_impossible(model, context, verdict.twins)
+        is_impossible(body, context.values) and _are_impossible(model, context, verdict.twins)
     )
 
 
@@ -178,7 +178,7 @@ def _is_cause_told(model: Model, context: Context, verdict: LimbVerdict, message
 
 
 def _are_impossible(model: Model, context: Context, twins: tuple[str, ...]) -> bool:
-    return any(is_impossible(model.body_named[name], context) for name in twins)
+    return any(is_impossible(model.body_named[name], context.values) for name in twins)
 
 
 RULE = Rule(

@@ -18,10 +18,10 @@ Writes the keyword that the document uses more often, at all places. Safe: they 
 
 from collections.abc import Iterator
 
+from kindsl.judgement.diagnosis.judgements import keyword
 from kindsl.judgement.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import STEEL_BALL, link, robot
-from kindsl.judgement.rules.inertia.judgements import keyword
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Place

@@ -1,4 +1,4 @@
-"""Knows which inertia a body can have, and what may have gone wrong.
+"""Knows how what was diagnosed in an inertia is told.
 
-Must not know how a rule is reported.
+Must not know how a cause is weighed.
 """

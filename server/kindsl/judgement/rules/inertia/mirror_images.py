@@ -2,7 +2,7 @@
 
 from math import isclose
 
-from kindsl.judgement.rules.inertia.judgements import TEN
+from kindsl.judgement.diagnosis.judgements import TEN
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.robots.limbs.mounts import REFLECTIONS
 from kindsl.robots.limbs.weighing import seen_by

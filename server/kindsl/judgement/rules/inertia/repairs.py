@@ -2,17 +2,15 @@
 
 from collections.abc import Iterator, Sequence
 
-from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Severity
-from kindsl.judgement.rules.context import ROBCOGEN, ROBCOGEN2, Context
-from kindsl.judgement.rules.inertia.causes import Cause
-from kindsl.judgement.rules.inertia.digits import (
+from kindsl.judgement.diagnosis.causes import Cause
+from kindsl.judgement.diagnosis.digits import (
     WrittenDigits,
     likely_half_widths,
     numbers_written,
     rewritten_number,
 )
-from kindsl.judgement.rules.inertia.explanations import Explained, explanations
-from kindsl.judgement.rules.inertia.judgements import (
+from kindsl.judgement.diagnosis.explanations import Explained, explanations
+from kindsl.judgement.diagnosis.judgements import (
     IMPOSSIBLE,
     Judgement,
     at_values,
@@ -21,8 +19,10 @@ from kindsl.judgement.rules.inertia.judgements import (
     keyword,
     verdict_of,
 )
-from kindsl.judgement.rules.inertia.likelihood import density
-from kindsl.judgement.rules.inertia.slips import Slip
+from kindsl.judgement.diagnosis.likelihood import density
+from kindsl.judgement.diagnosis.slips import Slip
+from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Severity
+from kindsl.judgement.rules.context import ROBCOGEN, ROBCOGEN2, Context
 from kindsl.judgement.rules.inertia.told import likely_cause, rivals, shared_cause, title
 from kindsl.judgement.rules.number_writing import rescaled, rewritten
 from kindsl.judgement.rules.tiny_values import is_negligible, is_tiny
@@ -47,7 +47,7 @@ _TELLINGS = Fact[tuple[object, _Told | None]]("told causes")
 
 def findings(suspects: Sequence[Judgement], model: Model, context: Context) -> list[_Told]:
     """Return what is told of inertias that need an explanation, with the code of its rule."""
-    explained = explanations(suspects, model, context)
+    explained = explanations(suspects, model, context.values)
     told = [each for e in explained if (each := _told(e, context)) is not None]
     shared = _shared(explained, told, model)
     return told if shared is None else [shared]

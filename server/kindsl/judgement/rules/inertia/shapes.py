@@ -6,8 +6,8 @@ written besides.
 
 from collections.abc import Iterator
 
+from kindsl.judgement.diagnosis.judgements import Verdict, is_impossible, is_moving, judgements
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.inertia.judgements import Verdict, is_impossible, is_moving, judgements
 from kindsl.language.semantics.declarations import Joint, Link, Pose
 from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.model import Model
@@ -35,7 +35,7 @@ def shape_doubts(
 def is_told_of(body: Link, model: Model, context: Context) -> bool:
     """Return whether a body is reported as impossible, or behind its joint."""
     joints = model.tree.joints_on(body)
-    return is_impossible(body, context) or any(shape_doubts(body, joints, context, "KD511"))
+    return is_impossible(body, context.values) or any(shape_doubts(body, joints, context, "KD511"))
 
 
 def shape_verdicts(
@@ -71,5 +71,5 @@ def _places(poses: list[Pose], context: Context) -> tuple[Vector3, ...]:
 
 
 def _is_of_no_material(body: Link, context: Context) -> bool:
-    judged = judgements(declarations(body.island), context)
+    judged = judgements(declarations(body.island), context.values)
     return any(j.link is body and j.verdict is Verdict.IMPLAUSIBLE for j in judged)

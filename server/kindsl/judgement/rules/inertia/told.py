@@ -2,9 +2,9 @@
 
 from collections.abc import Sequence
 
-from kindsl.judgement.rules.inertia.causes import Cause
-from kindsl.judgement.rules.inertia.likelihood import density, vanishing_products
-from kindsl.judgement.rules.inertia.slips import Hypothesis, Slip
+from kindsl.judgement.diagnosis.causes import Cause
+from kindsl.judgement.diagnosis.likelihood import density, vanishing_products
+from kindsl.judgement.diagnosis.slips import Hypothesis, Slip
 from kindsl.language.text.phrases import listed
 from kindsl.language.text.quantities import with_unit
 

@@ -2,8 +2,8 @@
 
 from collections.abc import Container, Iterable, Sequence
 
-from kindsl.judgement.rules.inertia.slips import Hypothesis, hypotheses
-from kindsl.judgement.rules.inertia.surroundings import may_be_image, same_moments
+from kindsl.judgement.diagnosis.slips import Hypothesis, hypotheses
+from kindsl.judgement.diagnosis.surroundings import may_be_image, same_moments
 from kindsl.judgement.rules.inertia.told import clause
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model

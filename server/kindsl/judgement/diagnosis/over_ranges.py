@@ -14,8 +14,8 @@ from enum import Enum
 from itertools import product
 from typing import NamedTuple
 
-from kindsl.judgement.rules.inertia.digits import likely_half_widths, numbers_written
-from kindsl.judgement.rules.inertia.judgements import IMPOSSIBLE, verdict_of
+from kindsl.judgement.diagnosis.digits import likely_half_widths, numbers_written
+from kindsl.judgement.diagnosis.judgements import IMPOSSIBLE, verdict_of
 from kindsl.language.semantics.declarations import Inertia
 from kindsl.language.semantics.numbers import mass_distribution
 from kindsl.language.semantics.ranges import Interval, bounds_of, degrees_of, product_degrees

@@ -16,11 +16,11 @@ from collections.abc import Mapping, Sequence
 from math import floor, inf, log10
 from typing import NamedTuple
 
-from kindsl.judgement.rules.number_writing import significant_digits
 from kindsl.language.semantics.declarations import Inertia
 from kindsl.language.semantics.expressions import Expression, half_unit
 from kindsl.language.semantics.ranges import Interval, bounds_of
 from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.language.text.decimals import significant_digits
 from kindsl.mechanics.rigid.body import MassDistribution
 
 _FEWEST_DIGITS = 2

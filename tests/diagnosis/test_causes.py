@@ -6,25 +6,25 @@ import pytest
 from tests.support.bodies import document_of_bodies, inertia_text, significant
 
 from kindsl.judgement.analysis.analysis import analyse
-from kindsl.judgement.rules.inertia import explanations
-from kindsl.judgement.rules.inertia.causes import (
+from kindsl.judgement.diagnosis import explanations
+from kindsl.judgement.diagnosis.causes import (
     Cause,
     candidates,
     likelihood_as_written,
     ranked,
     said_by,
 )
-from kindsl.judgement.rules.inertia.judgements import Judgement, Verdict
-from kindsl.judgement.rules.inertia.likelihood import MassShape, log_likelihood, shape_of
-from kindsl.judgement.rules.inertia.slips import Hypothesis, Slip, hypotheses
-from kindsl.judgement.rules.inertia.surroundings import (
+from kindsl.judgement.diagnosis.judgements import Judgement, Verdict
+from kindsl.judgement.diagnosis.likelihood import MassShape, log_likelihood, shape_of
+from kindsl.judgement.diagnosis.slips import Hypothesis, Slip, hypotheses
+from kindsl.judgement.diagnosis.surroundings import (
     LinkSurroundings,
     Twin,
     of_points,
     of_twins,
     surroundings,
 )
-from kindsl.judgement.rules.inertia.suspects import suspects_of
+from kindsl.judgement.diagnosis.suspects import suspects_of
 from kindsl.mechanics.rigid.body import (
     MassDistribution,
     eigensystem,
@@ -49,7 +49,7 @@ def judgement(body: MassDistribution, verdict: Verdict = Verdict.TRIANGLE) -> Ju
     """Return what was judged of a body with exact numbers."""
     text = "inertia_params { mass = 1.0 CoM = (0.0, 0.0, 0.0) Ix=0.10 Iy=0.10 Iz=0.30 Ixy=0.0"
     analysis = analyse(document_of_bodies([f"{text} Ixz=0.0 Iyz=0.0 }}"]))
-    (found,) = suspects_of(analysis.model, analysis.context)
+    (found,) = suspects_of(analysis.model, analysis.context.values)
     pairs = eigensystem(second_moments_about_com(body))
     return found._replace(body=body, half=EXACT, second_moments=pairs, verdict=verdict)
 
@@ -363,9 +363,9 @@ def test_each_link_is_told_what_the_others_say(monkeypatch: pytest.MonkeyPatch) 
         heard.clear()
         analysis = analyse(document_of_bodies(sections[:count]))
         model, context = analysis.model, analysis.context
-        suspects = suspects_of(model, context)
-        explanations.explanations(suspects, model, context)
-        said = [said_by(candidates(f, surroundings(model, context, f))) for f in suspects]
+        suspects = suspects_of(model, context.values)
+        explanations.explanations(suspects, model, context.values)
+        said = [said_by(candidates(f, surroundings(model, context.values, f))) for f in suspects]
         assert len(heard) == count
         for own, others in enumerate(heard):
             for kind in {kind for each in said for kind in each}:

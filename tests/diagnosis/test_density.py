@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from tests.support.bodies import document_of_bodies
 
 from kindsl.judgement.analysis.analysis import analyse
-from kindsl.judgement.rules.inertia.judgements import is_placeholder
+from kindsl.judgement.diagnosis.judgements import is_placeholder
 from kindsl.mechanics.rigid.body import (
     MassDistribution,
     eigensystem,

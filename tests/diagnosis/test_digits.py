@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from tests.support.bodies import document_of_bodies
 
 from kindsl.judgement.analysis.analysis import analyse
-from kindsl.judgement.rules.inertia.digits import (
+from kindsl.judgement.diagnosis.digits import (
     WrittenDigits,
     all_written_as,
     bounds_by_digits,

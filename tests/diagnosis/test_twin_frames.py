@@ -10,7 +10,7 @@ from tests.support.legged import COPIED, REFLECTED, SIDES, Legs, Walker
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.settings import Settings
-from kindsl.judgement.rules.inertia.surroundings import is_same_body
+from kindsl.judgement.diagnosis.surroundings import is_same_body
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import mass_distribution
 from kindsl.language.text.edits import apply_edits

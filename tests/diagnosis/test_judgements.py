@@ -5,18 +5,18 @@ from tests.support.bodies import document_of_bodies
 
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.judgement.analysis.settings import Settings
-from kindsl.judgement.rules.inertia.judgements import (
+from kindsl.judgement.diagnosis.judgements import (
     Judgement,
     Verdict,
     at_values,
     can_be_of_matter,
-    impossible,
     is_impossible,
     is_plain,
     judgements,
     verdict_of,
 )
-from kindsl.judgement.rules.inertia.suspects import suspects_of
+from kindsl.judgement.diagnosis.suspects import suspects_of
+from kindsl.judgement.rules.inertia.impossible import impossible
 from kindsl.language.semantics.declarations import Inertia
 from kindsl.language.semantics.parameters import Binding
 from kindsl.mechanics.rigid.body import (
@@ -45,7 +45,7 @@ def judged(text: str, **values: float) -> Judgement | None:
     """Return what was judged of the one body of a document; None where nothing is to be said."""
     analysis = analysis_of(text, **values)
     declared = next(d for d in analysis.model.declared if d.links)
-    found = judgements(declared, analysis.context)
+    found = judgements(declared, analysis.context.values)
     assert len(found) <= 1
     return found[0] if found else None
 
@@ -187,24 +187,24 @@ def test_what_parameters_say_is_judged_anew_for_other_values() -> None:
     light, heavy = (analysis_of(text, a=value) for value in (0.02, 0.05))
     assert judged(text, a=0.02) is None
     link = light.model.links[0]
-    assert not is_impossible(link, light.context)
-    assert is_impossible(link, heavy.context)
-    assert not is_impossible(link, light.context)
+    assert not is_impossible(link, light.context.values)
+    assert is_impossible(link, heavy.context.values)
+    assert not is_impossible(link, light.context.values)
 
 
 def test_what_numbers_say_is_judged_once() -> None:
     plain = analysis_of(section("0.020 0.020 0.050"))
     declared = next(d for d in plain.model.declared if d.links)
     other = analysis_of(section("0.020 0.020 0.050"), a=1.0)
-    assert judgements(declared, plain.context) is judgements(declared, other.context)
+    assert judgements(declared, plain.context.values) is judgements(declared, other.context.values)
 
 
 def test_what_parameters_say_is_judged_once_for_their_values() -> None:
     analysis = analysis_of(section("0.020 0.020 a"), a=0.05)
     declared = next(d for d in analysis.model.declared if d.links)
-    known = judgements(declared, analysis.context)
-    assert judgements(declared, analysis.context) is known
-    assert judgements(declared, analysis_of("", a=0.05).context) is not known
+    known = judgements(declared, analysis.context.values)
+    assert judgements(declared, analysis.context.values) is known
+    assert judgements(declared, analysis_of("", a=0.05).context.values) is not known
 
 
 @pytest.mark.parametrize(
@@ -221,9 +221,9 @@ def test_what_is_impossible_or_of_no_material_needs_an_explanation(
     moments: str, is_suspect: bool
 ) -> None:
     analysis = analysis_of(section(moments))
-    assert bool(suspects_of(analysis.model, analysis.context)) == is_suspect
+    assert bool(suspects_of(analysis.model, analysis.context.values)) == is_suspect
     expected = is_suspect and moments != "200.0 200.0 200.0"
-    assert is_impossible(analysis.model.links[0], analysis.context) == expected
+    assert is_impossible(analysis.model.links[0], analysis.context.values) == expected
 
 
 @pytest.mark.parametrize(("least", "verdict"), [(3.5, Verdict.POSSIBLE), (2.5, Verdict.SINGULAR)])

@@ -8,9 +8,9 @@ from tests.support.one_rule import row
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.settings import Settings
-from kindsl.judgement.rules.inertia.likelihood import MassShape
-from kindsl.judgement.rules.inertia.slips import Hypothesis, Slip
-from kindsl.judgement.rules.inertia.surroundings import (
+from kindsl.judgement.diagnosis.likelihood import MassShape
+from kindsl.judgement.diagnosis.slips import Hypothesis, Slip
+from kindsl.judgement.diagnosis.surroundings import (
     Evidence,
     LinkSurroundings,
     is_mirror_image,
@@ -18,7 +18,7 @@ from kindsl.judgement.rules.inertia.surroundings import (
     of_points,
     surroundings,
 )
-from kindsl.judgement.rules.inertia.suspects import suspects_of
+from kindsl.judgement.diagnosis.suspects import suspects_of
 from kindsl.language.semantics.parameters import Binding
 from kindsl.mechanics.rigid.body import MassDistribution, Symmetric, eigensystem
 from kindsl.mechanics.rigid.pose import Vector3
@@ -145,8 +145,8 @@ def around(text: str, **values: float) -> LinkSurroundings:
     """Return what is known of the first link that needs an explanation."""
     bindings = {name: Binding(value) for name, value in values.items()}
     analysis = analyse(text, Settings(bindings=bindings))
-    found = suspects_of(analysis.model, analysis.context)[0]
-    return surroundings(analysis.model, analysis.context, found)
+    found = suspects_of(analysis.model, analysis.context.values)[0]
+    return surroundings(analysis.model, analysis.context.values, found)
 
 
 POSE = "{ translation = (%s) rotation = (0.0, 0.0, 0.0) }"
@@ -276,8 +276,8 @@ def test_the_part_of_the_same_number_is_the_twin_in_a_chain() -> None:
     numbers = [SECTION % (f"{2.0 + 0.1 * n:.1f}", "0.10") for n in range(1, 8)]
     sections = [*numbers[:-1], numbers[-1].replace("Iz=0.10", "Iz=0.30"), *numbers]
     analysis = analyse(row(*sections, names=names))
-    (found,) = suspects_of(analysis.model, analysis.context)
-    around = surroundings(analysis.model, analysis.context, found)
+    (found,) = suspects_of(analysis.model, analysis.context.values)
+    around = surroundings(analysis.model, analysis.context.values, found)
     assert [twin.name for twin in around.twins] == ["right_arm_7"]
 
 

@@ -5,20 +5,19 @@ ranked again only where that has, or what all bodies together say. Copies of a b
 are full of, are tried together.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.inertia.causes import (
+from kindsl.judgement.diagnosis.causes import (
     Cause,
     candidates,
     likelihood_as_written,
     ranked,
     said_by,
 )
-from kindsl.judgement.rules.inertia.judgements import Judgement
-from kindsl.judgement.rules.inertia.slips import Kind
-from kindsl.judgement.rules.inertia.surroundings import LinkSurroundings, surroundings
+from kindsl.judgement.diagnosis.judgements import Judgement
+from kindsl.judgement.diagnosis.slips import Kind
+from kindsl.judgement.diagnosis.surroundings import LinkSurroundings, surroundings
 from kindsl.language.semantics.model import Model
 from kindsl.language.text.facts import Fact
 
@@ -47,10 +46,12 @@ class _Tried(NamedTuple):
     as_written: float
 
 
-def explanations(suspects: Sequence[Judgement], model: Model, context: Context) -> list[Explained]:
+def explanations(
+    suspects: Sequence[Judgement], model: Model, values: Mapping[str, float]
+) -> list[Explained]:
     """Return what may have happened to each inertia that needs an explanation."""
     alike: dict[object, _Tried] = {}
-    tried = [_tried(found, surroundings(model, context, found), alike) for found in suspects]
+    tried = [_tried(found, surroundings(model, values, found), alike) for found in suspects]
     by_all: dict[Kind, float] = {}
     for each in tried:
         for kind, said in each.said.items():

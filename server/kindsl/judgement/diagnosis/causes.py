@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from math import exp, inf, isclose, log
 from typing import NamedTuple
 
-from kindsl.judgement.rules.inertia.judgements import (
+from kindsl.judgement.diagnosis.judgements import (
     IMPOSSIBLE,
     Judgement,
     Verdict,
@@ -22,15 +22,15 @@ from kindsl.judgement.rules.inertia.judgements import (
     is_round,
     verdict_of,
 )
-from kindsl.judgement.rules.inertia.likelihood import (
+from kindsl.judgement.diagnosis.likelihood import (
     MassShape,
     errors_of,
     log_likelihood,
     log_likelihood_of_mass,
     shape_of,
 )
-from kindsl.judgement.rules.inertia.slips import TABLE, Hypothesis, Kind, Slip, hypotheses
-from kindsl.judgement.rules.inertia.surroundings import (
+from kindsl.judgement.diagnosis.slips import TABLE, Hypothesis, Kind, Slip, hypotheses
+from kindsl.judgement.diagnosis.surroundings import (
     LinkSurroundings,
     is_mirror_image,
     of_points,

@@ -22,7 +22,7 @@ from tests.support.bodies import (
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.settings import Settings
-from kindsl.judgement.rules.inertia.judgements import Verdict, verdict_of
+from kindsl.judgement.diagnosis.judgements import Verdict, verdict_of
 from kindsl.language.semantics.parameters import Binding
 from kindsl.mechanics.rigid.body import (
     MassDistribution,

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kindsl.judgement.rules.inertia.likelihood import (
+from kindsl.judgement.diagnosis.likelihood import (
     MassShape,
     density,
     log_likelihood,

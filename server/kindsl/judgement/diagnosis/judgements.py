@@ -12,10 +12,7 @@ from enum import Enum
 from operator import mul
 from typing import NamedTuple
 
-from kindsl.judgement.rules.base import Finding, Severity
-from kindsl.judgement.rules.broken_text import has_problem_within
-from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.inertia.digits import (
+from kindsl.judgement.diagnosis.digits import (
     Bounds,
     all_written_as,
     bounds_by_digits,
@@ -26,7 +23,7 @@ from kindsl.language.semantics.declarations import Declarations, Inertia, Link
 from kindsl.language.semantics.expressions import ParameterUse, symbols
 from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.numbers import mass_distribution
-from kindsl.language.semantics.places import Place
+from kindsl.language.semantics.places import Place, has_problem_within
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.language.text.facts import Fact
 from kindsl.mechanics.rigid.body import (
@@ -49,7 +46,7 @@ from kindsl.robots.mechanism.body_verdicts import (
     is_plainly_dense_as_matter,
 )
 
-_JUDGEMENTS: "Fact[tuple[Context | None, list[Judgement]]]" = Fact("judgements")
+_JUDGEMENTS: "Fact[tuple[Mapping[str, float] | None, list[Judgement]]]" = Fact("judgements")
 # The numbers of an inertia in words, as `MassDistribution` has them.
 TEN = ("mass", "x of the CoM", "y of the CoM", "z of the CoM", *MOMENTS)
 _SINGULAR = 1e-9
@@ -101,7 +98,7 @@ class Judgement(NamedTuple):
         return self.verdict in IMPOSSIBLE
 
 
-def judgements(declared: Declarations, context: Context) -> Sequence[Judgement]:
+def judgements(declared: Declarations, values: Mapping[str, float]) -> Sequence[Judgement]:
     """Return the moving links of an island whose inertia is not plainly possible.
 
     Computed once for each island, or for each context where parameters are in it.
@@ -110,17 +107,17 @@ def judgements(declared: Declarations, context: Context) -> Sequence[Judgement]:
         return ()
     facts = (declared.links or declared.bases)[0].island.facts
     known = facts.get(_JUDGEMENTS)
-    if known is not None and (known[0] is None or known[0] is context):
+    if known is not None and (known[0] is None or known[0] is values):
         return known[1]
     moving = [body for body in declared.bodies() if is_moving(body) and body.inertia is not None]
-    judged = [j for j in (_judge(link, context.values) for link in moving) if j is not None]
+    judged = [j for j in (_judge(link, values) for link in moving) if j is not None]
     is_literal = all(is_plain(link.inertia) for link in moving if link.inertia is not None)
-    return facts.keep(_JUDGEMENTS, (None if is_literal else context, judged))[1]
+    return facts.keep(_JUDGEMENTS, (None if is_literal else values, judged))[1]
 
 
-def is_impossible(link: Link, context: Context) -> bool:
+def is_impossible(link: Link, values: Mapping[str, float]) -> bool:
     """Return whether the inertia of a link is reported as that of no body."""
-    found = judgements(declarations(link.island), context)
+    found = judgements(declarations(link.island), values)
     return any(judgement.link is link and judgement.is_impossible for judgement in found)
 
 
@@ -162,13 +159,6 @@ def at_values(inertia: Inertia, values: Mapping[str, float]) -> str:
     used = _used(inertia, values).items()
     told = [f"{name} = {value:g}" for name, value in used if not name.startswith("<")]
     return f" at {', '.join(told)}" if told else ""
-
-
-def impossible(found: Judgement, message: str, values: Mapping[str, float]) -> Finding:
-    """Return the finding of an inertia that no body has; an error where its digits prove it."""
-    severity = Severity.ERROR if found.is_proved else Severity.WARNING
-    told = message + at_values(found.inertia, values)
-    return Finding(keyword(found.inertia), told, severity=severity)
 
 
 def keyword(inertia: Inertia) -> Place:

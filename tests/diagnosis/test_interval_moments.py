@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kindsl.judgement.rules.inertia.over_ranges import _second_moments
+from kindsl.judgement.diagnosis.over_ranges import _second_moments
 from kindsl.language.semantics.ranges import Interval
 from kindsl.mechanics.rigid.body import MassDistribution, second_moments_about_com
 

@@ -1,20 +1,19 @@
 """Evidence from the rest of the robot on a link's inertia: its children's joints, its twins."""
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import islice
 from math import hypot, isclose, isfinite, log, log10
 from typing import NamedTuple
 
-from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.inertia.judgements import Judgement, is_impossible, is_moving
-from kindsl.judgement.rules.inertia.likelihood import MassShape
-from kindsl.judgement.rules.inertia.slips import Hypothesis, Slip
-from kindsl.judgement.rules.number_writing import significant_digits
+from kindsl.judgement.diagnosis.judgements import Judgement, is_impossible, is_moving
+from kindsl.judgement.diagnosis.likelihood import MassShape
+from kindsl.judgement.diagnosis.slips import Hypothesis, Slip
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import mass_distribution, written_pose
+from kindsl.language.text.decimals import significant_digits
 from kindsl.language.text.facts import Fact, kept
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import Rotation, Vector3, transposed
@@ -88,24 +87,24 @@ class Evidence(NamedTuple):
     reasons: tuple[str, ...] = ()
 
 
-def surroundings(model: Model, context: Context, found: Judgement) -> LinkSurroundings:
+def surroundings(model: Model, values: Mapping[str, float], found: Judgement) -> LinkSurroundings:
     """Return what is known of a link besides its inertia; looked at again where that changes."""
     link, namesakes = found.link, _namesakes(model, found.link)
     made_of = (
         found,
-        context.values,
+        values,
         model.edition.facts(Aspect.STRUCTURE | Aspect.PLACES),
         model.tree.joints_on(link),
         namesakes,
         [_bodies_with(model, telling) for telling in _telling_numbers(link)],
         _middle_mass(model),
     )
-    look = partial(_surroundings, model, context, found, namesakes)
+    look = partial(_surroundings, model, values, found, namesakes)
     return link.facts.made_of(_SURROUNDINGS, made_of, look)
 
 
 def _surroundings(
-    model: Model, context: Context, found: Judgement, namesakes: Iterable[Link]
+    model: Model, values: Mapping[str, float], found: Judgement, namesakes: Iterable[Link]
 ) -> LinkSurroundings:
     link = found.link
     points: list[Vector3] = []
@@ -113,17 +112,17 @@ def _surroundings(
         poses = [frame.pose for frame in link.frames]
         edges = model.tree.successor_edges(link)
         poses += [edge.joint.pose for edge in edges if edge.joint is not None]
-        placed = (written_pose(pose, context.values) for pose in poses)
+        placed = (written_pose(pose, values) for pose in poses)
         points = [place.translation for place in placed if place is not None]
-    alike = list(_with_inertia(namesakes, context))
-    possible = [each for each in alike if not is_impossible(each[0], context)]
-    twins = _twins(model, context, found, possible)
+    alike = list(_with_inertia(namesakes, values))
+    possible = [each for each in alike if not is_impossible(each[0], values)]
+    twins = _twins(model, values, found, possible)
     return LinkSurroundings(
         tuple(point for point in points if hypot(*point) > _NEAR),
         twins,
         len(possible) / len(alike) if twins else 0.0,
         _middle_mass(model),
-        tuple(copies(model, context, link)),
+        tuple(copies(model, values, link)),
     )
 
 
@@ -217,7 +216,7 @@ def _middle_mass(model: Model) -> float:
     return max(middle, 0.0)
 
 
-def copies(model: Model, context: Context, link: Link) -> Iterator[tuple[str, str]]:
+def copies(model: Model, values: Mapping[str, float], link: Link) -> Iterator[tuple[str, str]]:
     """Yield the possible links of other parts that have the moments, or the CoM, of a link.
 
     What a twin of the link has besides, but for signs, is their own.
@@ -228,7 +227,7 @@ def copies(model: Model, context: Context, link: Link) -> Iterator[tuple[str, st
         if not any(telling.is_as(each, abs) for each in owned):
             for other in _bodies_with(model, telling):
                 is_other = label_of(str(other.name)).part != part
-                if is_other and not is_impossible(other, context):
+                if is_other and not is_impossible(other, values):
                     yield str(other.name), telling.what
 
 
@@ -290,34 +289,34 @@ def _telling_numbers(body: Link) -> list[_Telling]:
     return found
 
 
-def _with_inertia(links: Iterable[Link], context: Context) -> Iterator[_Inertia]:
+def _with_inertia(links: Iterable[Link], values: Mapping[str, float]) -> Iterator[_Inertia]:
     """Yield the links that have a mass, with their inertias."""
     for other in links:
         if other.inertia is not None:
-            body = mass_distribution(other.inertia, context.values)
+            body = mass_distribution(other.inertia, values)
             if body is not None and body.mass > 0.0:
                 yield other, body
 
 
 def _twins(
-    model: Model, context: Context, found: Judgement, possible: Sequence[_Inertia]
+    model: Model, values: Mapping[str, float], found: Judgement, possible: Sequence[_Inertia]
 ) -> tuple[Twin, ...]:
     """Return those that may be images, and what all possible links let expect of this one."""
     twins = [each for each in possible if may_be_image(found.body, each[1])]
-    expected = _expected(model, context, found.link, possible) if twins else None
+    expected = _expected(model, values, found.link, possible) if twins else None
     mirror = other_side(str(found.link.name)) if len(twins) > 1 else None
     nearest_first = sorted(twins, key=lambda twin: twin[0].name != mirror)
     return tuple(Twin(str(other.name), body, expected) for other, body in nearest_first)
 
 
 def _expected(
-    model: Model, context: Context, link: Link, twins: Sequence[_Inertia]
+    model: Model, values: Mapping[str, float], link: Link, twins: Sequence[_Inertia]
 ) -> MassDistribution | None:
     """Return the inertia that all twins let expect, None where they do not agree."""
     masses = [body.mass for _, body in twins]
     agreed: list[MassDistribution] | None = None
     for other, body in twins if all(_is_near(mass, masses[0]) for mass in masses) else ():
-        seen = [seen_by(body, transposed(C)) for C in _frames(model, context, link, other)]
+        seen = [seen_by(body, transposed(C)) for C in _frames(model, values, link, other)]
         if agreed is None:
             agreed = seen
         agreed = [each for each in agreed if any(is_same_body(each, own) for own in seen)]
@@ -326,16 +325,16 @@ def _expected(
     return agreed[0] if agreed else None
 
 
-def _frames(model: Model, context: Context, link: Link, other: Link) -> list[Rotation]:
+def _frames(model: Model, values: Mapping[str, float], link: Link, other: Link) -> list[Rotation]:
     """Return `twin_frames`, none where an inertia is given in a frame that is not the link's."""
     inertias = [body.inertia for body in (link, other) if body.inertia is not None]
     if any(inertia.frame is not None for inertia in inertias):
         return []
     places = model.edition.facts(Aspect.STRUCTURE | Aspect.PLACES)
-    known = places.made_of(_FRAMES, (context.targets, context.values), dict)
+    known = places.made_of(_FRAMES, values, dict)
     names = str(link.name), str(other.name)
     if names not in known:
-        known[names] = twin_frames(model.tree, link, other, context.values)
+        known[names] = twin_frames(model.tree, link, other, values)
     return known[names]
 
 

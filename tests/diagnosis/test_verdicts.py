@@ -5,7 +5,7 @@ from itertools import combinations
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kindsl.judgement.rules.inertia.judgements import Verdict, verdict_of
+from kindsl.judgement.diagnosis.judgements import Verdict, verdict_of
 from kindsl.mechanics.rigid.body import (
     MassDistribution,
     eigensystem,

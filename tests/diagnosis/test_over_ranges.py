@@ -8,7 +8,7 @@ from tests.support.bodies import document_of_bodies
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.settings import Settings
-from kindsl.judgement.rules.inertia.over_ranges import (
+from kindsl.judgement.diagnosis.over_ranges import (
     Conclusion,
     _is_proved,
     is_possible,

@@ -1,0 +1,43 @@
+"""Inertias that need an explanation: impossible or implausible ones."""
+
+from collections.abc import Mapping
+from math import inf
+
+from kindsl.judgement.diagnosis.judgements import Judgement, Verdict, is_round, judgements
+from kindsl.language.semantics.model import Model, ModelPart
+from kindsl.language.text.facts import Fact
+from kindsl.robots.mechanism.body_verdicts import density_of
+
+# Density is told from the thickness, which is not known here: a hundredfold is none.
+_LEAST_THIN, _GREATEST_THIN = 0.1, 1e6
+_SUSPECTS = Fact[list[Judgement]]("suspects")
+
+
+def suspects_of(model: Model, values: Mapping[str, float]) -> list[Judgement]:
+    """Return what was judged of each inertia that needs an explanation."""
+    found: list[Judgement] = []
+    for chunk, part in zip(model.document.chunks, model.parts, strict=True):
+        known = chunk.facts.get(_SUSPECTS)
+        if known is None or part.parameters or part.constants:
+            known = chunk.facts.keep(_SUSPECTS, _suspects(part, values))
+        found += known
+    return found
+
+
+def _suspects(part: ModelPart, values: Mapping[str, float]) -> list[Judgement]:
+    return [
+        found
+        for declared in part.declared
+        for found in judgements(declared, values)
+        if found.is_impossible
+        or found.verdict is Verdict.IMPLAUSIBLE
+        or is_round(found.body.moments)
+        or _is_of_no_size(found)
+    ]
+
+
+def _is_of_no_size(found: Judgement) -> bool:
+    """Return whether a body that is thin within its digits is beyond all material besides."""
+    density = density_of(found.body.mass, found.second_moments)
+    is_thin = found.verdict in (Verdict.WITHIN_ROUNDING, Verdict.SINGULAR)
+    return is_thin and density < inf and not _LEAST_THIN < density < _GREATEST_THIN
