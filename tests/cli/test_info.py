@@ -122,11 +122,3 @@ def test_health_tells_a_verdict_and_why(kindsl: Runner, folder: Path) -> None:
     assert bad["subjects"]["inertia"]["error"] == 1
     text = kindsl("info", "bad.kindsl").out
     assert "health" in text and "[KD303]" in text
-
-
-@pytest.mark.parametrize("command", ["info", "card"])
-def test_a_urdf_is_no_document(kindsl: Runner, folder: Path, command: str) -> None:
-    (folder / "a.urdf").write_text('<robot name="arm"><link name="base"/></robot>')
-    told = kindsl(command, "a.urdf")
-    assert (told.status, told.out) == (1, "")
-    assert told.err == "a.urdf: error: a URDF: 'kindsl convert' makes a document of it\n"

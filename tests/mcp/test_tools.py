@@ -107,6 +107,22 @@ async def test_numbers(folder: Path) -> None:
     assert "2 joints: shoulder, elbow" in await refused(folder, "compute", text=GOOD, q=[1.0])
 
 
+async def test_a_urdf_is_judged_where_it_stands_and_computed(folder: Path) -> None:
+    urdf = """<robot name="arm"><link name="base"/><link name="upper"><inertial>
+<mass value="2"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.06"/>
+</inertial></link><joint name="j" type="continuous"><parent link="base"/><child link="upper"/>
+</joint></robot>"""
+    (folder / "arm.urdf").write_text(urdf)
+    for robot in ({"path": "arm.urdf"}, {"text": urdf}):
+        found = json.loads(await said(folder, "check", **robot))["findings"]
+        assert [(f["code"], f["start"]["line"]) for f in found] == [("KD302", 1)]
+        numbers = json.loads(await said(folder, "compute", **robot))
+        assert numbers["configurations"][0]["joint_space_inertia"] == [[pytest.approx(0.01)]]
+    (folder / "arm.urdf").write_text(urdf.replace('value="2"', 'value="2,"'))
+    sentence = await refused(folder, "compute", path="arm.urdf")
+    assert sentence.startswith("line 2: <mass> has '2,' in 'value'")
+
+
 async def test_a_difference_binds_parameters_and_notes_what_a_file_leaves_open(
     folder: Path,
 ) -> None:

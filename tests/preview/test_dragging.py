@@ -8,11 +8,16 @@ from tests.preview.robots import ARM, PARAMETRIC_ARM
 from kindsl.frontends.preview.channel import Tab
 from kindsl.frontends.preview.document_preview import DocumentPreview
 from kindsl.frontends.preview.dragging import Dragging
-from kindsl.frontends.preview.requests import BadRequestError, parse_request, request_of
+from kindsl.frontends.preview.requests import BadRequestError, Reveal, parse_request, request_of
+from kindsl.frontends.preview.reveal import place_of as place_of_click
 from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.analysis.translated_robot import analysed_robot
 from kindsl.language.text.edits import apply_edits
 from kindsl.robots.scene.encoding import plain
 
+URDF = """<robot name="arm"><link name="base"/><link name="upper"/>
+<joint name="lift" type="prismatic"><parent link="base"/><child link="upper"/></joint></robot>"""
 PENDULUM = """Robot pendulum {
 RobotBase base { children { rod via hinge } }
 link rod { id = 1
@@ -155,6 +160,17 @@ async def test_an_edit_of_an_older_text_is_refused(page):
     await page.ask(**drag("drop", revision=page.preview.revision - 1))
     assert page.last("dragged")["reason"] == "the document has changed in the meantime"
     assert not page.writings
+
+
+async def test_a_urdf_is_shown_with_its_lines_and_not_edited(page):
+    page.preview.show(analysed_robot("arm.urdf", URDF, Settings()), ())
+    await page.ask(type="grasp", kind="joint", name="lift")
+    assert not page.state("handles") and not page.state("editing")
+    await page.ask(**drag("drop"))
+    assert page.last("dragged")["reason"].startswith("only a .kindsl document is edited here")
+    assert not page.writings
+    span = place_of_click(Reveal("joint", "lift"), page.preview.analysis, ())
+    assert URDF[span.start : span.end] == "lift"
 
 
 async def test_what_cannot_be_written_stays_as_it_was():

@@ -1,4 +1,4 @@
-"""Shows what a document describes: tree, degrees of freedom, masses, parameters.
+"""Shows what a robot's file of any format describes: tree, degrees of freedom, masses, parameters.
 
 examples:
   kindsl info arm.kindsl
@@ -16,7 +16,7 @@ from kindsl.frontends.cli.documents.document_reading import (
     require_parameters,
     shown_name,
 )
-from kindsl.frontends.cli.options import add_parameter_arguments
+from kindsl.frontends.cli.options import add_floating_argument, add_parameter_arguments
 from kindsl.products.reports.robot_facts import robot_facts
 
 SUMMARY = "show the tree, masses and parameters of a document"
@@ -24,8 +24,11 @@ SUMMARY = "show the tree, masses and parameters of a document"
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
-    parser.add_argument("file", metavar="FILE", help="the document, or '-' for stdin")
+    parser.add_argument(
+        "file", metavar="FILE", help="a document, URDF, SDF or MJCF, or '-' for stdin"
+    )
     parser.add_argument("--output-format", choices=("text", "json"), default="text")
+    add_floating_argument(parser)
     add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
 
 

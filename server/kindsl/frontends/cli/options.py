@@ -74,6 +74,15 @@ def add_parameter_arguments(group: Any) -> None:
     source.add_argument("--isolated", action="store_true", help="use no configuration file")
 
 
+def add_floating_argument(parser: argparse.ArgumentParser) -> None:
+    """Declare the option for the base of formats that say nothing of it."""
+    parser.add_argument(
+        "--floating-base",
+        action="store_true",
+        help="let the root link of a URDF or SDF float, whatever the file says",
+    )
+
+
 def _add_decisions(group: Any) -> None:
     group.add_argument(
         "--select", metavar="CODES", action="extend", type=_codes,

@@ -4,6 +4,7 @@ examples:
   kindsl preview arm.kindsl
   kindsl preview arm.kindsl --edit --compare arm.urdf
   kindsl preview arm.kindsl --export arm.html
+  kindsl preview --floating-base dog.urdf
 """
 
 import argparse
@@ -22,7 +23,7 @@ from kindsl.frontends.cli.documents.document_reading import (
     report_error,
 )
 from kindsl.frontends.cli.documents.sources import STDIN, read_source
-from kindsl.frontends.cli.options import add_parameter_arguments
+from kindsl.frontends.cli.options import add_floating_argument, add_parameter_arguments
 from kindsl.frontends.cli.outcome import Failure
 from kindsl.judgement.config.configuration import ConfigurationError
 from kindsl.language.text.writing import encoded, write_file
@@ -43,7 +44,7 @@ PROBLEM = 2
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     add = parser.add_argument
-    add("file", metavar="FILE", help="the document to show")
+    add("file", metavar="FILE", help="the document, URDF, SDF or MJCF to show")
     add("--port", metavar="N", type=_port, default=0, help="listen here (default: a free port)")
     add("--no-open", action="store_true", help="do not open a browser")
     add("--compare", metavar="OTHER", help="compare with a document, URDF, MJCF, SDF or folder")
@@ -58,6 +59,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="write what is dragged in the page to FILE, and poses that are kept to kindsl.toml",
     )
+    add_floating_argument(parser)
     add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
 
 
@@ -187,6 +189,9 @@ def _serve(args: argparse.Namespace, other: "OtherRobot | None") -> None:
 
     configuration = choices_of(args).configuration_for(args.file)
     first = read_document(args.file, choices_of(args))
+    if args.edit and first.syntax.is_xml:
+        message = "only a .kindsl document is edited in the page: 'kindsl convert' makes one"
+        raise CommandError([Failure(args.file, message)])
     others = [str(path) for path in (args.compare, args.meshes) if path]
     others += [
         *([configuration.path] if configuration else []),

@@ -5,9 +5,12 @@ from typing import TypeVar
 
 from kindsl.frontends.mcp.folder import Folder, ToolError
 from kindsl.frontends.mcp.tool import Arguments, Field
-from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.analysis.translated_robot import UnreadableRobotError, analysed_robot
 from kindsl.judgement.rules.base import Severity
 from kindsl.language.text.lines import LineIndex
+from kindsl.robots.interchange.syntaxes import syntax_of
 from kindsl.robots.mechanism.errors import ModelError, UnboundParameterError
 
 _T = TypeVar("_T")
@@ -18,7 +21,9 @@ UNNAMED = "document.kindsl"
 class DocumentArguments(Arguments):
     """A document, either `path` or `text`."""
 
-    path: str | None = Field(None, description="A .kindsl file, from the server's folder")
+    path: str | None = Field(
+        None, description="A .kindsl, .urdf or .sdf file, from the server's folder"
+    )
     text: str | None = Field(None, description="The whole document, instead of a path")
 
 
@@ -29,11 +34,36 @@ class BoundArguments(DocumentArguments):
 
 
 def document(arguments: DocumentArguments, folder: Folder) -> tuple[str, Analysis]:
-    """Return what to call the document, and its analysis.
+    """Return what to call the robot, and its analysis to compute with.
 
     Raises:
         ToolError: There is not exactly one, or it cannot be read.
     """
+    name, text, settings = _given(arguments, folder)
+    try:
+        return name, analysed_robot(_told_by(arguments), text, settings)
+    except UnreadableRobotError as error:
+        first = next(iter(error.defects), None)
+        line = "" if first is None else f"line {LineIndex(text).position(first.start)[0] + 1}: "
+        raise ToolError(line + (str(error) if first is None else first.message)) from None
+
+
+def judged(arguments: DocumentArguments, folder: Folder) -> tuple[str, Analysis]:
+    """Return what to call the robot, and the analysis of its file as it stands.
+
+    Raises:
+        ToolError: There is not exactly one, or it cannot be read.
+    """
+    name, text, settings = _given(arguments, folder)
+    return name, Analysis(syntax_of(_told_by(arguments), text), settings)
+
+
+def _told_by(arguments: DocumentArguments) -> str:
+    """Return the name that tells the format, empty where the text alone does."""
+    return arguments.path or ""
+
+
+def _given(arguments: DocumentArguments, folder: Folder) -> tuple[str, str, Settings]:
     path, given = arguments.path, arguments.text
     if (path is None) == (given is None):
         raise ToolError("give either 'path' or 'text'" + (", not both" if path is not None else ""))
@@ -41,7 +71,7 @@ def document(arguments: DocumentArguments, folder: Folder) -> tuple[str, Analysi
     settings = folder.settings_for(name)
     values = arguments.parameters if isinstance(arguments, BoundArguments) else {}
     found = folder.read(name) if given is None else given
-    return name, analyse(found, settings.rebound(values) if values else settings)
+    return name, found, settings.rebound(values) if values else settings
 
 
 def built(analysis: Analysis, build: Callable[[], _T]) -> _T:

@@ -28,6 +28,7 @@ from kindsl.robots.scene.state import keyed
 
 PATIENCE = 2.0  # seconds, for what was written to be shown
 _OUTDATED = Refusal("the document has changed in the meantime")
+_FOREIGN = Refusal("only a .kindsl document is edited here: 'kindsl convert' makes one")
 
 # Returns why nothing was written, or an empty text.
 Write = Callable[[Writing], Awaitable[str]]
@@ -66,6 +67,8 @@ class Dragging:
         analysis = self._preview.analysis
         if analysis is None or request.revision != self._preview.revision:
             return _OUTDATED
+        if analysis.syntax.is_xml:
+            return _FOREIGN
         if isinstance(request, Drag):
             return drag_outcome(analysis, request, self._preview.typed)
         return plan_outcome(analysis, request, self._steps)
@@ -119,8 +122,9 @@ class Dragging:
     def _show_handles(self) -> None:
         channel, revision = self._preview.channel, self._preview.revision
         analysis, held = self._preview.analysis, self._held
-        channel.replace("editing", keyed([EditingMessage(revision)]))
-        if analysis is None or held is None:
+        is_foreign = analysis is not None and analysis.syntax.is_xml
+        channel.replace("editing", {} if is_foreign else keyed([EditingMessage(revision)]))
+        if analysis is None or held is None or is_foreign:
             channel.replace("handles", {})
             return
         message = HandlesMessage(

@@ -22,13 +22,14 @@ from kindsl.judgement.analysis.syntax_findings import is_explained, syntax_findi
 from kindsl.judgement.rules.base import Finding, Rule
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.registry import all_rules, checking_rules, rules_with
-from kindsl.judgement.rules.xml_elements import CONCERN_XML, begins_as_urdf
+from kindsl.judgement.rules.xml_elements import CONCERN_XML
 from kindsl.language.semantics.model import Model
-from kindsl.language.syntax.document import SyntaxDocument, parse, paused_collector
+from kindsl.language.syntax.document import SyntaxDocument, paused_collector
 from kindsl.language.syntax.readings import as_read_for
 from kindsl.language.text.display import html_of
 from kindsl.language.text.edits import TextEdit
 from kindsl.language.text.phrases import counted
+from kindsl.robots.interchange.syntaxes import syntax_of
 
 if TYPE_CHECKING:
     from kindsl.robots.mechanism.build import Mechanism
@@ -255,8 +256,4 @@ Analysis.__module__ = "kindsl"
 
 def analyse(text: str, settings: Settings = _NO_SETTINGS) -> Analysis:
     """Return the analysis of a text; never raises, whatever the text."""
-    if begins_as_urdf(text):
-        from kindsl.robots.interchange.urdf.document import urdf_document
-
-        return Analysis(urdf_document(text), settings)
-    return Analysis(parse(text), settings)
+    return Analysis(syntax_of("", text), settings)

@@ -1,6 +1,5 @@
 """The rules that concern robots in XML, and the elements that they look at."""
 
-import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -18,14 +17,7 @@ OF_PARTS = frozenset(("KD301", "KD302", "KD303", "KD311"))
 # Rules that look at nothing but XML.
 OF_XML = frozenset(("KD315", "KD521", "KD522", "KD523", "KD524", "KD525"))
 CONCERN_XML = OF_PARTS | OF_XML | {"KD501"}
-_DOCTYPE = r"!DOCTYPE[^\[>]*(?:\[[^\]]*\]\s*)?"
-_URDF = re.compile(rf"\ufeff?\s*(?:<(?:\?.*?\?|!--.*?--|{_DOCTYPE})>\s*)*<robot[\s/>]", re.DOTALL)
 _LIMITED = ("revolute", "prismatic")
-
-
-def begins_as_urdf(text: str) -> bool:
-    """Return whether the root element of a text is a `<robot>`."""
-    return _URDF.match(text) is not None
 
 
 def elements(model: Model, tag: str) -> "Iterator[tuple[XmlIsland, XmlElement]]":

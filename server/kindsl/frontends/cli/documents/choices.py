@@ -18,11 +18,13 @@ class Choices(NamedTuple):
         decisions: Those of the command line.
         configurations: Where configuration files come from, None for nowhere.
         editor: What an editor is set to.
+        floating: Whether the root of another format floats.
     """
 
     decisions: Decisions = Decisions()
     configurations: Configurations | None = None
     editor: Settings | None = None
+    floating: bool = False
 
     def afresh(self) -> "Choices":
         """Return these choices with configuration files to be read again."""
@@ -84,4 +86,5 @@ def choices_of(args: Any) -> Choices:
         None if ignore is None else tuple(ignore),
         bindings=bindings,
     )
-    return Choices(decisions, configurations, editor)
+    floating = getattr(args, "floating_base", False)
+    return Choices(decisions, configurations, editor, floating)

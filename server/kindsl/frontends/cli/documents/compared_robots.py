@@ -16,7 +16,6 @@ from kindsl.frontends.cli.documents.document_reading import (
     unbound,
 )
 from kindsl.frontends.cli.documents.sources import STDIN, reason
-from kindsl.frontends.cli.documents.versions import require_own
 from kindsl.frontends.cli.outcome import Failure
 from kindsl.judgement.config.robots import is_robot
 from kindsl.robots.comparison.side import ComparedSide
@@ -58,8 +57,6 @@ def read_robots(paths: Sequence[str], choices: "Choices") -> ComparedRobots:
         CommandError: One cannot be read or built.
     """
     documents = {path: read_document(path, choices) for path in paths if not is_foreign(path)}
-    for path, analysis in documents.items():
-        require_own(path, analysis.text)
     if documents:
         require_parameters(next(iter(documents)), *documents.values())
     from kindsl.robots.interchange.descriptions import read_foreign

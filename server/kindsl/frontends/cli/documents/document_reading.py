@@ -1,29 +1,35 @@
 """Reads the one document that a command is about."""
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kindsl.frontends.cli.console import write
 from kindsl.frontends.cli.documents.choices import Choices
 from kindsl.frontends.cli.documents.sources import STDIN, UNNAMED, read_source
 from kindsl.frontends.cli.outcome import Failure, as_failures
-from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.analysis.translated_robot import UnreadableRobotError, analysed_robot
 from kindsl.judgement.config.errors import ConfigurationError
+from kindsl.judgement.config.robots import is_robot
 from kindsl.judgement.rules.base import Severity
-from kindsl.judgement.rules.xml_elements import begins_as_urdf
 from kindsl.language.semantics.places import Located
 from kindsl.language.syntax.readings import two_readings
 from kindsl.language.text.lines import LineIndex
 from kindsl.language.text.nearest import hint, nearest_name
 from kindsl.language.text.printable import printable
+from kindsl.robots.interchange.format import ReadingChoices
+from kindsl.robots.interchange.syntaxes import other_format
 
 if TYPE_CHECKING:
     from kindsl.robots.mechanism.errors import UnboundParameterError
     from kindsl.robots.mechanism.linkage import Linkage
 
 _SYNTAX = "KD0"
+_SPACE = "\ufeff \t\r\n"
 
 
 class CommandError(Exception):
@@ -72,32 +78,64 @@ def read_whole(path: str) -> str:
 
 
 def read_document(path: str, choices: Choices) -> Analysis:
-    """Return the analysis of a file, or of stdin for `-`.
+    """Return the analysis of a robot's file of any format, or of stdin for `-`.
 
     Raises:
-        CommandError: The file or the configuration cannot be read, or it is a URDF.
+        CommandError: The file or the configuration cannot be read, or no robot is in it.
     """
-    text = read_whole(path)
-    if begins_as_urdf(text):
-        message = "a URDF: 'kindsl convert' makes a document of it"
-        raise CommandError([Failure(shown_name(path), message)], status=1)
+    return analysed_text(path, read_whole(path), choices, None if path == STDIN else Path(path))
+
+
+def analysed_text(path: str, text: str, choices: Choices, file: Path | None = None) -> Analysis:
+    """Return the analysis of a robot's text, whatever its format.
+
+    Args:
+        path: What it is called, `-` for stdin.
+        text: The text.
+        choices: Decisions of the command line.
+        file: Where it is read from with the files that it names; None for the text alone.
+
+    Raises:
+        CommandError: The configuration cannot be read, or no robot is in the text.
+    """
+    name = shown_name(path)
+    if is_robot(name) and text.lstrip(_SPACE).startswith("<"):
+        message = "is XML, not a Kinematics-DSL document: name it after its format"
+        raise CommandError([Failure(name, message)])
+    if choices.floating and other_format(name, text) is None:
+        raise CommandError([Failure(name, "a document says itself whether its base floats")])
+    reading = ReadingChoices(floating=choices.floating)
     try:
-        return analyse(text, choices.settings_for(shown_name(path)))
+        return analysed_robot(name, text, choices.settings_for(name), file, reading)
     except ConfigurationError as error:
         raise CommandError(as_failures(error)) from None
+    except UnreadableRobotError as error:
+        failures = _failures(name, text, error.defects)
+        raise CommandError(failures or [Failure(name, str(error))], status=1) from None
+    except ModuleNotFoundError as error:
+        format = other_format(name, text)
+        raise missing_module(name, error, format.extra if format else "") from None
 
 
 def require_syntax(path: str, analysis: Analysis) -> None:
     """Raise CommandError if a document has errors of syntax, for what needs all of it."""
-    lines = LineIndex(analysis.text)
+    broken = [
+        finding
+        for finding in analysis.findings
+        if finding.code.startswith(_SYNTAX) and finding.severity is Severity.ERROR
+    ]
+    if broken:
+        raise CommandError(_failures(shown_name(path), analysis.text, broken), status=1)
+
+
+def _failures(name: str, text: str, findings: Iterable[Diagnostic]) -> list[Failure]:
+    lines = LineIndex(text)
     failures = []
-    for finding in analysis.findings:
-        if finding.code.startswith(_SYNTAX) and finding.severity is Severity.ERROR:
-            line, column = lines.position(finding.start)
-            message = f"[{finding.code}] {finding.message}"
-            failures.append(Failure(shown_name(path), message, line + 1, column + 1))
-    if failures:
-        raise CommandError(failures, status=1)
+    for finding in findings:
+        line, column = lines.position(finding.start)
+        message = f"[{finding.code}] {finding.message}"
+        failures.append(Failure(name, message, line + 1, column + 1))
+    return failures
 
 
 def require_parameters(path: str, *documents: Analysis) -> None:

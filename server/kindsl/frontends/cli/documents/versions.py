@@ -6,12 +6,11 @@ from typing import TYPE_CHECKING
 
 from kindsl.frontends.cli.documents.document_reading import (
     CommandError,
+    analysed_text,
     read_whole,
     require_parameters,
-    shown_name,
 )
-from kindsl.frontends.cli.outcome import Failure, as_failures
-from kindsl.judgement.config.errors import ConfigurationError
+from kindsl.frontends.cli.outcome import Failure
 
 if TYPE_CHECKING:
     from kindsl.frontends.cli.documents.choices import Choices
@@ -19,14 +18,12 @@ if TYPE_CHECKING:
 
 Versions = tuple["Analysis | None", "Analysis | None"]
 
-_SPACE = "\ufeff \t\r\n"
-
 
 def read_versions(paths: Sequence[str], choices: "Choices") -> Versions:
     """Return two versions; /dev/null is a missing one, as in git.
 
     Raises:
-        CommandError: A file or the configuration cannot be read, or a file is another format's.
+        CommandError: A file or the configuration cannot be read, or no robot is in one.
     """
     old, new = (_text(path) for path in paths)
     if old is None and new is None:
@@ -42,25 +39,18 @@ def analysed_versions(
     """Return two versions of one document from its texts; None is a missing one.
 
     Raises:
-        CommandError: The configuration cannot be read, or the document is another format's.
+        CommandError: The configuration cannot be read, or no robot is in a text.
     """
-    for text in texts:
-        require_own(path, text or "")
     return _analysed(path, texts, (path, path), choices)
 
 
 def _analysed(
     named: str, texts: Sequence[str | None], paths: Sequence[str], choices: "Choices"
 ) -> Versions:
-    from kindsl.judgement.analysis.analysis import analyse
-
-    try:
-        old, new = (
-            None if text is None else analyse(text, choices.settings_for(shown_name(path)))
-            for text, path in zip(texts, paths, strict=True)
-        )
-    except ConfigurationError as error:
-        raise CommandError(as_failures(error)) from None
+    old, new = (
+        None if text is None else analysed_text(path, text, choices)
+        for text, path in zip(texts, paths, strict=True)
+    )
     require_parameters(named, *(version for version in (old, new) if version is not None))
     return old, new
 
@@ -68,18 +58,4 @@ def _analysed(
 def _text(path: str) -> str | None:
     if path == os.devnull:
         return None
-    text = read_whole(path)
-    require_own(path, text)
-    return text
-
-
-def require_own(path: str, text: str) -> None:
-    """Raise CommandError for a document in another format, which might be read in part."""
-    from kindsl.robots.interchange.registry import format_of_suffix
-
-    foreign = format_of_suffix(os.path.splitext(path)[1])
-    if foreign is None and not text.lstrip(_SPACE).startswith("<"):
-        return
-    what = "XML" if foreign is None else foreign.title
-    message = f"is {what}, not a Kinematics-DSL document: convert it first with kindsl convert"
-    raise CommandError([Failure(shown_name(path), message)])
+    return read_whole(path)

@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from kindsl.frontends.cli.documents.document_reading import CommandError
 from kindsl.frontends.cli.documents.sources import is_decodable
 from kindsl.frontends.cli.documents.writing import write_output
-from kindsl.frontends.cli.linter.one_document import URDF_SUFFIX, syntax_of
 from kindsl.frontends.cli.outcome import LintedFile, RunOutcome
 from kindsl.judgement.analysis.known_findings import blocks_of, identities, lines_of
 from kindsl.judgement.config.baseline import baseline_path, baseline_text, path_in, read_baseline
@@ -14,6 +13,7 @@ from kindsl.judgement.config.configuration import Configuration
 from kindsl.judgement.config.file_names import TRANSFORMS_SUFFIX
 from kindsl.judgement.config.robots import SUFFIX
 from kindsl.language.text.phrases import counted
+from kindsl.robots.interchange.syntaxes import JUDGED_SUFFIXES, syntax_of
 
 
 def stale_remarks(
@@ -28,7 +28,7 @@ def stale_remarks(
         gone = (
             sum(known.values())
             for document, known in read_baseline(configuration).items()
-            if document.endswith((SUFFIX, TRANSFORMS_SUFFIX, URDF_SUFFIX))
+            if document.endswith((SUFFIX, TRANSFORMS_SUFFIX, *JUDGED_SUFFIXES))
             and not os.path.exists(os.path.join(folder, document))
         )
         number = sum(file.n_stale for file in own) + sum(gone)

@@ -13,15 +13,12 @@ from kindsl.judgement.analysis.known_findings import Apart, lines_of, set_apart
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.judgement.analysis.text_fix import prove
 from kindsl.judgement.config.file_names import TRANSFORMS_SUFFIX
-from kindsl.judgement.config.robots import SUFFIX
 from kindsl.judgement.rules.base import Severity
-from kindsl.judgement.rules.xml_elements import begins_as_urdf
 from kindsl.language.semantics.model import Model
-from kindsl.language.syntax.document import SyntaxDocument, parse
+from kindsl.robots.interchange.syntaxes import syntax_of
 
 _CODE = "KD004"
 _NAME = "invalid-character"
-URDF_SUFFIX = ".urdf"
 
 
 class FixMode(Enum):
@@ -86,16 +83,6 @@ def _checked(task: Task, text: str) -> Checked:
         if failure is not None:
             return Checked(_file(task, analysis), failure)
     return _outcome(task, better, text, n_fixed)
-
-
-def syntax_of(name: str, text: str) -> SyntaxDocument:
-    """Return the syntax of a robot's file: of XML for a URDF, unless its name is a document's."""
-    is_urdf = begins_as_urdf(text) and not name.endswith(SUFFIX)
-    if not is_urdf and not name.endswith(URDF_SUFFIX):
-        return parse(text)
-    from kindsl.robots.interchange.urdf.document import urdf_document
-
-    return urdf_document(text)
 
 
 def _transforms(task: Task, text: str) -> LintedFile:

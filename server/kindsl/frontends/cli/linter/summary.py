@@ -45,9 +45,9 @@ def _counts(outcome: RunOutcome) -> str:
 
 
 def _verdicts(file: LintedFile) -> Iterator[str]:
-    from kindsl.frontends.cli.linter.one_document import syntax_of
     from kindsl.judgement.analysis.analysis import Analysis
     from kindsl.judgement.analysis.verdicts import verdicts
+    from kindsl.robots.interchange.syntaxes import syntax_of
 
     syntax = syntax_of(file.path, file.text)
     return iter(()) if syntax.is_xml else map(str, verdicts(Analysis(syntax)))

@@ -1,4 +1,4 @@
-"""Judge a robot in the Kinematics-DSL (.kindsl): impossible inertia, loops, names, wrong units.
+"""Judge a .kindsl robot or a URDF: impossible inertia, loops, names, wrong units.
 
 Answers a JSON object: `summary`, and `findings`, the most severe first, each with code, message
 (the likely cause with the number), place (line and column from 1), related places and the fix
@@ -7,7 +7,7 @@ that there is. Call it after each change of a document; `explain` has the page o
 
 import json
 
-from kindsl.frontends.mcp.documents import DocumentArguments, document
+from kindsl.frontends.mcp.documents import DocumentArguments, judged
 from kindsl.frontends.mcp.folder import Folder
 from kindsl.frontends.mcp.tool import Content, text
 from kindsl.judgement.analysis.fixing import announced
@@ -22,7 +22,7 @@ _ORDER = list(Severity)
 
 def run(arguments: DocumentArguments, folder: Folder) -> list[Content]:
     """Return the findings."""
-    path, analysis = document(arguments, folder)
+    path, analysis = judged(arguments, folder)
     lines = LineIndex(analysis.text)
     findings = sorted(announced(analysis), key=lambda finding: _ORDER.index(finding.severity))
     numbers = [(kind, sum(f.severity is kind for f in findings)) for kind in _ORDER]

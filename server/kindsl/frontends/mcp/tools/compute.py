@@ -1,4 +1,4 @@
-"""Compute the mechanics of a .kindsl robot in one configuration.
+"""Compute the mechanics of a .kindsl, .urdf or .sdf robot in one configuration.
 
 Answers a JSON object: poses of links and frames (4x4, to the base's coordinates), mass, centre of
 mass, joint-space inertia, torques of gravity, bias and inverse dynamics, Jacobians of frames; with

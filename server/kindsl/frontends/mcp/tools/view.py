@@ -1,4 +1,4 @@
-"""Show a .kindsl robot as a picture: bodies, joints with their axes, frames, centres of mass.
+"""Show a .kindsl, .urdf or .sdf robot as a picture: bodies, joints, axes, frames, centres of mass.
 
 Look at it after each change of a document: a wrong frame or axis is seen at once. A broken document
 is drawn as far as it can be read, with a sentence on what is missing.

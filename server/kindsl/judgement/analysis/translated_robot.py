@@ -1,0 +1,147 @@
+"""A robot in another format: judged where it stands, computed as the document that it becomes."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
+from pathlib import Path
+
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.judgement.analysis.check_run import Checkpoint, Fault, go_on
+from kindsl.judgement.analysis.diagnostics import Diagnostic, Findings, Resolver
+from kindsl.judgement.analysis.known_findings import Apart
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.places import Located
+from kindsl.language.syntax.document import SyntaxDocument, parse
+from kindsl.robots.interchange.format import AS_WRITTEN, Format, FormatError, ReadingChoices
+from kindsl.robots.interchange.kindsl_writing import written_kindsl
+from kindsl.robots.interchange.syntaxes import other_format, syntax_of, unjudged
+from kindsl.robots.interchange.xml_document import XmlDocument
+
+
+class UnreadableRobotError(FormatError):
+    """A file of another format describes no robot that can be shown; one sentence.
+
+    Attributes:
+        defects: The findings that say why, at their places; empty where only the sentence does.
+    """
+
+    def __init__(self, message: str, defects: Sequence[Diagnostic]) -> None:
+        super().__init__(message)
+        self.defects = defects
+
+
+class TranslatedRobot(Analysis):
+    """A robot of another format: text, findings and places are its file's, the model is ours."""
+
+    def __init__(self, judged: Analysis, document: Analysis) -> None:
+        super().__init__(judged.syntax, document.settings)
+        self._judged, self._document = judged, document
+
+    @cached_property
+    def model(self) -> Model:
+        """The robot, as a document would describe it."""
+        return self._document.model
+
+    @cached_property
+    def resolver(self) -> Resolver:
+        """The way from the model's links and joints to those of the file."""
+        return _NamedPlaces(self.syntax, self._judged.model)
+
+    @property
+    def apart(self) -> Apart:
+        """The findings in the file, those that the baseline knows, and what it knows in vain."""
+        return self._judged.apart
+
+    @property
+    def faults(self) -> tuple[Fault, ...]:
+        """Rules that failed by an internal error: their findings are missing."""
+        return self._judged.faults
+
+    def check(self, checkpoint: Checkpoint = go_on) -> Findings:
+        """Return the findings in the file."""
+        return self._judged.check(checkpoint)
+
+    def check_without_twins(self, checkpoint: Checkpoint = go_on) -> Findings:
+        """Return the findings in the file, which is compared with nothing."""
+        return self._judged.check(checkpoint)
+
+    def unsilenced(self) -> list[Diagnostic]:
+        """Return all findings, including those that comments or a baseline suppress."""
+        return self._judged.unsilenced()
+
+    def with_settings(self, settings: Settings) -> Analysis:
+        """Return the analysis of the same text under other decisions."""
+        document = self._document.with_settings(settings)
+        return TranslatedRobot(self._judged.with_settings(settings), document)
+
+
+class _NamedPlaces(Resolver):
+    """Finds links and joints of a model in the file that it was made from, by their names."""
+
+    def __init__(self, written: SyntaxDocument, model: Model) -> None:
+        super().__init__(written)
+        named = (*reversed(model.joints), *reversed(model.links))
+        self._named: Mapping[str, Located] = {str(thing.name): thing.name for thing in named}
+
+    def span(self, at: Located) -> tuple[int, int]:
+        name = getattr(at, "name", at)
+        found = self._named.get(name) if isinstance(name, str) else None
+        return (0, 0) if found is None else super().span(found)
+
+
+def analysed_robot(
+    name: str,
+    text: str,
+    settings: Settings,
+    path: Path | None = None,
+    choices: ReadingChoices = AS_WRITTEN,
+) -> Analysis:
+    """Return the analysis of a robot's file, whatever its format.
+
+    Args:
+        name: The file's, which tells the format.
+        text: Its text.
+        settings: Decisions for it.
+        path: Where it is read from with the files that it names; None for the text alone.
+        choices: How another format is read.
+
+    Raises:
+        UnreadableRobotError: It is of another format, and describes no robot in it.
+        ModuleNotFoundError: What its format needs is not installed.
+    """
+    format = other_format(name, text)
+    if format is None:
+        return Analysis(parse(text), settings)
+    syntax = syntax_of(name, text)
+    judged = Analysis(syntax if syntax.is_xml else unjudged(text), settings)
+    try:
+        document = _translated(format, name, text, path, choices, settings)
+    except FormatError as error:
+        raise UnreadableRobotError(str(error), tuple(_defects(judged))) from None
+    return TranslatedRobot(judged, document)
+
+
+def _translated(
+    format: Format,
+    name: str,
+    text: str,
+    path: Path | None,
+    choices: ReadingChoices,
+    settings: Settings,
+) -> Analysis:
+    if path is not None and format.read is not None:
+        read = format.read(path, choices)
+    elif format.parse is not None:
+        read = format.parse(text, Path(name).stem, choices)
+    else:
+        raise FormatError(f"{format.title} is read from a file, which may name others")
+    written = written_kindsl(read)
+    joints = {**written.joints, **settings.joints}
+    return Analysis(parse(written.text), settings._replace(joints=joints))
+
+
+def _defects(judged: Analysis) -> Iterator[Diagnostic]:
+    """Yield what keeps a file from being in its format."""
+    flaws = judged.syntax.flaws if isinstance(judged.syntax, XmlDocument) else ()
+    codes = {flaw.code for flaw in flaws}
+    yield from (finding for finding in judged.findings if finding.code in codes)

@@ -1,0 +1,68 @@
+"""The syntax of a robot's file: told by its name, else by the first words of its text."""
+
+import re
+from typing import TYPE_CHECKING
+
+from kindsl.language.syntax.document import SyntaxDocument, parse
+
+if TYPE_CHECKING:
+    from kindsl.robots.interchange.format import Format
+
+OWN_SUFFIX = ".kindsl"
+# Of the other formats that rules judge where they stand.
+JUDGED_SUFFIXES = (".urdf",)
+_DOCTYPE = r"!DOCTYPE[^\[>]*(?:\[[^\]]*\]\s*)?"
+_BEFORE_ROOT = rf"\ufeff?\s*(?:<(?:\?.*?\?|!--.*?--|{_DOCTYPE})>\s*)*"
+_ROOT = re.compile(rf"{_BEFORE_ROOT}<(robot|sdf|mujoco)[\s/>]", re.DOTALL)
+_FORMATS = {"robot": "urdf", "sdf": "sdf", "mujoco": "mjcf"}
+
+
+def begins_as_urdf(text: str) -> bool:
+    """Return whether the root element of a text is a `<robot>`."""
+    found = _ROOT.match(text)
+    return found is not None and found[1] == "robot"
+
+
+def other_format(name: str, text: str) -> "Format | None":
+    """Return the format of a robot's file, None for a document of the Kinematics-DSL.
+
+    A `.xml` file may hold any of them: its root element decides, as for a name without a suffix.
+
+    Args:
+        name: Of the file.
+        text: Its text.
+    """
+    suffix = name[name.rfind(".") :].lower() if "." in name else ""
+    if suffix == OWN_SUFFIX:
+        return None
+    root = _ROOT.match(text)
+    if root is None and not suffix:
+        return None
+    from kindsl.robots.interchange.registry import format_named, format_of_suffix
+
+    found = format_of_suffix(suffix)
+    is_told = found is not None and suffix != ".xml"
+    return found if is_told or root is None else format_named(_FORMATS[root[1]])
+
+
+def syntax_of(name: str, text: str) -> SyntaxDocument:
+    """Return the syntax of a robot's file that is judged where it stands; never raises.
+
+    Args:
+        name: Of the file.
+        text: Its text.
+    """
+    is_urdf = begins_as_urdf(text) and not name.endswith(OWN_SUFFIX)
+    if not is_urdf and not name.endswith(JUDGED_SUFFIXES):
+        return parse(text)
+    from kindsl.robots.interchange.urdf.document import urdf_document
+
+    return urdf_document(text)
+
+
+def unjudged(text: str) -> SyntaxDocument:
+    """Return a text of which no rule says anything."""
+    from kindsl.language.syntax.tree import Island
+    from kindsl.robots.interchange.xml_document import XmlDocument
+
+    return XmlDocument([Island(text, (), (), (), (), ())])

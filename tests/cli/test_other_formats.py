@@ -1,0 +1,117 @@
+"""Commands on a robot of another format: computed as if converted, told at its own lines."""
+
+import json
+from pathlib import Path
+
+import pytest
+from tests.cli.conftest import Runner
+
+URDF = """<?xml version="1.0"?>
+<robot name="arm">
+  <link name="base"/>
+  <link name="upper">
+    <inertial>
+      <origin xyz="0.1 0 0"/>
+      <mass value="2"/>
+      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.02"/>
+    </inertial>
+  </link>
+  <link name="tool"/>
+  <joint name="shoulder" type="revolute">
+    <parent link="base"/><child link="upper"/><axis xyz="0 1 0"/>
+    <limit lower="-1" upper="1" effort="9" velocity="9"/>
+  </joint>
+  <joint name="flange" type="fixed">
+    <origin xyz="0.3 0 0"/><parent link="upper"/><child link="tool"/>
+  </joint>
+</robot>
+"""
+SDF = """<sdf version="1.9"><model name="arm">
+  <link name="base"/>
+  <link name="upper"><inertial><mass>2</mass><inertia>
+    <ixx>0.01</ixx><iyy>0.02</iyy><izz>0.02</izz></inertia></inertial></link>
+  <joint name="fix" type="fixed"><parent>world</parent><child>base</child></joint>
+  <joint name="shoulder" type="revolute">
+    <parent>base</parent><child>upper</child><axis><xyz>0 1 0</xyz></axis>
+  </joint>
+</model></sdf>
+"""
+
+
+@pytest.mark.parametrize(("name", "text"), [("arm.urdf", URDF), ("arm.sdf", SDF)])
+def test_info_of_another_format(kindsl: Runner, folder: Path, name: str, text: str) -> None:
+    (folder / name).write_text(text)
+    told = kindsl("info", name, "--output-format", "json")
+    facts = json.loads(told.out)
+    assert (told.status, told.err) == (0, "")
+    assert (facts["robot"], facts["dof"], facts["mass"]) == ("arm", 1, 2.0)
+
+
+def test_compute_as_if_converted(kindsl: Runner, folder: Path) -> None:
+    (folder / "arm.urdf").write_text(URDF)
+    kindsl("convert", "arm.urdf", "arm.kindsl", "--no-config")
+    ours, theirs = (
+        json.loads(kindsl("compute", name, "--q", "0.3").out) for name in ("arm.kindsl", "arm.urdf")
+    )
+    assert ours == theirs
+    assert theirs["configurations"][0]["joint_space_inertia"] == [[pytest.approx(0.04)]]
+
+
+def test_a_root_that_floats_if_asked(kindsl: Runner, folder: Path) -> None:
+    (folder / "arm.urdf").write_text(URDF)
+    told = kindsl("info", "arm.urdf", "--floating-base", "--output-format", "json")
+    assert json.loads(told.out)["dof"] == 7
+
+
+def test_a_document_says_itself_whether_it_floats(kindsl: Runner, folder: Path) -> None:
+    (folder / "arm.urdf").write_text(URDF)
+    kindsl("convert", "arm.urdf", "arm.kindsl")
+    told = kindsl("info", "arm.kindsl", "--floating-base")
+    assert told.status == 2
+    assert told.err == "arm.kindsl: error: a document says itself whether its base floats\n"
+
+
+@pytest.mark.parametrize("command", ["info", "compute", "card"])
+def test_a_broken_file_is_told_with_all_lines(kindsl: Runner, folder: Path, command: str) -> None:
+    broken = URDF.replace('mass value="2"', 'mass value="2,"').replace(
+        '"tool"/>\n  </j', '"tol"/>\n  </j'
+    )
+    (folder / "arm.urdf").write_text(broken)
+    told = kindsl(command, "arm.urdf")
+    assert told.status == 1
+    assert told.err == (
+        "arm.urdf:7:20: error: [KD005] <mass> has '2,' in 'value', which is not a finite number\n"
+        "arm.urdf:11:15: error: [KD203] no joint carries link 'tool': 'base' is the root\n"
+        "arm.urdf:16:3: error: [KD105] <joint name='flange'> names a link 'tol' that does not"
+        " exist; did you mean 'tool'?\n"
+    )
+
+
+def test_a_robot_beyond_the_language_is_told_in_a_sentence(kindsl: Runner, folder: Path) -> None:
+    (folder / "arm.urdf").write_text(URDF.replace('"revolute"', '"planar"'))
+    told = kindsl("info", "arm.urdf")
+    assert (told.status, told.err) == (
+        1,
+        "arm.urdf: error: the joint 'shoulder' is planar, which the language does not support\n",
+    )
+
+
+def test_findings_are_the_files_own(kindsl: Runner, folder: Path) -> None:
+    (folder / "arm.urdf").write_text(URDF.replace('iyy="0.02"', 'iyy="0.07"'))
+    told = kindsl("info", "arm.urdf")
+    assert told.err == "arm.urdf: note: has an error, see kindsl lint\n"
+    kindsl("card", "arm.urdf", "-o", "card.md")
+    assert "KD302" in (folder / "card.md").read_text()
+
+
+def test_a_page_of_a_urdf(kindsl: Runner, folder: Path) -> None:
+    (folder / "arm.urdf").write_text(URDF)
+    assert kindsl("preview", "arm.urdf", "--export", "arm.html").status == 0
+    assert len((folder / "arm.html").read_text()) > 100_000
+
+
+def test_no_page_writes_into_a_urdf(kindsl: Runner, folder: Path) -> None:
+    (folder / "arm.urdf").write_text(URDF)
+    told = kindsl("preview", "arm.urdf", "--edit", "--no-open")
+    assert told.status == 2
+    assert "only a .kindsl document is edited in the page" in told.err
