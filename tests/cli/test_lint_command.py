@@ -49,6 +49,7 @@ def test_json_is_exact(kdsl_lint: Runner, folder: Path) -> None:
         "name": "invalid-number",
         "severity": "error",
         "subject": {"kind": "joint", "name": "elbow"},
+        "probability": None,
         "start": {"line": 21, "column": 32, "offset": offset},
         "end": {"line": 21, "column": 33, "offset": offset + 1},
         "related": [],

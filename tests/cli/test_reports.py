@@ -16,7 +16,7 @@ from tests.support.amount import usually
 import kindsl
 from kindsl.frontends.cli.outcome import Failure, LintedFile, RunOutcome
 from kindsl.frontends.cli.output import FORMATS, renderer, sarif_format
-from kindsl.judgement.analysis.diagnostics import RelatedPlace
+from kindsl.judgement.analysis.diagnostics import Diagnostic, RelatedPlace
 from kindsl.judgement.rules.base import Severity
 from kindsl.judgement.rules.registry import all_rules
 
@@ -98,6 +98,21 @@ def test_sarif_tells_place_fix_and_related_places(kdsl_lint: Runner, folder: Pat
     replacement = integer["fixes"][0]["artifactChanges"][0]["replacements"][0]
     assert replacement["insertedContent"]["text"] == ".0"
     assert by_rule["KD101"]["relatedLocations"][0]["physicalLocation"]["region"]["startLine"] == 7
+
+
+def test_the_probability_of_a_cause_is_told() -> None:
+    weighed = [
+        Diagnostic("KD308", "inertia-scale", Severity.WARNING, "it", 0, 1, probability=p)
+        for p in (0.93, None)
+    ]
+    outcome = RunOutcome([LintedFile("arm.kindsl", GOOD, weighed)], [])
+    sarif = json.loads(renderer("sarif")(outcome))
+    SARIF.validate(sarif)
+    told, silent = sarif["runs"][0]["results"]
+    assert told["properties"] == {"probability": 0.93}
+    assert "properties" not in silent
+    objects = json.loads(renderer("json")(outcome))
+    assert [each["probability"] for each in objects] == [0.93, None]
 
 
 def test_gitlab_is_valid_and_its_fingerprints_survive_moving_lines(

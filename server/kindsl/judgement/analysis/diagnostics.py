@@ -26,6 +26,7 @@ class Diagnostic(NamedTuple):
 
     Attributes:
         subject: The thing that it is about.
+        probability: Of the cause that the message names, where one was weighed against others.
     """
 
     code: str
@@ -40,6 +41,7 @@ class Diagnostic(NamedTuple):
     choices: tuple[TextFix, ...] = ()
     explains: frozenset[str] = frozenset()
     subject: Subject = DOCUMENT
+    probability: float | None = None
 
     @property
     def url(self) -> str | None:
@@ -101,6 +103,7 @@ class Resolver:
             tuple(map(self._fix, finding.choices)),
             finding.explains,
             finding.subject or subject_at(finding.at),
+            finding.probability,
         )
 
     def _fix(self, fix: Fix) -> TextFix:

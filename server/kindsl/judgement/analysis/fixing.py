@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.analysis.fix_trials import offered
 from kindsl.judgement.analysis.proof import EditEffect, effect
 from kindsl.judgement.analysis.text_fix import TextFix, disjoint, edits_of, prove
 from kindsl.judgement.rules.base import Severity
@@ -43,7 +44,8 @@ def fixed(analysis: Analysis, is_wanted: Callable[[Diagnostic], bool]) -> Fixed:
     seen = {_written(analysis.text): state}
     while len(state.rounds) < _MOST_ROUNDS:
         prove(finding.fix for finding in state.analysis.findings if finding.fix is not None)
-        done = _round(state.analysis, list(filter(is_wanted, state.analysis.findings)))
+        wanted = offered(state.analysis, filter(is_wanted, state.analysis.findings))
+        done = _round(state.analysis, wanted)
         if done is None:
             break
         rounds = (*state.rounds, done.edits)
@@ -88,18 +90,19 @@ def made(analysis: Analysis, findings: Iterable[Diagnostic]) -> Made | None:
 
 def announced(analysis: Analysis) -> tuple[Diagnostic, ...]:
     """Return the findings; a fix that is never made, since it does harm, is but a choice."""
-    refused = _refused(analysis)
+    findings = offered(analysis, analysis.findings)
+    refused = _refused(analysis, findings)
     return tuple(
         finding._replace(fix=None, choices=(finding.fix,))
         if finding.fix is not None and finding.fix in refused
         else finding
-        for finding in analysis.findings
+        for finding in findings
     )
 
 
-def _refused(analysis: Analysis) -> set[TextFix]:
+def _refused(analysis: Analysis, findings: Iterable[Diagnostic]) -> set[TextFix]:
     """Return the fixes that are not applied even alone; after many tries the rest is accepted."""
-    refused, pending = set[TextFix](), list(_alike(analysis.findings))
+    refused, pending = set[TextFix](), list(_alike(findings))
     for _ in range(_MOST_TRIES):
         if not pending:
             break

@@ -72,6 +72,7 @@ class Finding(NamedTuple):
         tag: How to draw it.
         explains: Codes of findings at the same place that it makes needless, but for their fixes.
         subject: The thing that it is about, if not the one in whose text `at` lies.
+        probability: Of the cause that the message names, where one was weighed against others.
     """
 
     at: Located
@@ -83,6 +84,7 @@ class Finding(NamedTuple):
     choices: tuple[Fix, ...] = ()
     explains: frozenset[str] = frozenset()
     subject: Subject | None = None
+    probability: float | None = None
 
 
 class Example(NamedTuple):

@@ -23,6 +23,7 @@ def finding_object(path: str, finding: Diagnostic, lines: LineIndex) -> dict[str
         "severity": finding.severity.value,
         "message": printable(finding.message),
         "subject": {"kind": finding.subject.kind.value, "name": finding.subject.name},
+        "probability": finding.probability,
         "start": position_object(lines, finding.start),
         "end": position_object(lines, finding.end),
         "related": [

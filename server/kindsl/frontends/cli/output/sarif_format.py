@@ -123,6 +123,8 @@ def _result(file: LintedFile, finding: Diagnostic, fingerprint: str) -> dict[str
             }
             for number, related in enumerate(finding.related[:_MOST_PLACES], 1)
         ]
+    if finding.probability is not None:
+        result["properties"] = {"probability": finding.probability}
     if finding.fix is not None and finding.fix.edits:
         result["fixes"] = [_fix(file, finding.fix)]
     return result

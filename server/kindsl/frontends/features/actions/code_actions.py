@@ -15,6 +15,7 @@ from kindsl.frontends.features.actions.write_into_twin import write_into_twin
 from kindsl.frontends.features.symbol_at import parameter_at
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.analysis.fix_trials import offered
 from kindsl.judgement.analysis.fixing import fixed, is_safe, made
 from kindsl.judgement.analysis.text_fix import TextFix
 from kindsl.language.semantics.declarations import ValueKind
@@ -57,7 +58,7 @@ def code_actions(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, 
 
 def quick_fixes(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, ...]:
     """Return the fixes of the findings that touch a range."""
-    touched = _touched(analysis, start, end)
+    touched = offered(analysis, _touched(analysis, start, end))
     fixes = [_fix(finding, fix) for finding in touched for fix in _fixes_of(finding)]
     omitted = [d for d in touched if d.code == _OMITTED and d.fix is None]
     additions = [
@@ -87,7 +88,8 @@ def _fix(finding: Diagnostic, fix: TextFix) -> CodeAction:
 
 def _fixes_of_rules(analysis: Analysis, touched: list[Diagnostic]) -> Iterator[CodeAction]:
     for code in dict.fromkeys(finding.code for finding in touched if finding.fix is not None):
-        alike = tuple(d for d in analysis.findings if d.code == code and d.fix is not None)
+        found = offered(analysis, (d for d in analysis.findings if d.code == code))
+        alike = tuple(d for d in found if d.fix is not None)
         n_mended, edits = _mending(analysis, code, alike) if len(alike) > 1 else (0, ())
         if n_mended > 1:
             title = f"Fix all {n_mended} findings of {code}"
