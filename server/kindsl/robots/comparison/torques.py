@@ -7,8 +7,8 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 
 from kindsl.mechanics.dynamics.bodies import Bodies
-from kindsl.mechanics.dynamics.evaluation.mechanics import GRAVITY, Mechanics
-from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY
+from kindsl.mechanics.dynamics.evaluation.differentiable import GRAVITY
+from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanics.dynamics.regressor import PARAMETERS_PER_BODY, regressor
 from kindsl.mechanics.rigid.body import lumped, seen_from
 from kindsl.mechanics.rigid.pose import RigidPose
@@ -206,7 +206,7 @@ def n_base_parameters(bodies: Bodies) -> tuple[int, int]:
     q, qd, qdd = random.uniform(-1.0, 1.0, (3, states, n))
     v = random.uniform(-1.0, 1.0, (states, 6)) if bodies.is_floating else np.zeros((states, 6))
     a = random.uniform(-1.0, 1.0, (states, 6)) if bodies.is_floating else np.zeros((states, 6))
-    a[:, 3:] -= np.array(STANDARD_GRAVITY)
+    a[:, 3:] -= GRAVITY
     Y = regressor(bodies, q, qd, qdd, v, a)
     columns = Y.reshape(-1, Y.shape[-1])
     moving = n + (1 if bodies.is_floating else 0)

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
+from types import MappingProxyType
 
 import numpy as np
 import numpy.typing as npt
@@ -13,6 +14,7 @@ from kindsl.mechanics.spatial.transforms import homogeneous
 
 # Values of all joints in their order, or of some by their names.
 JointVector = npt.ArrayLike | Mapping[str, npt.ArrayLike]
+NOTHING: Mapping[str, None] = MappingProxyType({})
 
 
 def vectors(quantity: str, values: npt.ArrayLike, components: int) -> Array:
@@ -53,47 +55,41 @@ def joint_vector(quantity: str, values: JointVector, joints: Sequence[str]) -> A
     return vectors(quantity, np.stack(each, axis=-1), len(joints))
 
 
-def base_conditions(
-    bodies: Bodies, base_velocity: npt.ArrayLike | None, gravity: npt.ArrayLike
-) -> dict[str, Array]:
-    """Return what is not standard of the base's velocity (..., 6) and gravity (..., 3).
-
-    Raises:
-        ValueError: If a fixed base is given a velocity, or an array is not right.
-    """
-    conditions = {}
-    if base_velocity is not None:
-        if not bodies.is_floating:
-            raise ValueError("'base_velocity' is given, but the base is fixed")
-        conditions["base_velocity"] = vectors("base_velocity", base_velocity, 6)
-    if gravity is not STANDARD_GRAVITY:
-        conditions["gravity"] = vectors("gravity", gravity, 3)
-    return conditions
-
-
-def loads(
+def checked(
     bodies: Bodies,
-    base_acceleration: npt.ArrayLike | None = None,
+    joints: Mapping[str, JointVector],
+    base: Mapping[str, npt.ArrayLike | None] = NOTHING,
+    gravity: npt.ArrayLike = STANDARD_GRAVITY,
     external_forces: npt.ArrayLike | None = None,
 ) -> dict[str, Array]:
-    """Return what is given: a base's acceleration (..., 6), all bodies' wrenches (..., 6 (n + 1)).
+    """Return what is given, by names: all joint vectors, and of the rest what is not standard.
+
+    Args:
+        bodies: The mechanism.
+        joints: Joint vectors (..., n) by their names.
+        base: The base's velocity and acceleration (..., 6) by their names, None for rest.
+        gravity: Shape (..., 3).
+        external_forces: All bodies' wrenches (..., n + 1, 6), returned in rows (..., 6 (n + 1)).
 
     Raises:
-        ValueError: If a fixed base is given an acceleration, or an array is not right.
+        ValueError: If a fixed base is given a motion, or an array is not right.
     """
-    given = {}
-    if base_acceleration is not None:
-        if not bodies.is_floating:
-            raise ValueError("'base_acceleration' is given, but the base is fixed")
-        given["base_acceleration"] = vectors("base_acceleration", base_acceleration, 6)
+    arrays = {name: joint_vector(name, x, bodies.joint_names) for name, x in joints.items()}
+    for name, values in base.items():
+        if values is not None:
+            if not bodies.is_floating:
+                raise ValueError(f"'{name}' is given, but the base is fixed")
+            arrays[name] = vectors(name, values, 6)
+    if gravity is not STANDARD_GRAVITY:
+        arrays["gravity"] = vectors("gravity", gravity, 3)
     if external_forces is not None:
         wrenches, n = vectors("external_forces", external_forces, 6), bodies.n_links + 1
         if wrenches.ndim < 2 or wrenches.shape[-2] != n:
             raise ValueError(
                 f"'external_forces' has shape {wrenches.shape}, expected (..., {n}, 6)"
             )
-        given["external_forces"] = wrenches.reshape((*wrenches.shape[:-2], 6 * n))
-    return given
+        arrays["external_forces"] = wrenches.reshape((*wrenches.shape[:-2], 6 * n))
+    return arrays
 
 
 def common_batch_shape(arrays: dict[str, Array]) -> tuple[int, ...]:

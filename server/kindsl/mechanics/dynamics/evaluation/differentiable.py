@@ -11,9 +11,8 @@ import numpy.typing as npt
 from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.evaluation.arguments import (
     JointVector,
+    checked,
     common_batch_shape,
-    joint_vector,
-    vectors,
 )
 from kindsl.mechanics.dynamics.evaluation.singular import not_finite, singular_inertia
 from kindsl.mechanics.dynamics.forward_dynamics_derivatives import (
@@ -29,7 +28,7 @@ from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY
 from kindsl.mechanics.dynamics.regressor import inertial_parameters, regressor
 from kindsl.mechanics.spatial.arrays import Array
 
-AT_REST = np.zeros(6)
+AT_REST, GRAVITY = np.zeros(6), np.array(STANDARD_GRAVITY)
 
 
 class Differentiable:
@@ -136,13 +135,8 @@ class Differentiable:
         gravity: npt.ArrayLike,
     ) -> list[Array]:
         """Return all arguments checked, with one batch shape."""
-        arrays = {
-            name: joint_vector(name, x, self.bodies.joint_names) for name, x in joints.items()
-        }
-        for name, values in base.items():
-            if values is not None and not self.bodies.is_floating:
-                raise ValueError(f"'{name}' is given, but the base is fixed")
-            arrays[name] = AT_REST if values is None else vectors(name, values, 6)
-        arrays["gravity"] = vectors("gravity", gravity, 3)
-        shape = common_batch_shape(arrays)
-        return [np.broadcast_to(a, (*shape, a.shape[-1])) for a in arrays.values()]
+        given = checked(self.bodies, joints, base, gravity)
+        shape = common_batch_shape(given)
+        standard = {**dict.fromkeys(base, AT_REST), "gravity": GRAVITY}
+        arrays = [{**standard, **given}[name] for name in (*joints, *standard)]
+        return [np.broadcast_to(a, (*shape, a.shape[-1])) for a in arrays]

@@ -11,15 +11,13 @@ from kindsl.mechanics.dynamics import energy
 from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.evaluation.arguments import (
     JointVector,
-    base_conditions,
     check_mass,
+    checked,
     common_batch_shape,
-    joint_vector,
-    loads,
     placed_frame,
     vectors,
 )
-from kindsl.mechanics.dynamics.evaluation.differentiable import AT_REST
+from kindsl.mechanics.dynamics.evaluation.differentiable import AT_REST, GRAVITY
 from kindsl.mechanics.dynamics.evaluation.forms import Forms
 from kindsl.mechanics.dynamics.evaluation.request import Request
 from kindsl.mechanics.dynamics.evaluation.results import (
@@ -42,7 +40,6 @@ from kindsl.mechanics.dynamics.quantities import (
 from kindsl.mechanics.spatial.arrays import Array
 from kindsl.mechanics.spatial.exponential import pose_array, pose_of_motion
 
-GRAVITY = np.array(STANDARD_GRAVITY)
 # Quantities that divide by inertia.
 ACCELERATING = ("inverse_dynamics", "forward_dynamics")
 # What ready code raises if it is not there yet, or for arguments that need a closer look.
@@ -263,21 +260,15 @@ class Mechanics(WholeBody):
         self, q: JointVector, qd: JointVector, base_velocity: npt.ArrayLike | None = None
     ) -> Array:
         """Return the kinetic energy (...), joule."""
-        names = self.joint_names
-        arrays = {"q": joint_vector("q", q, names), "qd": joint_vector("qd", qd, names)}
-        conditions = base_conditions(self.bodies, base_velocity, STANDARD_GRAVITY)
-        common_batch_shape(arrays | conditions)
-        v_base = conditions.get("base_velocity", AT_REST)
-        return energy.kinetic_energy(self.bodies, arrays["q"], arrays["qd"], v_base)
+        joints, base = {"q": q, "qd": qd}, {"base_velocity": base_velocity}
+        q, qd, v, _ = self._motion(joints, base, STANDARD_GRAVITY)
+        return energy.kinetic_energy(self.bodies, q, qd, v)
 
     def potential_energy(self, q: JointVector, gravity: npt.ArrayLike = STANDARD_GRAVITY) -> Array:
         """Return the potential energy (...), joule, zero for all mass at the base's origin."""
-        arrays = {
-            "q": joint_vector("q", q, self.joint_names),
-            "gravity": vectors("gravity", gravity, 3),
-        }
-        common_batch_shape(arrays)
-        return energy.potential_energy(self.bodies, self._body_poses(q), arrays["gravity"])
+        given = {"gravity": GRAVITY, **checked(self.bodies, {"q": q}, gravity=gravity)}
+        common_batch_shape(given)
+        return energy.potential_energy(self.bodies, self._body_poses(q), given["gravity"])
 
     def integrate(
         self,
@@ -300,19 +291,17 @@ class Mechanics(WholeBody):
             With a fixed base `q` (..., n); with a floating base always `(q, base_pose)`, so that
             `kindsl.pose_error` of both base poses is `dt * base_velocity`.
         """
-        arrays = {"q": joint_vector("q", q, self.joint_names)}
-        arrays["qd"] = joint_vector("qd", qd, self.joint_names)
-        conditions = base_conditions(self.bodies, base_velocity, STANDARD_GRAVITY)
+        given = checked(self.bodies, {"q": q, "qd": qd}, {"base_velocity": base_velocity})
         (dt,) = vectors("dt", [dt], 1).tolist()
         if base_pose is not None and not self.bodies.is_floating:
             raise ValueError("'base_pose' is given, but the base is fixed")
         pose = pose_array("base_pose", np.eye(4) if base_pose is None else base_pose)
         entries = pose.reshape((*pose.shape[:-2], 16))
-        shape = common_batch_shape(arrays | conditions | {"base_pose": entries})
-        moved = np.zeros((*shape, self.n_joints)) + arrays["q"] + dt * arrays["qd"]
+        shape = common_batch_shape(given | {"base_pose": entries})
+        moved = np.zeros((*shape, self.n_joints)) + given["q"] + dt * given["qd"]
         if not self.bodies.is_floating:
             return moved
-        step = pose_of_motion(dt * conditions.get("base_velocity", AT_REST))
+        step = pose_of_motion(dt * given.get("base_velocity", AT_REST))
         return FloatingConfiguration(moved, np.zeros((*shape, 4, 4)) + pose @ step)
 
     def _evaluate(
@@ -331,28 +320,27 @@ class Mechanics(WholeBody):
                 return self._generated.at_rest[quantity](*joint_vectors)
             except NOT_READY:
                 pass
-        arrays = {
-            name: joint_vector(name, values, self.joint_names)
-            for name, values in zip(JOINT_VECTORS[quantity], joint_vectors, strict=True)
-        }
-        conditions = base_conditions(self.bodies, base_velocity, gravity)
-        conditions |= loads(self.bodies, base_acceleration, external_forces)
-        entries = self._computed(quantity, arrays, conditions)
+        names = JOINT_VECTORS[quantity]
+        base = {"base_velocity": base_velocity, "base_acceleration": base_acceleration}
+        joints = dict(zip(names, joint_vectors, strict=True))
+        given = checked(self.bodies, joints, base, gravity, external_forces)
+        arrays = {name: given[name] for name in names}
+        entries = self._computed(quantity, arrays, given)
         if quantity in ACCELERATING and not np.isfinite(entries).all():
             raise not_finite(self.bodies, arrays)
         return entries
 
     def _computed(
-        self, quantity: Quantity, arrays: dict[str, Array], conditions: dict[str, Array]
+        self, quantity: Quantity, arrays: dict[str, Array], given: dict[str, Array]
     ) -> Array:
         request = Request(
             quantity,
-            common_batch_shape(arrays | conditions),
+            common_batch_shape(given),
             tuple(arrays.values()),
-            base_velocity=conditions.get("base_velocity", AT_REST),
-            gravity=conditions.get("gravity", GRAVITY),
-            base_acceleration=conditions.get("base_acceleration"),
-            external=conditions.get("external_forces"),
+            base_velocity=given.get("base_velocity", AT_REST),
+            gravity=given.get("gravity", GRAVITY),
+            base_acceleration=given.get("base_acceleration"),
+            external=given.get("external_forces"),
         )
         try:
             with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
