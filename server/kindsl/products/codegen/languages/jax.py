@@ -2,7 +2,7 @@
 
 from kindsl.mechanics.dynamics.generation.emitters.python_lines import python_function
 from kindsl.mechanics.dynamics.generation.terms import Scalar
-from kindsl.products.codegen.array_module import POSES
+from kindsl.products.codegen.array_module import POSES, answer
 from kindsl.products.codegen.filling import template
 from kindsl.products.codegen.language import Language
 from kindsl.products.codegen.library import Library
@@ -15,14 +15,9 @@ Needs JAX only; pure functions for jit, grad and vmap. Leading dimensions are ba
 function takes at once: call it in jit. Numbers are 64 bits wide only with
 jax.config.update('jax_enable_x64', True)."""
 
-ANSWER = '''\
-def _answer(function, shapes, parameters, *vectors):
-    """Call a function with the batch as the last dimension; None stands for zeros."""
-    arrays = [np.zeros(n) if x is None else np.asarray(x, dtype=float) for x, n in vectors]
-    for array, (_, n) in zip(arrays, vectors):
-        if array.shape[-1:] != (n,):
-            raise ValueError(f"an argument has shape {array.shape}, expected (..., {n})")
-    batch = np.broadcast_shapes(*(array.shape[:-1] for array in arrays))
+ANSWER = answer(
+    "Call a function with the batch as the last dimension",
+    """\
     size = numpy.prod(batch, dtype=int)
     whole = [np.broadcast_to(array, (*batch, array.shape[-1])) for array in arrays]
     parts = [array.reshape((size, array.shape[-1])).T for array in whole]
@@ -31,8 +26,8 @@ def _answer(function, shapes, parameters, *vectors):
         if isinstance(entries, list):
             entries = np.stack([np.broadcast_to(entry, (size,)) for entry in entries])
         results.append(entries.T.reshape((*batch, *shape)))
-    return tuple(results) if len(results) > 1 else results[0]
-'''
+""",
+)
 # What is computed with arrays; all else is written as operations on the components of vectors.
 IN_ARRAYS = frozenset(
     ("poses", "joint_space_inertia", "inverse_dynamics", "inverse_dynamics_actuated",
