@@ -30,7 +30,7 @@ from kindsl.frontends.cli.outcome import Failure
 from kindsl.language.text.nearest import hint, nearest_name
 from kindsl.language.text.phrases import alternatives
 from kindsl.language.text.printable import printable
-from kindsl.language.text.regular import require_regular
+from kindsl.language.text.regular import content_of
 
 if TYPE_CHECKING:
     from kindsl.language.semantics.declarations import Link
@@ -152,9 +152,7 @@ def _of_mesh(args: argparse.Namespace) -> "MassProperties":
     from kindsl.robots.cad.mesh import mesh_properties
 
     try:
-        require_regular(args.stl)
-        with open(args.stl, "rb") as file:
-            content = file.read()
+        content = content_of(args.stl)
     except OSError as error:
         raise CommandError([Failure(args.stl, reason(args.stl, error))]) from None
     return mesh_properties(content, args.mass, args.density, args.scale)

@@ -6,7 +6,7 @@ import sys
 
 from kindsl.frontends.cli.documents.sources import STDIN
 from kindsl.judgement.analysis.settings import PoseError, Settings, pose_named
-from kindsl.language.text.regular import require_regular
+from kindsl.language.text.regular import content_of
 from kindsl.products.reports.motions import (
     KEYS,
     ConfigurationSpace,
@@ -53,9 +53,7 @@ def _content_of(path: str) -> object:
     try:
         if path == STDIN:
             return json.load(sys.stdin)
-        require_regular(path)
-        with open(path, encoding="utf-8-sig") as file:
-            return json.load(file)
+        return json.loads(content_of(path).decode("utf-8-sig"))
     except OSError as error:
         raise MotionError(f"{path}: cannot be read: {error.strerror}") from None
     except json.JSONDecodeError as error:

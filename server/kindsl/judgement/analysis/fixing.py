@@ -90,6 +90,7 @@ def made(analysis: Analysis, findings: Iterable[Diagnostic]) -> Made | None:
 
 def announced(analysis: Analysis) -> tuple[Diagnostic, ...]:
     """Return the findings; a fix that is never made, since it does harm, is but a choice."""
+    prove(finding.fix for finding in analysis.findings if finding.fix is not None)
     findings = offered(analysis, analysis.findings)
     refused = _refused(analysis, findings)
     return tuple(

@@ -10,7 +10,7 @@ from typing import NoReturn
 from kindsl.judgement.config.configuration import Configuration
 from kindsl.judgement.config.configuration_reading import error_at
 from kindsl.judgement.config.schema import Mistake
-from kindsl.language.text.regular import require_regular
+from kindsl.language.text.regular import content_of
 from kindsl.language.text.saves import Stamp, stamp
 
 _DOCUMENTS = "documents"
@@ -65,9 +65,7 @@ def baseline_text(known: Mapping[str, Iterable[str]]) -> str:
 
 @lru_cache(maxsize=4)
 def _read(path: str, _: Stamp | None) -> Baseline:
-    require_regular(path)
-    with open(path, encoding="utf-8") as file:
-        return _counted(json.load(file))
+    return _counted(json.loads(content_of(path).decode("utf-8")))
 
 
 def _counted(content: object) -> Baseline:

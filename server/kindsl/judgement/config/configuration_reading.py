@@ -26,7 +26,7 @@ from kindsl.judgement.config.toml_places import Places, toml_places
 from kindsl.language.semantics.parameters import Binding
 from kindsl.language.text.lines import LineIndex
 from kindsl.language.text.printable import printable
-from kindsl.language.text.regular import require_regular
+from kindsl.language.text.regular import content_of
 
 _TOML_ERROR = re.compile(
     r"(?P<what>.*?)(?: \(at (?:line (?P<line>\d+), column (?P<column>\d+)|end.*)\))?", re.DOTALL
@@ -51,9 +51,7 @@ def text_of(path: str) -> str:
         ConfigurationError: It cannot be read, or is not UTF-8.
     """
     try:
-        require_regular(path)
-        with open(path, "rb") as file:
-            return file.read().decode("utf-8-sig")
+        return content_of(path).decode("utf-8-sig")
     except OSError as error:
         raise _error(path, _START, f"cannot be read: {error.strerror}") from None
     except UnicodeDecodeError as error:

@@ -21,3 +21,14 @@ def require_regular(path: str) -> None:
     if stat.S_ISREG(mode) or stat.S_ISDIR(mode) or os.path.abspath(path).startswith(_GIVEN):
         return
     raise NotRegularError(None, "is not a regular file")
+
+
+def content_of(path: str) -> bytes:
+    """Return what a regular file holds.
+
+    Raises:
+        OSError: It cannot be read, or is not regular.
+    """
+    require_regular(path)
+    with open(path, "rb") as file:
+        return file.read()

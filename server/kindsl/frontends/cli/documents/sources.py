@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from kindsl.frontends.cli.outcome import Failure
 from kindsl.language.text.lines import LineIndex
-from kindsl.language.text.regular import NotRegularError, require_regular
+from kindsl.language.text.regular import NotRegularError, content_of
 
 STDIN = "-"
 UNNAMED = "<stdin>"
@@ -52,7 +52,7 @@ def read_text(path: str, shown: str) -> str | NotText | Failure:
         shown: Its name in messages.
     """
     try:
-        return _text_of(_content_of(path))
+        return _text_of(sys.stdin.buffer.read() if path == STDIN else content_of(path))
     except OSError as error:
         return Failure(shown, reason(path, error))
 
@@ -79,14 +79,6 @@ def is_decodable(text: str) -> bool:
     except UnicodeEncodeError:
         return False
     return True
-
-
-def _content_of(path: str) -> bytes:
-    if path == STDIN:
-        return sys.stdin.buffer.read()
-    require_regular(path)
-    with open(path, "rb") as file:
-        return file.read()
 
 
 def _text_of(content: bytes) -> str | NotText:

@@ -11,7 +11,6 @@ from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.analysis.known_findings import Apart, lines_of, set_apart
 from kindsl.judgement.analysis.settings import Settings
-from kindsl.judgement.analysis.text_fix import prove
 from kindsl.judgement.config.file_names import TRANSFORMS_SUFFIX
 from kindsl.judgement.rules.base import Severity
 from kindsl.language.semantics.model import Model
@@ -133,7 +132,6 @@ def _file(
     if any(finding.fix is not None for finding in found):
         from kindsl.judgement.analysis.fixing import announced
 
-        prove(finding.fix for finding in found if finding.fix is not None)
         found = announced(analysis)
     file = LintedFile(task.shown, analysis.text, found, parameters, original, n_fixed)
     file.joints = frozenset(str(joint.name) for joint in analysis.model.joints)
