@@ -208,7 +208,9 @@ class Analysis:
         if self.syntax.is_xml:
             from kindsl.judgement.analysis.xml_findings import xml_findings
 
-            found = [*xml_findings(self.syntax, self.model, self.settings, run.findings())]
+            of_rules = run.findings()
+            where = self.syntax, self.model, self.context, self.settings
+            found = [*xml_findings(*where, of_rules)]
         else:
             found = [*syntax_findings(self.syntax, self.model, self.settings.targets)]
             found += (entry for entry in run.findings() if not is_explained(entry[1]))

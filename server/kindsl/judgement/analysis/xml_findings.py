@@ -1,80 +1,99 @@
 """Findings of an XML file that is judged where it stands."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from math import inf, log
 
 from kindsl.judgement.analysis.settings import Settings, is_enabled
 from kindsl.judgement.diagnosis.judgements import is_placeholder
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
+from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.registry import rules_with
+from kindsl.judgement.rules.xml_bodies import XmlBody, xml_bodies
 from kindsl.judgement.rules.xml_elements import OF_PARTS
+from kindsl.judgement.rules.xml_shapes import body_findings
 from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import mass_distribution
 from kindsl.language.semantics.places import Located
 from kindsl.language.syntax.document import SyntaxDocument
-from kindsl.robots.interchange.xml_document import XmlDocument, XmlIsland
+from kindsl.mechanics.rigid.body import eigensystem, second_moments_about_com
+from kindsl.robots.interchange.xml_document import XmlDocument
+from kindsl.robots.mechanism.body_verdicts import density_of
 
-_MISSING, _PLACEHOLDER, _COPIED = "KD304", "KD310", "KD315"
+_MISSING, _PLACEHOLDER, _COPIED, _DENSITY = "KD304", "KD310", "KD315", "KD311"
+_TOLD_OF_PARTS = OF_PARTS | {_COPIED, "KD307"}
 # A part of so small a share of its body's mass hardly matters to how the body moves.
 _NEGLIGIBLE = 0.01
+# As many are read one by one; of more the worst speaks for all.
+_MOST_DENSITIES = 3
 _MOST_RELATED = 20
+_WATER = 1000.0  # kg/m³
 
 
 def xml_findings(
     document: SyntaxDocument,
     model: Model,
+    context: Context,
     settings: Settings,
-    found: Iterable[tuple[Rule, Finding]],
+    found: Sequence[tuple[Rule, Finding]],
 ) -> Iterator[tuple[Rule, Finding]]:
     """Yield all findings of an XML file: without fixes, and on parts that hardly weigh as hints.
 
     Args:
         document: The file.
         model: What it declares.
+        context: What the rules see besides.
         settings: Which rules report.
         found: What the rules found that concern it.
     """
     flaws = document.flaws if isinstance(document, XmlDocument) else ()
-    codes = frozenset((_MISSING, _PLACEHOLDER, *(flaw.code for flaw in flaws)))
-    rules = {rule.code: rule for rule in rules_with(codes) if is_enabled(rule, settings)}
-    for flaw in flaws:
-        if flaw.code in rules:
-            yield rules[flaw.code], Finding(flaw.at, flaw.message)
-    bodies = _bodies(model)
-    for code, findings in ((_PLACEHOLDER, _placeholders(model)), (_MISSING, _missing(bodies))):
-        if code in rules:
-            yield from ((rules[code], finding) for finding in findings)
+    bodies = xml_bodies(model)
+    own = [(flaw.code, Finding(flaw.at, flaw.message)) for flaw in flaws]
+    own += ((_PLACEHOLDER, finding) for finding in _placeholders(model))
+    own += ((_MISSING, finding) for finding in _missing(bodies))
+    own += body_findings(model, bodies, context)
+    rules = {rule.code: rule for rule in rules_with(frozenset(code for code, _ in own))}
+    enabled = [(rules[code], each) for code, each in own if is_enabled(rules[code], settings)]
     light = _light_parts(bodies)
-    for rule, finding in found:
-        plain = finding._replace(fix=None, choices=())
-        if rule.code in (*OF_PARTS, _COPIED) and id(finding.at.island) in light:
-            plain = plain._replace(severity=Severity.HINT)
-        yield rule, plain
+    copied = {id(finding.at.island) for rule, finding in found if rule.code == _COPIED}
+    told = []
+    for rule, finding in (*enabled, *found):
+        island, is_of_part = id(finding.at.island), rule.code in _TOLD_OF_PARTS
+        if is_of_part and rule.code != _COPIED and island in copied:
+            continue
+        is_light = is_of_part and island in light
+        severity = Severity.HINT if is_light else finding.severity
+        told.append((rule, finding._replace(fix=None, choices=(), severity=severity)))
+    yield from _folded(told)
 
 
-def _bodies(model: Model) -> list[tuple[Link, list[Link], bool]]:
-    """Return each body's first link, all its links, and whether a joint moves it."""
-    links: dict[str, Link] = {}
-    for link in model.links:
-        links.setdefault(str(link.name), link)
-    carrier: dict[str, tuple[str, bool]] = {}
-    for island in model.islands:
-        joint = island.element if isinstance(island, XmlIsland) else None
-        if joint is not None and joint.tag == "joint":
-            parent, child = joint.find("parent"), joint.find("child")
-            if parent is not None and child is not None:
-                is_fixed = joint.get("type") == "fixed"
-                carrier[child.get("link") or ""] = parent.get("link") or "", is_fixed
-    groups: dict[str, list[Link]] = {}
-    for name, link in links.items():
-        first, seen = name, {name}
-        while first in carrier and carrier[first][1] and carrier[first][0] in links:
-            first = carrier[first][0]
-            if first in seen:
-                break
-            seen.add(first)
-        groups.setdefault(first, []).append(link)
-    return [(links[name], group, name in carrier) for name, group in groups.items()]
+def _folded(found: Sequence[tuple[Rule, Finding]]) -> Iterator[tuple[Rule, Finding]]:
+    """Yield findings, many densities of a file as one: that of the least plausible."""
+    folds: dict[object, list[tuple[Rule, Finding]]] = {}
+    for number, (rule, finding) in enumerate(found):
+        # One beside a comment may be silenced by it.
+        is_dense = rule.code == _DENSITY and "kindsl:" not in finding.at.island.text
+        key = finding.severity if is_dense else number
+        folds.setdefault(key, []).append((rule, finding))
+    for fold in folds.values():
+        if len(fold) <= _MOST_DENSITIES:
+            yield from fold
+            continue
+        (rule, worst), *others = sorted(fold, key=lambda each: -_oddity(each[1]))
+        related = (Related(finding.at, finding.message) for _, finding in others[:_MOST_RELATED])
+        message = f"{worst.message}; {len(others)} more links have an implausible density"
+        yield rule, worst._replace(message=message, related=tuple(related))
+
+
+def _oddity(finding: Finding) -> float:
+    """Return how far a density is from that of water, as a logarithm."""
+    (link,) = declarations(finding.at.island).links
+    mass = mass_distribution(link.inertia, {}) if link.inertia is not None else None
+    if mass is None or mass.mass <= 0.0:
+        return 0.0
+    density = density_of(mass.mass, eigensystem(second_moments_about_com(mass)))
+    return abs(log(density / _WATER)) if 0.0 < density < inf else inf
 
 
 def _mass(link: Link) -> float:
@@ -88,12 +107,13 @@ def _is_massless(link: Link) -> bool:
     return link.inertia is None or (mass is not None and mass.literal == 0.0)
 
 
-def _light_parts(bodies: Iterable[tuple[Link, list[Link], bool]]) -> set[int]:
+def _light_parts(bodies: Iterable[XmlBody]) -> set[int]:
     """Return the islands of parts whose mass is next to nothing beside that of their body."""
     light = set()
-    for _, parts, _ in bodies:
-        least = _NEGLIGIBLE * sum(map(_mass, parts))
-        light |= {id(part.island) for part in parts if _mass(part) < least}
+    for body in bodies:
+        links = [part.link for part in body.parts]
+        least = _NEGLIGIBLE * sum(map(_mass, links))
+        light |= {id(link.island) for link in links if _mass(link) < least}
     return light
 
 
@@ -110,9 +130,13 @@ def _placeholders(model: Model) -> Iterator[Finding]:
         yield _of_all(units, at, f"{what}mass and moments are 1")
 
 
-def _missing(bodies: Iterable[tuple[Link, list[Link], bool]]) -> Iterator[Finding]:
+def _missing(bodies: Iterable[XmlBody]) -> Iterator[Finding]:
     """Yield one finding for all bodies of a file that move and have no mass."""
-    without = [first for first, parts, moves in bodies if moves and all(map(_is_massless, parts))]
+    without = [
+        body.link
+        for body in bodies
+        if body.moves and all(_is_massless(part.link) for part in body.parts)
+    ]
     if without:
         verb = "have" if without[1:] else "has"
         what = f"link '{without[0].name}'{_more(without)} {verb} no inertia, and a joint moves "

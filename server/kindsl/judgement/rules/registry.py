@@ -6,10 +6,18 @@ from types import ModuleType
 
 from kindsl.judgement.rules import checks
 from kindsl.judgement.rules.base import Rule
+from kindsl.judgement.rules.xml_elements import OF_BOTH
 from kindsl.language.text.modules import module_names
 
 # Rules that parsers, the configuration or comments report.
 _WITHOUT_CHECK = ("kd0", "kd404", "kd704", "kd706", "kd8", "kd902")
+_IN_XML = """
+
+## In a URDF
+`Ix` is `ixx` there, `Iy` and `Iz` likewise; `Ixy` is `ixy` with the opposite sign. They are about
+the centre of mass, which is the `<origin>` of the `<inertial>`, and along its axes. A zero without
+a point is exact. Links that are fixed together are one body. Nothing is fixed by itself; a comment
+`<!-- kindsl: ignore[CODE] why -->` in an element, or before it, silences the rule there."""
 
 
 @cache
@@ -45,9 +53,10 @@ def rule_named(code: str) -> Rule | None:
 
 
 def page_of(rule: Rule) -> str:
-    """Return the docs page of a rule: the docstring of its module."""
+    """Return the docs page of a rule: the docstring of its module, and what it says of XML."""
     names = [name for name in _module_names() if name.startswith(f"{rule.code.lower()}_")]
-    return (rule_module(names[0]).__doc__ or "").strip()
+    page = (rule_module(names[0]).__doc__ or "").strip()
+    return page + _IN_XML.replace("CODE", rule.code) if rule.code in OF_BOTH else page
 
 
 def rule_module(name: str) -> ModuleType:

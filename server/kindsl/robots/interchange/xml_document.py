@@ -8,6 +8,7 @@ from abc import abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple
 
+from kindsl.language.semantics.declarations import Joint
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.lowering import OtherIsland
 from kindsl.language.semantics.places import Name, Place
@@ -16,6 +17,7 @@ from kindsl.language.syntax.document import Chunk, SyntaxDocument
 from kindsl.language.syntax.tree import Island, Node, Token
 from kindsl.language.text.edits import TextEdit, apply_edits
 from kindsl.language.text.facts import Facts
+from kindsl.mechanics.rigid.pose import Vector3
 from kindsl.robots.interchange.xml_reading import XmlElement, XmlError, finite_number, parsed_xml
 
 _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
@@ -30,18 +32,38 @@ _CHUNK = 96
 _EXACT_ZERO = "0.000000000000000"
 
 
+class Connection(NamedTuple):
+    """A joint and the links that it connects.
+
+    Attributes:
+        joint: The joint, whose frame is the child's at zero.
+        parent: The name of one link, empty where none is named.
+        child: The name of the other.
+        is_fixed: Whether it moves nothing.
+        axis: About or along which it moves, in its frame; None where that is no axis.
+    """
+
+    joint: Joint
+    parent: str
+    child: str
+    is_fixed: bool
+    axis: Vector3 | None
+
+
 class XmlIsland(OtherIsland):
     """A piece of an XML file: an element with the comments around it, or the root's own tags.
 
     Attributes:
         element: The element, None for the root's tags.
+        connection: The joint that it is, None of anything else.
     """
 
-    __slots__ = ("element",)
+    __slots__ = ("connection", "element")
 
     def __init__(self, text: str, is_element: bool) -> None:
         self.element = _parsed_piece(text) if is_element else None
         comments = tuple(match.span() for match in _COMMENT.finditer(text))
+        self.connection: Connection | None = None
         super().__init__(text, (), (), (), comments, ())
         if self.element is not None:
             self.nodes = tuple(self.lowered(self.element))

@@ -8,7 +8,7 @@ from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.kinematic_tree import Edge
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import triple, written_pose
-from kindsl.mechanics.rigid.pose import Rotation, Vector3
+from kindsl.mechanics.rigid.pose import RigidPose, Rotation, Vector3
 from kindsl.robots.limbs.names import is_held, label_of
 
 # No robot has more or longer ones that are written by hand, and comparing takes their square.
@@ -83,18 +83,18 @@ def limbs_of(model: Model, values: Values) -> dict[Link, list[Limbs]]:
     for carrier in [base, *tree.in_topological_order(base)][::-1] if base is not None else ():
         edges = tree.successor_edges(carrier)
         carried = tuple([whole[e.link] for e in edges if e.link is not None and e.link in whole])
-        groups = list(_groups(carried))
+        groups = list(groups_of(carried))
         if groups:
             found[carrier] = groups
         above = tree.above.get(carrier, ())
         if len(carried) == len(edges) and len(above) == 1:
             body = body_of(above[0], values, carried)
-            if body is not None and body.n_bodies <= _MOST_BODIES:
+            if body is not None:
                 whole[carrier] = body
     return found
 
 
-def _groups(carried: Sequence[Body]) -> Iterator[Limbs]:
+def groups_of(carried: Sequence[Body]) -> Iterator[Limbs]:
     """Yield what one body carries that is called alike, by side and row, or else by numbers."""
     groups: dict[tuple[bool, tuple[str, ...]], dict[Side, list[Body]]] = {}
     for head in carried if len(carried) > 1 else ():
@@ -117,11 +117,33 @@ def body_of(edge: Edge, values: Values, carried: tuple[Body, ...] = ()) -> Body 
     angles = triple(joint.pose.rotation, values) if joint is not None else None
     if link is None or joint is None or pose is None or angles is None:
         return None
-    name, by = str(link.name), str(joint.name)
+    return assembled(str(link.name), str(joint.name), joint.kind, pose, angles, carried)
+
+
+def assembled(
+    name: str,
+    by: str,
+    kind: str,
+    pose: RigidPose,
+    angles: Vector3,
+    carried: tuple[Body, ...],
+) -> Body | None:
+    """Return a body with what it carries, None where that is more than limbs have.
+
+    Args:
+        name: The link's.
+        by: The supporting joint's.
+        kind: The joint's.
+        pose: The joint frame in the parent's frame.
+        angles: Its rotation as written, radians.
+        carried: The bodies that it carries.
+    """
     held = () if is_held(name, by) else tuple([b for b in carried if is_held(b.name, b.joint)])
     children = tuple([b for b in carried if b not in held]) if held else carried
     n_bodies = 1 + sum([b.n_bodies for b in carried])
-    return Body(name, by, joint.kind, *pose, angles, children, held, n_bodies)
+    if n_bodies > _MOST_BODIES:
+        return None
+    return Body(name, by, kind, *pose, angles, children, held, n_bodies)
 
 
 class Match(NamedTuple):

@@ -23,9 +23,10 @@ from kindsl.language.semantics.sections import JointFrame
 from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.language.syntax.tree import Node
 from kindsl.language.syntax.vocabulary import MOMENTS
-from kindsl.robots.interchange.rigid_links import TENSOR
+from kindsl.robots.interchange.rigid_links import JOINT_KINDS, TENSOR
 from kindsl.robots.interchange.urdf.checking import WORLD, UrdfDefect, defects, end_of, root_links
 from kindsl.robots.interchange.xml_document import (
+    Connection,
     Flaw,
     XmlDocument,
     XmlIsland,
@@ -37,6 +38,7 @@ from kindsl.robots.interchange.xml_reading import XmlElement, XmlError, parsed_x
 
 # A body smaller than a micrometre is a point: moments of 1e-20 are what a program left of zero.
 _DUST = 1e-12
+_USUAL_AXIS = (1.0, 0.0, 0.0)
 _ORIGIN = {"xyz": Vector, "rpy": FixedAxes}
 
 
@@ -58,6 +60,7 @@ class UrdfIsland(XmlIsland):
             yield link.node
         elif element.tag == "joint":
             joint = self._joint(element)
+            self.connection = self._connection(element, joint)
             self._declared = Declarations(None, (), (), (joint,), (joint,))
             yield joint.node
 
@@ -103,6 +106,14 @@ class UrdfIsland(XmlIsland):
         joint.frame = JointFrame(joint.node, self, Name(""), joint.name)
         joint.frame.translation, joint.frame.rotation = self._pose(element)
         return joint
+
+    def _connection(self, element: XmlElement, joint: Joint) -> Connection:
+        kind, told = element.get("type"), element.find("axis")
+        numbers = [] if told is None else self.numbers(told, "xyz")
+        x, y, z = (e.literal or 0.0 for e in numbers) if len(numbers) == 3 else _USUAL_AXIS
+        has_axis = kind in JOINT_KINDS and kind != "fixed" and any((x, y, z))
+        ends = end_of(element, "parent"), end_of(element, "child")
+        return Connection(joint, *ends, kind == "fixed", (x, y, z) if has_axis else None)
 
     def _pose(self, parent: XmlElement) -> Pose:
         """Return the pose in an element's `<origin>`; no turn where it is a quaternion."""

@@ -1,0 +1,54 @@
+"""The greatest effort or velocity of a joint is zero.
+
+## What it does
+Reports the joints of a URDF whose `<limit>` has zero for `effort` or `velocity`, once a file.
+
+## Why is this bad?
+A program that heeds it gives such a joint no force, or keeps it where it is. Most files with zeros
+were written by an exporter and never filled in.
+
+## Example
+```xml
+<limit lower="0" upper="1.57" effort="0" velocity="0"/>
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
+from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.xml_elements import LimitedJoint, limited_joints, number, urdf_arm
+from kindsl.language.semantics.model import Model
+
+_NAMES = ("effort", "velocity")
+_MOST_RELATED = 20
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield one finding for all joints of a file that may exert or move nothing."""
+    still = [(joint, zeros) for joint in limited_joints(model) if (zeros := _zeros(joint))]
+    if still:
+        (first, names), *others = still
+        more = f" and {len(others)} more" if others else ""
+        message = f"greatest {' and '.join(names)} of joint '{first.name}'{more} are 0"
+        if not more and len(names) == 1:
+            message = f"greatest {names[0]} of joint '{first.name}' is 0"
+        related = [
+            Related(joint.at(zeros[0]), f"joint '{joint.name}'")
+            for joint, zeros in others[:_MOST_RELATED]
+        ]
+        yield Finding(first.at(names[0]), message, tuple(related))
+
+
+def _zeros(joint: LimitedJoint) -> list[str]:
+    return [name for name in _NAMES if number(joint.limit, name) == 0.0]
+
+
+RULE = Rule(
+    "KD526",
+    "zero-effort",
+    Severity.INFORMATION,
+    check_document=check_document,
+    good=(urdf_arm('<limit lower="0" upper="1.57" effort="80" velocity="3"/>'),),
+    bad=(urdf_arm('<limit lower="0" upper="1.57" effort="0" velocity="3"/>'),),
+)

@@ -1,0 +1,184 @@
+"""The bodies of a robot in XML: links that are fixed together, and the joint that moves them."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+from kindsl.language.semantics.declarations import Joint, Link
+from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.numbers import written_pose
+from kindsl.language.semantics.unknown import Unknown
+from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from
+from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3, angles, rotation_from_z
+from kindsl.robots.interchange.xml_document import Connection, XmlIsland
+from kindsl.robots.limbs.limb import Body, Limbs, assembled, groups_of
+from kindsl.robots.mechanism.link_inertia import link_inertia
+
+_AT_ORIGIN = (0.0, 0.0, 0.0)
+_WITHIN = 1e-9
+
+
+class XmlPart(NamedTuple):
+    """A link as a part of a body.
+
+    Attributes:
+        link: The link.
+        pose: Its frame in the body's.
+        mass: In its own frame, None where it has none that is known.
+    """
+
+    link: Link
+    pose: RigidPose
+    mass: MassDistribution | None
+
+
+@dataclass(frozen=True)
+class XmlBody:
+    """Links that are fixed together; the body's frame is that of the first.
+
+    Attributes:
+        parts: The links, the one that a joint moves first.
+        moves: Whether a joint carries it.
+        carrier: The joint that does, where it connects two links of the file.
+        parent: The index of the body that carries it, less than its own; None without one.
+        placement: The joint's frame in the parent's.
+        ends: The origins of the joints by which it carries others.
+    """
+
+    parts: tuple[XmlPart, ...]
+    moves: bool
+    carrier: Connection | None
+    parent: int | None
+    placement: RigidPose
+    ends: tuple[Vector3, ...]
+
+    @property
+    def link(self) -> Link:
+        """The first link, which names it."""
+        return self.parts[0].link
+
+    @cached_property
+    def mass(self) -> MassDistribution | None:
+        """The mass distribution of all parts, None where nothing is known of any."""
+        known = [seen_from(part.mass, part.pose) for part in self.parts if part.mass is not None]
+        return lumped(known) if known else None
+
+    @property
+    def heaviest(self) -> XmlPart:
+        """The part with the greatest share of its mass: to blame for all together."""
+        return max(self.parts, key=lambda part: part.mass.mass if part.mass is not None else 0.0)
+
+    @property
+    def axis_pose(self) -> RigidPose:
+        """The frame whose z is the joint's axis, in the body's."""
+        axis = self.carrier.axis if self.carrier is not None else None
+        return IDENTITY if axis is None else RigidPose(rotation_from_z(axis), _AT_ORIGIN)
+
+
+def xml_bodies(model: Model) -> list[XmlBody]:
+    """Return the bodies of a robot in XML, parents first.
+
+    What loops or hangs on no link of the file is there as well, and begins a tree of its own.
+    """
+    links: dict[str, Link] = {}
+    for link in model.links:
+        links.setdefault(str(link.name), link)
+    below: dict[str, list[Connection]] = {}
+    carried: dict[str, Connection] = {}
+    for island in model.islands:
+        connection = island.connection if isinstance(island, XmlIsland) else None
+        if (
+            connection is not None
+            and carried.setdefault(connection.child, connection) is connection
+        ):
+            below.setdefault(connection.parent, []).append(connection)
+    return _BodyWalk(links, below, carried).bodies()
+
+
+class _BodyWalk:
+    """A walk from the roots down."""
+
+    def __init__(
+        self,
+        links: Mapping[str, Link],
+        below: Mapping[str, Sequence[Connection]],
+        carried: Mapping[str, Connection],
+    ) -> None:
+        self._links, self._below, self._carried = links, below, carried
+        self._seen: set[str] = set()
+        self._bodies: list[XmlBody] = []
+
+    def bodies(self) -> list[XmlBody]:
+        roots = (name for name in self._links if name not in self._carried)
+        hanging = (n for n, c in self._carried.items() if c.parent not in self._links)
+        for name in (*roots, *hanging, *self._links):
+            self._from(name)
+        return self._bodies
+
+    def _from(self, root: str) -> None:
+        pending: list[tuple[str, int | None, Connection | None, RigidPose]]
+        pending = [(root, None, None, IDENTITY)]
+        while pending:
+            name, parent, carrier, placement = pending.pop()
+            if name not in self._links or name in self._seen:
+                continue
+            parts, moving = self._parts(name)
+            moves, ends = name in self._carried, tuple(pose.translation for _, pose in moving)
+            index = len(self._bodies)
+            self._bodies.append(XmlBody(parts, moves, carrier, parent, placement, ends))
+            pending += [(each.child, index, each, pose) for each, pose in reversed(moving)]
+
+    def _parts(self, name: str) -> tuple[tuple[XmlPart, ...], list[tuple[Connection, RigidPose]]]:
+        """Return a link with all that is fixed to it, and what these carry otherwise."""
+        self._seen.add(name)
+        parts = [_part(self._links[name], IDENTITY)]
+        moving = []
+        for part in parts:
+            for each in self._below.get(str(part.link.name), ()):
+                pose = part.pose.then(written_pose(each.joint.pose, {}) or IDENTITY)
+                if each.is_fixed and each.child in self._links and each.child not in self._seen:
+                    self._seen.add(each.child)
+                    parts.append(_part(self._links[each.child], pose))
+                elif not each.is_fixed:
+                    moving.append((each, pose))
+        return tuple(parts), moving
+
+
+def _part(link: Link, pose: RigidPose) -> XmlPart:
+    mass = link_inertia(link, {})
+    return XmlPart(link, pose, None if isinstance(mass, Unknown) else mass)
+
+
+def limbs_in(bodies: Sequence[XmlBody]) -> Iterator[Limbs]:
+    """Yield the groups of limbs of a robot that are meant to be alike.
+
+    In each limb a link's frame is turned with its joint's axis, which is z.
+    """
+    carried: dict[int, list[Body]] = {}
+    lost: set[int] = set()
+    for index, body in reversed(list(enumerate(bodies))):
+        ones = carried.get(index, [])[::-1]
+        yield from groups_of(ones)
+        if body.parent is None:
+            continue
+        made = None if index in lost else _limb_body(body, bodies[body.parent], tuple(ones))
+        if made is None:
+            lost.add(body.parent)
+        else:
+            carried.setdefault(body.parent, []).append(made)
+
+
+def _limb_body(body: XmlBody, parent: XmlBody, carried: tuple[Body, ...]) -> Body | None:
+    carrier = body.carrier
+    if carrier is None or carrier.axis is None:
+        return None
+    pose = parent.axis_pose.inverse().then(body.placement).then(body.axis_pose)
+    turns = angles(pose.rotation, _WITHIN)
+    names = str(body.link.name), str(carrier.joint.name)
+    return assembled(*names, carrier.joint.kind, pose, turns, carried)
+
+
+def moving_joint(body: XmlBody) -> Joint | None:
+    """Return the joint that carries a body."""
+    return body.carrier.joint if body.carrier is not None else None

@@ -1,0 +1,183 @@
+"""Bodies and limbs of a URDF: links that are fixed together are one, either side is its twin's."""
+
+import pytest
+
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.rules.registry import page_of, rule_named
+
+ROD = 'ixx="0.009" ixy="0" ixz="0" iyy="0.009" iyz="0" izz="0.0003"'
+ODD = 'ixx="0.021" ixy="{}0.004" ixz="0" iyy="0.031" iyz="0" izz="0.041"'
+LIMIT = '<limit lower="-1" upper="1" effort="9" velocity="9"/>'
+
+
+def link(name: str, com: str = "0 0 0.15", tensor: str = ROD, mass: str = "1.2") -> str:
+    return f"""<link name="{name}"><inertial>
+  <origin xyz="{com}"/><mass value="{mass}"/><inertia {tensor}/>
+</inertial></link>
+"""
+
+
+def joint(name: str, parent: str, child: str, xyz: str, kind: str = "revolute") -> str:
+    limit = LIMIT if kind == "revolute" else ""
+    return f"""<joint name="{name}" type="{kind}"><origin xyz="{xyz}"/>
+  <parent link="{parent}"/><child link="{child}"/><axis xyz="1 0 0"/>{limit}</joint>
+"""
+
+
+def robot(*blocks: str) -> str:
+    return f'<robot name="arm">\n<link name="base"/>\n{"".join(blocks)}</robot>\n'
+
+
+def found(text: str) -> list[tuple[str, str]]:
+    """Return the codes of the findings with the line of the file where each is."""
+    analysis = analyse(text)
+    assert analysis.faults == ()
+    lines = text.splitlines()
+    return [(f.code, lines[text.count("\n", 0, f.start)].strip()) for f in analysis.findings]
+
+
+def messages(text: str) -> list[str]:
+    return [finding.message for finding in analyse(text).findings]
+
+
+def arm(com: str) -> str:
+    return robot(
+        link("upper", com),
+        '<link name="lower"/>\n',
+        joint("shoulder", "base", "upper", "0 0 1"),
+        joint("elbow", "upper", "lower", "0 0 0.3", "continuous"),
+    )
+
+
+def test_a_rod_behind_its_joint() -> None:
+    assert found(arm("0 0 0.15")) == [("KD304", '<link name="lower"/>')]
+    assert found(arm("0 0 -0.15"))[0] == ("KD511", '<link name="upper"><inertial>')
+
+
+def test_parts_fixed_together_are_judged_as_one_and_the_heaviest_is_to_blame() -> None:
+    parts = (
+        '<link name="motor"/>\n',
+        link("shell", "0 0 {}"),
+        joint("glue", "motor", "shell", "0 0 0.1", "fixed"),
+        link("lower"),
+        joint("shoulder", "base", "motor", "0 0 1"),
+        joint("elbow", "shell", "lower", "0 0 0.2"),
+    )
+    assert found(robot(*parts).format("0.05")) == []
+    assert found(robot(*parts).format("-0.25")) == [("KD511", '<link name="shell"><inertial>')]
+
+
+def sides(left: str, right: str) -> str:
+    return robot(
+        link("left_arm", "0.1 0.05 0", ODD.format(left)),
+        link("right_arm", "0.1 -0.05 0", ODD.format(right)),
+        joint("left", "base", "left_arm", "0 0.2 0"),
+        joint("right", "base", "right_arm", "0 -0.2 0"),
+    )
+
+
+def test_signs_of_the_other_side() -> None:
+    assert found(sides("", "-")) == []
+    assert found(sides("", "")) == [("KD312", '<link name="right_arm"><inertial>')]
+
+
+def test_numbers_of_the_other_side_are_the_files() -> None:
+    text = sides("-", "").replace('-0.05 0"/><mass value="1.2"', '-0.05 0"/><mass value="2.1"')
+    assert messages(text) == [
+        "'right_arm' is not the mirror image of 'left_arm': mass is 2.1 against 1.2"
+    ]
+    text = sides("-", "").replace('ixy="0.004"', 'ixy="0.009"')
+    assert messages(text) == [
+        "'right_arm' is not the mirror image of 'left_arm': ixy is 0.009 against -0.004"
+    ]
+
+
+def limb(label: str, hip: str, knee: str, foot: str = "0 0 -0.3") -> str:
+    names = [f"{label}_{part}" for part in ("hip", "thigh", "shank")]
+    return "".join((
+        *(link(name, "0 0 -0.15") for name in names),
+        joint(f"{label}_haa", "base", names[0], hip),
+        joint(f"{label}_hfe", names[0], names[1], knee),
+        joint(f"{label}_kfe", names[1], names[2], foot),
+    ))  # fmt: skip
+
+
+def legs(**knees: str) -> str:
+    def knee(label: str, y: str) -> str:
+        return knees.get(label, f"0 {y} -0.3")
+
+    return robot(
+        limb("LF", "0.3 0.2 0", knee("LF", "0.08")), limb("RF", "0.3 -0.2 0", knee("RF", "-0.08")),
+        limb("LH", "-0.3 0.2 0", knee("LH", "0.08")),
+        limb("RH", "-0.3 -0.2 0", knee("RH", "-0.08")),
+    )  # fmt: skip
+
+
+def test_one_leg_of_four() -> None:
+    assert found(legs()) == []
+    assert found(legs(RH="0 -0.0823 -0.3")) == [
+        ("KD509", '<joint name="RH_hfe" type="revolute"><origin xyz="0 -0.0823 -0.3"/>')
+    ]
+    told = messages(legs(RH="0 0.08 -0.3"))
+    assert told == ["translation of 'RH_hfe' differs from its twins: it would be 0 -0.08 -0.3"]
+
+
+def test_one_leg_of_two() -> None:
+    two = [
+        limb("LF", "0 0.2 0", "0.02 {} -0.3", "0 0.03 -0.3"),
+        limb("RF", "0 -0.2 0", "0.02 -0.08 -0.3", "0 -0.03 -0.3"),
+    ]
+    assert found(robot(*two).format("0.08")) == []
+    told = messages(robot(*two).format("-0.08"))
+    assert told == [
+        "translation of 'RF_hfe' does not mirror the other side: it would be 0.02 0.08 -0.3"
+    ]
+    # Another number may be meant.
+    assert found(robot(*two).format("0.09")) == []
+
+
+def test_the_cause_in_words_of_xml() -> None:
+    tensor = 'ixx="0.02" ixy="0.009" ixz="0.009" iyy="0.02" iyz="0.009" izz="0.02"'
+    text = robot(link("Ixy", tensor=tensor), joint("j", "base", "Ixy", "0 0 1"))
+    (cause,) = [m for m in messages(text) if "signs" in m]
+    assert "inertia of 'Ixy' would" in cause and "ixy, ixz and iyz" in cause
+
+
+def test_copied_moments_are_told_once() -> None:
+    same = " ".join(f'{name}="0.01"' for name in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz"))
+    text = robot(link("a", tensor=same), joint("j", "base", "a", "0 0 1"))
+    assert [code for code, _ in found(text)] == ["KD315"]
+
+
+@pytest.mark.parametrize("number", [3, 9])
+def test_many_densities_are_told_once(number: int) -> None:
+    names = [f"part_{chr(ord('a') + i)}" for i in range(number)]
+    light = 'ixx="{0}" ixy="0" ixz="0" iyy="{0}" iyz="0" izz="{0}"'
+    blocks = [link(name, tensor=light.format(i + 5)) for i, name in enumerate(names)]
+    blocks += [joint(f"j{name}", "base", name, "0 0 1") for name in names]
+    text = robot(*blocks)
+    told = messages(text)
+    assert len(told) == (number if number <= 3 else 1)
+    if number > 3:
+        assert "'part_i'" in told[0] and told[0].endswith(
+            "8 more links have an implausible density"
+        )
+        silent = text.replace(
+            '<link name="part_i">', '<link name="part_i"><!-- kindsl: ignore[KD311] foil -->'
+        )
+        assert "'part_h'" in messages(silent)[0] and "7 more" in messages(silent)[0]
+
+
+def test_zero_effort_is_told_once() -> None:
+    text = legs().replace('effort="9"', 'effort="0"')
+    assert messages(text) == ["greatest effort of joint 'LF_haa' and 11 more are 0"]
+
+
+@pytest.mark.parametrize(
+    ("code", "is_of_xml"), [("KD302", True), ("KD509", True), ("KD101", False)]
+)
+def test_pages_have_the_words_of_xml(code: str, is_of_xml: bool) -> None:
+    rule = rule_named(code)
+    assert rule is not None
+    page = page_of(rule)
+    assert ("`ixx`" in page) is is_of_xml and (f"kindsl: ignore[{code}]" in page) is is_of_xml
