@@ -12,6 +12,7 @@ from kindsl.products.codegen.c_sources import (
 )
 from kindsl.products.codegen.c_test_program import test_program
 from kindsl.products.codegen.c_text import macro
+from kindsl.products.codegen.filling import fill, template
 from kindsl.products.codegen.library import Library
 from kindsl.products.codegen.readme import readme
 from kindsl.products.codegen.reference import Reference
@@ -35,7 +36,7 @@ def c_files(library: Library, reference: Reference, parameters: dict[str, float]
                 library, reference, parameters,
                 f'#define {macro(library)}_IMPLEMENTATION\n#include "{p}.h"',
             ),
-            "README.md": readme(library, _single_usage(library)),
+            "README.md": readme(library, _usage(library, "c_single_header.md")),
         }  # fmt: skip
     files = {f"{p}.h": header(library), **dict(sources(library))}
     names = [name for name in files if name.endswith(".c")]
@@ -43,7 +44,7 @@ def c_files(library: Library, reference: Reference, parameters: dict[str, float]
         **files,
         f"{p}_test.c": test_program(library, reference, parameters, f'#include "{p}.h"'),
         "CMakeLists.txt": cmake_lists(library, "C", f"{p}.h", names),
-        "README.md": readme(library, _usage(library)),
+        "README.md": readme(library, _usage(library, "c.md")),
     }
 
 
@@ -61,39 +62,5 @@ def single_header(library: Library) -> str:
     )
 
 
-def _usage(library: Library) -> str:
-    p = library.prefix
-    return f"""\
-## Use
-
-Add the `.c` files to a program (C11, link with `-lm`), or build, test and install a library:
-
-```sh
-cmake -B build && cmake --build build && ctest --test-dir build && cmake --install build
-```
-
-Then `find_package({p})` and `target_link_libraries(program {p}::{p})`.
-
-{_example(library)}"""
-
-
-def _single_usage(library: Library) -> str:
-    P, p = macro(library), library.prefix
-    return f"""\
-## Use
-
-Write `#define {P}_IMPLEMENTATION` before `#include "{p}.h"` in one source file (C11, link with
-`-lm`); include it as it is in others. `cc {p}_test.c -lm && ./a.out` tests it.
-
-{_example(library)}"""
-
-
-def _example(library: Library) -> str:
-    p = library.prefix
-    return f"""\
-```c
-{p}_parameters parameters = {p}_default_parameters();
-{p}_model model;
-{p}_model_init(&model, &parameters); /* again whenever a parameter changes */
-```
-"""
+def _usage(library: Library, file: str) -> str:
+    return fill(template(f"usage/{file}"), PREFIX=library.prefix, MACRO=macro(library))

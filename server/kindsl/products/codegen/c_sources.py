@@ -21,6 +21,7 @@ from kindsl.products.codegen.c_text import (
     real,
     stamp_comment,
 )
+from kindsl.products.codegen.filling import fill, template
 from kindsl.products.codegen.library import Library
 
 # Compilers take as long for code with external forces as for that without.
@@ -76,26 +77,10 @@ def model_source(library: Library) -> str:
         "static ",
     )
     joints = ", ".join(f'"{name}"' for name in library.robot.joint_names)
-    return f"""\
-{p}_parameters {p}_default_parameters(void)
-{{
-    {p}_parameters parameters;
-{fields}
-    return parameters;
-}}
-
-{setup}
-void {p}_model_init({p}_model *model, const {p}_parameters *parameters)
-{{
-    {p}_set_up(parameters, model->c);
-}}
-
-{_default_model(library)}const char *{p}_joint_name(int joint)
-{{
-    static const char *const names[{macro(library)}_NJ] = {{{joints}}};
-    return joint >= 0 && joint < {macro(library)}_NJ ? names[joint] : NULL;
-}}
-"""
+    return fill(
+        template("model.c"), PREFIX=p, MACRO=macro(library), FIELDS=fields, SETUP=setup,
+        DEFAULT=_default_model(library), JOINTS=joints,
+    )  # fmt: skip
 
 
 def _default_model(library: Library) -> str:

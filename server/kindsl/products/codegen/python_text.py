@@ -6,6 +6,7 @@ from kindsl.mechanics.dynamics.generation.emitters.python_lines import python_fu
 from kindsl.mechanics.dynamics.generation.function import Function
 from kindsl.mechanics.dynamics.generation.terms import Scalar
 from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY
+from kindsl.products.codegen.filling import template
 from kindsl.products.codegen.library import Library
 
 # Names of arguments as in kindsl's own interface, and their defaults.
@@ -22,18 +23,19 @@ def module_text(
     Args:
         library: The functions to write.
         how: Requirements and use of the module, for its docstring.
-        own: Its imports, its `_answer` and its `forward_kinematics`.
+        own: Its imports, and the templates of its `_answer` and its `forward_kinematics`.
         without: The functions whose code on components is not written.
     """
-    imports, answer, poses = own
+    imports, *templates = own
+    answer, poses, parameters = (template(f"python/{t}.txt") for t in (*templates, "parameters"))
     parts = [
-        docstring(library, how), imports, constants(library), "", PARAMETER_CODE, "", answer, "",
+        docstring(library, how), imports, constants(library), "", parameters, "", answer, "",
         *(public_function(library, function) + "\n" for function in library.all_functions),
     ]  # fmt: skip
     if "poses" in library.functions:
         parts += [poses, ""]
     if "jacobians" in library.functions:
-        parts += [jacobian_table(library), "", JACOBIAN_CODE, ""]
+        parts += [jacobian_table(library), "", template("python/jacobian.txt"), ""]
     return "\n".join([*parts, *(text + "\n" for text in straight_lines(library, without))])
 
 
@@ -124,26 +126,3 @@ def jacobian_table(library: Library) -> str:
         table = "_JACOBIANS" if function.name == f"jacobian_{frame}" else "_JACOBIANS_IN_BASE"
         tables[table].append(f"    {frame!r}: {library.function_names[function.name]},\n")
     return "".join(f"{name} = {{\n{''.join(rows)}}}\n" for name, rows in tables.items())
-
-
-PARAMETER_CODE = '''\
-def _values(parameters):
-    """Return all parameters' values, in order."""
-    given = {**PARAMETERS, **(parameters or {})}
-    missing = [name for name in PARAMETERS if given[name] is None]
-    unknown = [name for name in given if name not in PARAMETERS]
-    if missing or unknown:
-        raise ValueError(f"no value for {missing}" if missing else f"no parameter {unknown}")
-    return [given[name] for name in PARAMETERS]
-'''
-
-JACOBIAN_CODE = '''\
-def jacobian(q, name, parameters=None):
-    """Return the geometric Jacobian of a link or frame, in its own coordinates."""
-    return _JACOBIANS[name](q, parameters=parameters)
-
-
-def jacobian_in_base(q, name, parameters=None):
-    """Return the geometric Jacobian of a link's or frame's origin, in base coordinates."""
-    return _JACOBIANS_IN_BASE[name](q, parameters=parameters)
-'''

@@ -148,28 +148,6 @@ def _type(result: Result) -> str:
     return f"Matrix<{rows}, {columns}>"
 
 
-def _usage(library: Library) -> str:
-    p = library.prefix
-    given = "" if library.is_bound else "(parameters)"
-    return f"""\
-## Use
-
-`{p}.hpp` is all there is; it needs Eigen and C++14. CMake installs it, and then
-`find_package({p})` and `target_link_libraries(program {p}::{p})`. A single result is returned,
-several are filled in, and `fext` comes last and may be left out:
-
-```cpp
-#include <{p}.hpp>
-
-const {p}::Model model{given};
-const {p}::JointVector q = {p}::JointVector::Zero();
-```
-
-`{p}::BasicModel<S>` is the same for other types of numbers, those of CppAD and ceres
-among them.
-"""
-
-
 def _test(library: Library, reference: Reference, parameters: dict[str, float]) -> str:
     """Return the test program of C, which calls a model's functions of pointers."""
     p = library.prefix
@@ -178,30 +156,20 @@ def _test(library: Library, reference: Reference, parameters: dict[str, float]) 
         f"{{\n    m->{name}(a...);\n}}\n"
         for name in library.function_names.values()
     )
-    include = f"""\
-#include "{p}.hpp"
-
-typedef {p}::Model {p}_model;
-typedef {p}::Model::Scalar {p}_real;
-typedef {p}::Parameters {p}_parameters;
-
-static {p}_parameters {p}_default_parameters() {{ return {p}_parameters(); }}
-static void {p}_model_init({p}_model *m, const {p}_parameters *parameters)
-{{
-    m->set(*parameters);
-}}
-{calls}"""
+    include = fill(template("test_model.hpp"), PREFIX=p, CALLS=calls)
     text = test_program(library, reference, parameters, include)
     start = f"{p}_model model" + ("" if library.is_bound else f"{{{p}_parameters()}}")
     return re.sub(r"\bNULL\b", "nullptr", text).replace(f"    {p}_model model;", f"    {start};")
 
 
 def _files(library: Library, reference: Reference, parameters: dict[str, float]) -> dict[str, str]:
+    given = "" if library.is_bound else "(parameters)"
+    usage = fill(template("usage/cpp.md"), PREFIX=library.prefix, GIVEN=given)
     return {
         f"{library.prefix}.hpp": cpp_header(library),
         f"{library.prefix}_test.cpp": _test(library, reference, parameters),
         "CMakeLists.txt": cmake_lists(library, "CXX", f"{library.prefix}.hpp"),
-        "README.md": readme(library, _usage(library)),
+        "README.md": readme(library, usage),
     }
 
 

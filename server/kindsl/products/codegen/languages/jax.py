@@ -2,32 +2,22 @@
 
 from kindsl.mechanics.dynamics.generation.emitters.python_lines import python_function
 from kindsl.mechanics.dynamics.generation.terms import Scalar
-from kindsl.products.codegen.array_module import POSES, answer
 from kindsl.products.codegen.filling import template
 from kindsl.products.codegen.language import Language
 from kindsl.products.codegen.library import Library
 from kindsl.products.codegen.python_text import module_text
 from kindsl.products.codegen.reference import Reference
 
-IMPORTS = "import jax.numpy as np\nimport numpy\nfrom jax.numpy import cos, sign, sin\n"
+OWN = (
+    "import jax.numpy as np\nimport numpy\nfrom jax.numpy import cos, sign, sin\n",
+    "jax_answer",
+    "poses_in_arrays",
+)
 HOW = """\
 Needs JAX only; pure functions for jit, grad and vmap. Leading dimensions are batches, which a
 function takes at once: call it in jit. Numbers are 64 bits wide only with
 jax.config.update('jax_enable_x64', True)."""
 
-ANSWER = answer(
-    "Call a function with the batch as the last dimension",
-    """\
-    size = numpy.prod(batch, dtype=int)
-    whole = [np.broadcast_to(array, (*batch, array.shape[-1])) for array in arrays]
-    parts = [array.reshape((size, array.shape[-1])).T for array in whole]
-    results = []
-    for entries, shape in zip(function(_values(parameters), *parts), shapes):
-        if isinstance(entries, list):
-            entries = np.stack([np.broadcast_to(entry, (size,)) for entry in entries])
-        results.append(entries.T.reshape((*batch, *shape)))
-""",
-)
 # What is computed with arrays; all else is written as operations on the components of vectors.
 IN_ARRAYS = frozenset(
     ("poses", "joint_space_inertia", "inverse_dynamics", "inverse_dynamics_actuated",
@@ -36,12 +26,11 @@ IN_ARRAYS = frozenset(
 
 
 def _files(library: Library, _: Reference, _parameters: dict[str, float]) -> dict[str, str]:
-    own = (IMPORTS, ANSWER, POSES)
-    text = module_text(library, HOW, own, without=IN_ARRAYS)
+    text = module_text(library, HOW, OWN, without=IN_ARRAYS)
     return {f"{library.prefix}.py": f"{text}\n{_tables(library)}\n{template(ARRAYS)}"}
 
 
-ARRAYS = "bodies_in_arrays.txt"
+ARRAYS = "python/bodies_in_arrays.txt"
 
 
 def _tables(library: Library) -> str:
