@@ -6,6 +6,8 @@ from pathlib import Path
 import pytest
 
 import kindsl
+from kindsl.judgement.rules.base import Example
+from kindsl.judgement.rules.registry import rule_named
 
 ROOT = Path(kindsl.__file__).parent
 
@@ -44,6 +46,17 @@ def subjects(text: str) -> dict[str, tuple[str, str]]:
 )
 def test_a_finding_names_what_it_is_about(code: str, kind: str, name: str) -> None:
     assert subjects(ARM)[code] == (kind, name)
+
+
+@pytest.mark.parametrize("code", ["KD208", "KD209"])
+def test_a_link_attached_wrongly_is_the_subject_not_what_carries_it(code: str) -> None:
+    rule = rule_named(code)
+    assert rule is not None
+    example = rule.bad[0]
+    text = example.text if isinstance(example, Example) else example
+    found = [f for f in kindsl.parse(text).findings if f.code == code]
+    assert found
+    assert all(f"link '{f.subject.name}' " in f.message for f in found)
 
 
 def test_the_base_is_a_link() -> None:

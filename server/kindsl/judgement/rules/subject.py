@@ -33,6 +33,11 @@ def parameter_subject(name: str) -> Subject:
     return Subject(SubjectKind.PARAMETER, str(name))
 
 
+def link_subject(name: str) -> Subject:
+    """Return a link, or the base, as a subject."""
+    return Subject(SubjectKind.LINK, str(name))
+
+
 def subject_at(at: Located) -> Subject:
     """Return the frame, link or joint whose text a place lies in, else the document."""
     declared = declarations(at.island)

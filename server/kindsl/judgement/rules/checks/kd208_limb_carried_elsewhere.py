@@ -30,6 +30,7 @@ from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import four_legs
 from kindsl.judgement.rules.limb_places import child_of
 from kindsl.judgement.rules.limb_verdicts import limb_names
+from kindsl.judgement.rules.subject import link_subject
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Child
 from kindsl.language.semantics.model import Model
@@ -51,7 +52,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
             for a in (*others, *twins)
         ]
         fix = _moved(model, child, misplaced) if len(found) == 1 else None
-        yield Finding(child, message, tuple(related), fix)
+        yield Finding(child, message, tuple(related), fix, subject=link_subject(name))
 
 
 def _moved(model: Model, child: Child, misplaced: Misplaced) -> Fix | None:

@@ -29,6 +29,7 @@ from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import four_legs, joint, link, robot
 from kindsl.judgement.rules.limb_places import child_of
 from kindsl.judgement.rules.limb_verdicts import limb_names
+from kindsl.judgement.rules.subject import link_subject
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 from kindsl.robots.limbs.attachments import Misplaced
@@ -53,7 +54,8 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         ]
         fix = _exchanged(model, misplaced, partner) if partner is not None else None
         told += [partner] if partner is not None else []
-        yield Finding(child_of(model, name).joint, message, tuple(related), fix)
+        at, subject = child_of(model, name).joint, link_subject(name)
+        yield Finding(at, message, tuple(related), fix, subject=subject)
 
 
 def _are_exchanged(one: Misplaced, other: Misplaced) -> bool:
