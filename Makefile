@@ -91,6 +91,12 @@ bench: $(STAMP)
 	for file in $(filter-out benchmarks/soak.py benchmarks/mutation.py,$(wildcard benchmarks/*.py)); do \
 		$(BIN)/python $$file || exit 1; done
 
+# What findings claim with a probability, and how much of it holds, on so many slips of a kind.
+SLIPS ?= 20
+.PHONY: calibration
+calibration: $(STAMP)
+	$(BIN)/python benchmarks/calibration.py --half 1 --number $(SLIPS)
+
 # Coverage-guided, so many inputs for each target: RUNS_EACH=1000000 make fuzz.
 RUNS_EACH ?= 20000
 .PHONY: fuzz

@@ -11,6 +11,7 @@ import argparse
 import random
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
+from itertools import chain
 from math import degrees, dist, pi
 from pathlib import Path
 from typing import NamedTuple
@@ -26,6 +27,7 @@ from kindsl.language.semantics.places import Located, Place
 from kindsl.language.text.edits import TextEdit, apply_edits
 from kindsl.robots.limbs.comparison import LimbComparison
 from kindsl.robots.limbs.limb import limbs_of, matched
+from kindsl.robots.limbs.mirrored import PairOfLimbs, pairs_of
 from kindsl.robots.limbs.names import label_of
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -193,6 +195,43 @@ def inertia_copied(generator: random.Random, analysis: Analysis, edge: Edge) -> 
     return Planted(edited(analysis, (edge.link.inertia, text)), (str(edge.child.link),))
 
 
+def copied_unmirrored(generator: random.Random, analysis: Analysis, edge: Edge) -> Planted | None:
+    """Write the joints, and mostly the bodies, of a left limb for those of the right one."""
+    carried = limbs_of(analysis.model, {}).values()
+    pairs = pairs_of(carried, {})
+    for limbs in chain(*carried):
+        heads = dict(limbs.heads)
+        for one, other in (sorted(p[:2], key=repr) for p in limbs.pairs() if p[2] == "LR"):
+            rows = matched(heads[one], heads[other]) or ()
+            names = [[body.name for body in side] for _, *side in rows]
+            others = [p for p in pairs if [p.left.name, p.right.name] != names[0]] if rows else []
+            if len(rows) > 1 and edge.child.link in chain(*names) and _is_usual(others):
+                changes = list(_copies(analysis, names, generator.randrange(3)))
+                return Planted(edited(analysis, *changes), tuple(chain(*names)))
+    return None
+
+
+def _is_usual(others: Sequence[PairOfLimbs]) -> bool:
+    """Return whether the other limbs of a robot are mirrored."""
+    return any(p.is_mirrored for p in others) and not any(p.is_copied for p in others)
+
+
+def _copies(
+    analysis: Analysis, names: Sequence[Sequence[str]], how: int
+) -> Iterator[tuple[Located, str]]:
+    """Yield what writes one limb for another but for where the head is, and how it is turned."""
+    for row, both in enumerate(names):
+        here, there = (analysis.model.tree.above[analysis.model.body_named[n]][0] for n in both)
+        for what in ("translation", "rotation"):
+            if row or (what == "rotation" and how == 0):
+                old, new = _vector(there, what), _vector(here, what)
+                pairs = zip(old.components, new.components, strict=True) if old and new else ()
+                yield from ((place, meant.text) for place, meant in pairs)
+        bodies = [e.link.inertia for e in (here, there) if e.link and e.link.inertia]
+        if len(bodies) == 2 and how < 2:
+            yield bodies[1], bodies[0].island.text[bodies[0].start : bodies[0].end]
+
+
 def _twins(analysis: Analysis, edge: Edge) -> list[Edge]:
     words = label_of(str(edge.child.link)).words
     edges = analysis.model.tree.edges
@@ -213,6 +252,7 @@ KINDS: dict[str, Plant] = {
     "other kind of joint": other_kind,
     "sign of the CoM": vector_slip(("com",), sign),
     "inertia copied": inertia_copied,
+    "limb copied unmirrored": copied_unmirrored,
 }
 NUMBERS_OF_JOINTS = frozenset(list(KINDS)[:7])
 
@@ -399,10 +439,10 @@ def run(
         return
     text = tabled(pool, given.number, given.seed, given.wrong)
     if given.write:
-        _write_section(heading, f"{introduction}\n{text}")
+        write_section(heading, f"{introduction}\n{text}")
 
 
-def _write_section(heading: str, text: str) -> None:
+def write_section(heading: str, text: str) -> None:
     """Put a section in the place of the one that the page has."""
     before, _, rest = PAGE.read_text("utf-8").partition(heading)
     after = "".join(rest.partition("\n## ")[1:])
