@@ -10,7 +10,14 @@ from tests.support.published import CORPUS, published
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.rules import limb_verdicts
-from kindsl.judgement.rules.examples import four_legs, link, placed_joint, robot, two_arms
+from kindsl.judgement.rules.examples import (
+    STEEL_BALL,
+    four_legs,
+    link,
+    placed_joint,
+    robot,
+    two_arms,
+)
 from kindsl.judgement.rules.inertia import shapes
 from kindsl.judgement.rules.inertia.shapes import shape_verdicts
 from kindsl.language.semantics.declarations import Link
@@ -419,8 +426,20 @@ def test_published_robots_are_left_in_peace() -> None:
     ]
 
 
-def walker(right_arm: str) -> str:
-    """Return a robot with mirrored legs, and arms of which the right one's offsets are given."""
+def ball_beside(y: str) -> str:
+    """Return the inertia of a ball of steel beside its link's origin."""
+    ball = STEEL_BALL.replace("(0.0, 0.0, 0.0)", f"(0.0, {y}, 0.0)")
+    return ball.replace("Ix=0.0041", "Ix=0.00779").replace("Iz=0.0041", "Iz=0.00779")
+
+
+def walker(right_arm: str, aside: str = "0.0", hands: tuple[str, ...] = ()) -> str:
+    """Return a robot with mirrored legs, and arms of which the right one's offsets are given.
+
+    Args:
+        right_arm: The offsets.
+        aside: How far the centres of mass of the arms are outside.
+        hands: The offsets of the left and the right hand, if there are hands.
+    """
     offsets = {
         "left_leg": ("0.0, 0.1, -0.1", "0.02, 0.05, -0.3", "0.0, 0.03, -0.3"),
         "right_leg": ("0.0, -0.1, -0.1", "0.02, -0.05, -0.3", "0.0, -0.03, -0.3"),
@@ -432,9 +451,17 @@ def walker(right_arm: str) -> str:
         for part, place in zip(("upper", "lower", "end"), places, strict=True):
             below = {"upper": "lower", "lower": "end"}.get(part)
             child = f"{limb}_{below} via {limb}_{below}_joint" if below else ""
-            parts.append(link(f"{limb}_{part}", number, child))
+            if part == "end" and hands and "arm" in limb:
+                child = f"{limb}_hand via {limb}_wrist"
+            outside = aside if limb == "left_arm" else f"-{aside}"
+            inertia = ball_beside(outside) if "arm" in limb and aside != "0.0" else STEEL_BALL
+            parts.append(link(f"{limb}_{part}", number, child, inertia))
             parts.append(placed_joint(f"{limb}_{part}_joint", place, "0.0, 0.0, 0.0"))
             number += 1
+    for limb, hand in zip(("left_arm", "right_arm"), hands, strict=False):
+        parts.append(link(f"{limb}_hand", number))
+        parts.append(placed_joint(f"{limb}_wrist", hand, "0.0, 0.0, 0.0"))
+        number += 1
     heads = " ".join(f"{limb}_upper via {limb}_upper_joint" for limb in offsets)
     return robot(*sorted(parts, key=lambda part: "joint" in part[:8]), base=heads)
 
@@ -447,6 +474,46 @@ def test_a_limb_that_is_copied_where_others_are_mirrored_is_reported() -> None:
         "limbs of this robot are"
     )
     assert codes(walker("0.1, -0.05, -0.2; 0.05, -0.03, -0.25")) == []
+
+
+MIRRORED_ARM, COPIED_ARM = (
+    "0.1, -0.05, -0.2; 0.05, -0.03, -0.25",
+    "0.1, 0.05, -0.2; 0.05, 0.03, -0.25",
+)
+
+
+def test_joints_may_be_copied_alone() -> None:
+    (finding,) = found("KD510", walker(COPIED_ARM, aside="0.03"))
+    assert "is a copy of" in finding.message
+    assert codes(walker(MIRRORED_ARM, aside="0.03")) == []
+
+
+@pytest.mark.parametrize("y", ["0.03", "-0.03"])
+def test_hands_do_not_tell_whether_arms_are_copies(y: str) -> None:
+    hands = "0.02, 0.03, -0.04", f"0.02, {y}, -0.04"
+    (finding,) = found("KD510", walker(COPIED_ARM, hands=hands))
+    assert "is a copy of" in finding.message
+    assert codes(walker(MIRRORED_ARM, hands=hands)) == []
+
+
+def with_turned_mount(text: str, place: str, rotation: str) -> str:
+    old = f"({place})\n        rotation = (0.0, 0.0, 0.0)"
+    assert old in text
+    return text.replace(old, f"({place})\n        rotation = ({rotation})")
+
+
+def test_a_like_arm_on_a_turned_mount_is_meant() -> None:
+    arm = "0.02, 0.3, -0.05; 0.0, 0.25, -0.02"
+    text = walker(arm).replace("(0.1, 0.05, -0.2)", "(0.02, 0.3, -0.05)")
+    text = text.replace("(0.05, 0.03, -0.25)", "(0.0, 0.25, -0.02)")
+    assert [f.code for f in found("KD510", text)] == ["KD510"]
+    assert codes(with_turned_mount(text, "0.0, -0.2, 0.4", "0.0, 0.0, PI")) == []
+
+
+def test_a_copy_on_a_mirrored_mount_is_reported() -> None:
+    text = with_turned_mount(walker(COPIED_ARM), "0.0, 0.2, 0.4", "0.3, 0.0, 0.0")
+    (finding,) = found("KD510", with_turned_mount(text, "0.0, -0.2, 0.4", "-0.3, 0.0, 0.0"))
+    assert "is a copy of" in finding.message
 
 
 @pytest.mark.parametrize("right", ["0.6, 0.0, 0.0", "0.0, 0.5, 0.0"])

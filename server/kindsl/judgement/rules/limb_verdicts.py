@@ -155,10 +155,11 @@ def copied_limbs(model: Model, context: Context) -> list[PairOfLimbs]:
     """Return the pair of limbs that is copied where all others are mirrored, if there is one."""
 
     def found() -> list[PairOfLimbs]:
-        groups = [limbs for each in limbs_of(model, context.values).values() for limbs in each]
-        if not any(how == "LR" for limbs in groups for *_, how in limbs.pairs()):
+        carried = limbs_of(model, context.values).values()
+        every = (pair for groups in carried for limbs in groups for pair in limbs.pairs())
+        if not any(how == "LR" for *_, how in every):
             return []
-        pairs = pairs_of(groups, _masses(model.bodies, context.values))
+        pairs = pairs_of(carried, _masses(model.bodies, context.values))
         return list(unmirrored(pairs))
 
     return model.facts.made_of(_COPIED, context, found)
