@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 from tests.preview.robots import ARM, plain_robot, skeleton_in, skeleton_of
 from tests.support.documents import all_documents
 
+from kindsl.frontends.preview.changes import changes
 from kindsl.judgement.analysis.analysis import analyse
-from kindsl.robots.scene.changes import changes
 from kindsl.robots.scene.encoding import as_json, encode
 from kindsl.robots.scene.messages import Change, SetTransform, ValueMessage
 from kindsl.robots.scene.picture import picture

@@ -3,7 +3,7 @@
 import asyncio
 from collections.abc import Awaitable, Callable, Iterable
 
-from kindsl.robots.scene.changes import changes
+from kindsl.frontends.preview.changes import changes
 from kindsl.robots.scene.messages import Change, Part
 from kindsl.robots.scene.state import Messages, key_of, keyed
 

@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tests.preview.page import Page
 
-from kindsl.robots.scene.changes import changes
+from kindsl.frontends.preview.changes import changes
 from kindsl.robots.scene.messages import Delete, SetObject, SetTransform, ValueMessage
 from kindsl.robots.scene.state import keyed, path_of
 
