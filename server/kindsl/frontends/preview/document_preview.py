@@ -101,7 +101,7 @@ class DocumentPreview:
 
     def show(self, analysis: Analysis, findings: Sequence[Diagnostic]) -> None:
         """Show a version and its findings; values that were set by sliders stay."""
-        self.put(analysis, self.drawing(analysis))
+        self.put(analysis)
         self.list_findings(findings)
 
     def drawing(self, analysis: Analysis) -> ShownVersion:
@@ -114,12 +114,12 @@ class DocumentPreview:
             robot = robot_messages(name, drawn.skeleton, drawn.guesses, limits, drawn.unknown)
         return ShownVersion(given, drawn, robot)
 
-    def put(self, analysis: Analysis, drawing: ShownVersion) -> None:
-        """Show a version of which a drawing was made; earlier findings stay listed."""
+    def put(self, analysis: Analysis, drawing: ShownVersion | None = None) -> None:
+        """Show a version, of which a drawing may have been made; earlier findings stay listed."""
         self.analysis = analysis
         self._planned = None
-        is_current = drawing.given == self._given(analysis)
-        self._put(analysis, drawing if is_current else self.drawing(analysis))
+        is_current = drawing is not None and drawing.given == self._given(analysis)
+        self._put(analysis, drawing if drawing and is_current else self.drawing(analysis))
         self.revision += 1
         self._changed()
 
@@ -156,7 +156,7 @@ class DocumentPreview:
         if saved is None:
             return
         if self._parameters:
-            own = picture(saved.model, {**saved.context.values}, self._last_good)
+            own = picture(saved.model, saved.context.values, self._last_good)
             self._ghost = self._last_skeleton if own.state is PictureState.BROKEN else own.skeleton
         self._saved = document_robot(LAST_SAVED, lambda: saved)
         self._draw_ghost()
@@ -195,7 +195,7 @@ class DocumentPreview:
         skeleton = drawn.skeleton
         if skeleton is None or drawn.is_former:
             return None, None
-        values = {**given, **drawn.guesses.values}
+        values = drawn.guesses.beside(given)
         other = self._others().get(self._chosen)
         source = self._meshes_of() if self._wants_meshes else None
         return (

@@ -39,7 +39,7 @@ def card_page(analysis: Analysis, pose: str | None = None) -> Page:
         PoseError: The configuration has no such pose for this robot.
     """
     facts = robot_facts(analysis)
-    shown = picture(analysis.model, dict(analysis.context.values), None)
+    shown = picture(analysis.model, analysis.context.values, None)
     blocks = [*_heading(facts, shown, analysis, pose), *_tree(facts)]
     if shown.skeleton is not None:
         blocks += [*_joints(shown.skeleton), *_masses(shown.skeleton, facts, analysis)]
@@ -49,7 +49,7 @@ def card_page(analysis: Analysis, pose: str | None = None) -> Page:
 
 def shown_skeleton(analysis: Analysis) -> Linkage | None:
     """Return the drawable bodies of a document, None if there are none."""
-    return picture(analysis.model, dict(analysis.context.values), None).skeleton
+    return picture(analysis.model, analysis.context.values, None).skeleton
 
 
 def _heading(

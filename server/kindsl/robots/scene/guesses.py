@@ -29,6 +29,10 @@ class Guesses(NamedTuple):
     joints: frozenset[str]
     frames: frozenset[str]
 
+    def beside(self, known: Mapping[str, float]) -> dict[str, float]:
+        """Return known values, and the guesses of those that lack."""
+        return {**known, **self.values}
+
 
 NO_GUESSES = Guesses({}, (), frozenset(), frozenset())
 

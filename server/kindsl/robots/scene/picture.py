@@ -9,7 +9,6 @@ from enum import StrEnum
 
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import written_pose
-from kindsl.language.semantics.parameters import values_of
 from kindsl.language.text.phrases import counted
 from kindsl.robots.mechanism.errors import ModelError
 from kindsl.robots.mechanism.linkage import Linkage
@@ -52,18 +51,17 @@ class Picture:
     is_former: bool = False
 
 
-def picture(model: Model, given: dict[str, float], last: Picture | None) -> Picture:
+def picture(model: Model, known: Mapping[str, float], last: Picture | None) -> Picture:
     """Choose what to draw of a document.
 
     Args:
         model: Its model, whole or broken.
-        given: Values of parameters.
+        known: Values of parameters by name, and of constants by `<name>`.
         last: That of the last version that had a complete tree.
     """
     defect = _defect(model)
-    values = values_of(model.parameters, model.constants, given)
-    guessed = guesses(model, values)
-    values.update(guessed.values)
+    guessed = guesses(model, known)
+    values = guessed.beside(known)
     former = last.skeleton if last is not None else None
     earlier = dict(zip(former.joint_names, former.placements, strict=True)) if former else {}
     skeleton = partial_linkage(model, values, earlier)

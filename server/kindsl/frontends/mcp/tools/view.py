@@ -35,7 +35,7 @@ class ViewArguments(BoundArguments):
 def run(arguments: ViewArguments, folder: Folder) -> list[Content]:
     """Return the picture."""
     _, analysis = document(arguments, folder)
-    shown = picture(analysis.model, dict(analysis.context.values), None)
+    shown = picture(analysis.model, analysis.context.values, None)
     if shown.skeleton is None:
         raise ToolError(shown.message or "there is nothing to draw")
     drawing = robot_drawing(_moved(shown.skeleton, arguments.q), preset=arguments.preset)
