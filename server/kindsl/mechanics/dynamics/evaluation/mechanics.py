@@ -260,9 +260,10 @@ class Mechanics(WholeBody):
         self, q: JointVector, qd: JointVector, base_velocity: npt.ArrayLike | None = None
     ) -> Array:
         """Return the kinetic energy (...), joule."""
-        joints, base = {"q": q, "qd": qd}, {"base_velocity": base_velocity}
-        q, qd, v, _ = self._motion(joints, base, STANDARD_GRAVITY)
-        return energy.kinetic_energy(self.bodies, q, qd, v)
+        given = checked(self.bodies, {"q": q, "qd": qd}, {"base_velocity": base_velocity})
+        common_batch_shape(given)
+        v_base = given.get("base_velocity", AT_REST)
+        return energy.kinetic_energy(self.bodies, given["q"], given["qd"], v_base)
 
     def potential_energy(self, q: JointVector, gravity: npt.ArrayLike = STANDARD_GRAVITY) -> Array:
         """Return the potential energy (...), joule, zero for all mass at the base's origin."""
