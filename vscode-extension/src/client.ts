@@ -3,7 +3,7 @@ import type { ChildProcess } from "node:child_process";
 import type * as vscode from "vscode";
 import { LanguageClient, type ServerOptions } from "vscode-languageclient/node";
 import type { LanguageClientOptions } from "vscode-languageclient";
-import { clientOptions, LANGUAGE, TRANSFORMS, type ClientHooks, type DocumentStatus } from "./clientOptions";
+import { clientOptions, LANGUAGE, OTHER_ROBOTS, TRANSFORMS, type ClientHooks, type DocumentStatus } from "./clientOptions";
 import type { Launch } from "./launch";
 
 /** A client that logs its errors only: what the user must know is said once, by problems.ts. */
@@ -40,6 +40,7 @@ function options(log: vscode.LogOutputChannel, hooks: ClientHooks): LanguageClie
     { scheme: "untitled", language: LANGUAGE },
     { scheme: "file", language: TRANSFORMS },
     { scheme: "untitled", language: TRANSFORMS },
+    { scheme: "file", pattern: OTHER_ROBOTS },
     // What is wrong in the configuration, and links to the robots that it names.
     { scheme: "file", pattern: "**/kindsl.toml" },
   ];

@@ -12,8 +12,15 @@ import {
 import { showSource } from "./source";
 
 export const LANGUAGE = "kinematics-dsl";
+/** Robots in other formats, whatever language they are taken for: other extensions claim it. */
+export const OTHER_ROBOTS = "**/*.{urdf,sdf}";
 /** Lists the transforms that RobCoGen generates of a robot. */
 export const TRANSFORMS = "kinematics-dsl-transforms";
+
+/** Whether a document is a robot that a preview can show. */
+export function isRobot(document: vscode.TextDocument | undefined): document is vscode.TextDocument {
+  return document !== undefined && (document.languageId === LANGUAGE || /\.(urdf|sdf)$/i.test(document.uri.path));
+}
 
 /** The server's notification `kindsl/status`; `state` is a word for the user, such as "broken model". */
 export interface DocumentStatus {

@@ -1,7 +1,7 @@
 // The preview panels: one that follows the active editor, and any number pinned to a document each.
 import * as vscode from "vscode";
 import { ExecuteCommandRequest } from "vscode-languageclient";
-import { LANGUAGE } from "./clientOptions";
+import { isRobot } from "./clientOptions";
 import type { PanelState } from "./previewPage";
 import type { ServerAccess } from "./serverAccess";
 import { showSource } from "./source";
@@ -75,7 +75,7 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
   /** The document that a command means: the active editor's, or that of the panel which has the focus. */
   currentUri(): vscode.Uri | undefined {
     const document = vscode.window.activeTextEditor?.document;
-    return document?.languageId === LANGUAGE ? document.uri : this.#activeUri();
+    return isRobot(document) ? document.uri : this.#activeUri();
   }
 
   /** The document of the panel that has the focus. */
@@ -110,7 +110,7 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
   #followEditor(editor: vscode.TextEditor | undefined): void {
     const follower = this.#follower();
     const document = editor?.document;
-    if (follower === undefined || document?.languageId !== LANGUAGE) return;
+    if (follower === undefined || !isRobot(document)) return;
     if (document.uri.toString() !== follower.uri.toString()) this.#show(follower, document.uri);
   }
 

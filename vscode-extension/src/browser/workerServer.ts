@@ -2,7 +2,7 @@
 import * as vscode from "vscode";
 import { LanguageClient } from "vscode-languageclient/browser";
 import { RESTART, SHOW_LOG, showError } from "../actions";
-import { clientOptions, LANGUAGE, rulePages, TRANSFORMS, type DocumentStatus, type Requests } from "../clientOptions";
+import { clientOptions, LANGUAGE, OTHER_ROBOTS, rulePages, TRANSFORMS, type DocumentStatus, type Requests } from "../clientOptions";
 import { PAGE_MESSAGES, PAGE_REQUEST, type PageMessages, type PageServer } from "../serverAccess";
 import { ServerLife } from "../serverLife";
 import { ProjectFiles } from "./projectFiles";
@@ -50,7 +50,7 @@ export class WorkerServer extends ServerLife<LanguageClient> implements PageServ
   #newClient(worker: Worker, files: ProjectFiles): LanguageClient {
     const options = {
       ...clientOptions(this.log, { ...this.requests, crashed: () => false, rules: rulePages(this.extension) }),
-      documentSelector: [{ language: LANGUAGE }, { language: TRANSFORMS }, { pattern: "**/kindsl.toml" }],
+      documentSelector: [{ language: LANGUAGE }, { language: TRANSFORMS }, { pattern: OTHER_ROBOTS }, { pattern: "**/kindsl.toml" }],
       uriConverters: files.uriConverters,
     };
     const client = new LanguageClient("kindsl", "Kinematics-DSL", options, worker);

@@ -3,14 +3,14 @@
 import re
 from typing import TYPE_CHECKING
 
-from kindsl.language.syntax.document import SyntaxDocument, parse
-
 if TYPE_CHECKING:
+    from kindsl.language.syntax.document import SyntaxDocument
     from kindsl.robots.interchange.format import Format
 
 OWN_SUFFIX = ".kindsl"
 # Of the other formats that rules judge where they stand.
 JUDGED_SUFFIXES = (".urdf",)
+_XML_SUFFIXES = (".urdf", ".sdf")
 _DOCTYPE = r"!DOCTYPE[^\[>]*(?:\[[^\]]*\]\s*)?"
 _BEFORE_ROOT = rf"\ufeff?\s*(?:<(?:\?.*?\?|!--.*?--|{_DOCTYPE})>\s*)*"
 _ROOT = re.compile(rf"{_BEFORE_ROOT}<(robot|sdf|mujoco)[\s/>]", re.DOTALL)
@@ -45,7 +45,12 @@ def other_format(name: str, text: str) -> "Format | None":
     return found if is_told or root is None else format_named(_FORMATS[root[1]])
 
 
-def syntax_of(name: str, text: str) -> SyntaxDocument:
+def is_xml_name(name: str) -> bool:
+    """Return whether a file is another format's by its name, and nothing of our language."""
+    return name.lower().endswith(_XML_SUFFIXES)
+
+
+def syntax_of(name: str, text: str) -> "SyntaxDocument":
     """Return the syntax of a robot's file that is judged where it stands; never raises.
 
     Args:
@@ -53,14 +58,18 @@ def syntax_of(name: str, text: str) -> SyntaxDocument:
         text: Its text.
     """
     is_urdf = begins_as_urdf(text) and not name.endswith(OWN_SUFFIX)
-    if not is_urdf and not name.endswith(JUDGED_SUFFIXES):
+    if not is_urdf and not name.lower().endswith(JUDGED_SUFFIXES):
+        if is_xml_name(name):
+            return unjudged(text)
+        from kindsl.language.syntax.document import parse
+
         return parse(text)
     from kindsl.robots.interchange.urdf.document import urdf_document
 
     return urdf_document(text)
 
 
-def unjudged(text: str) -> SyntaxDocument:
+def unjudged(text: str) -> "SyntaxDocument":
     """Return a text of which no rule says anything."""
     from kindsl.language.syntax.tree import Island
     from kindsl.robots.interchange.xml_document import XmlDocument

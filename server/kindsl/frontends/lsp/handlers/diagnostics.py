@@ -46,7 +46,7 @@ async def pull(session: Session, params: types.DocumentDiagnosticParams) -> Repo
     if document is None:
         return {"kind": "full", "items": []}
     session.publisher.leave_to_pull(document)
-    if not document.is_robot:
+    if not document.is_judged:
         return {"kind": "full", "items": await companion_diagnostics(session, document)}
     version = await session.analyses.version(document)
     if not session.client.is_told_to_pull:

@@ -55,6 +55,14 @@ def highlight(view: View, params: types.DocumentHighlightParams) -> list[types.D
     ]
 
 
+@handlers.xml(types.TEXT_DOCUMENT_DOCUMENT_HIGHLIGHT)
+def follow(view: View, params: types.DocumentHighlightParams) -> None:
+    """Light up in the preview what the cursor is on in a robot in XML, and nothing in the text."""
+    from kindsl.frontends.features.xml_things import thing_at
+
+    view.tell_cursor(*thing_at(view.analysis, view.offset(params.position)))
+
+
 @handlers.place(types.TEXT_DOCUMENT_PREPARE_CALL_HIERARCHY)
 def prepare_hierarchy(
     view: View, params: types.CallHierarchyPrepareParams

@@ -38,6 +38,14 @@ def hover_transforms(view: TransformsView, params: types.HoverParams) -> types.H
     return _shown(view, transforms_hover(view.document.text, offset, view.model))
 
 
+@handlers.xml(types.TEXT_DOCUMENT_HOVER)
+def hover_xml(view: View, params: types.HoverParams) -> types.Hover | None:
+    """Tell what a link or joint of a robot in XML weighs, and how it moves."""
+    from kindsl.frontends.features.xml_things import xml_hover
+
+    return _shown(view, xml_hover(view.analysis, view.offset(params.position)))
+
+
 def _shown(view: Sight, found: "Hover | None") -> types.Hover | None:
     if found is None:
         return None

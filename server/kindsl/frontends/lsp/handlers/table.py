@@ -24,12 +24,13 @@ class _Entry(NamedTuple):
 class Handlers:
     """The handlers of one module."""
 
-    __slots__ = ("_commands", "_entries", "_of_transforms")
+    __slots__ = ("_commands", "_entries", "_of_transforms", "_of_xml")
 
     def __init__(self) -> None:
         self._entries: list[_Entry] = []
         self._commands: list[_Entry] = []
         self._of_transforms: dict[str, Callable[..., Any]] = {}
+        self._of_xml: dict[str, Callable[..., Any]] = {}
 
     def place(self, method: str, options: Any = None) -> Callable[[F], F]:
         """Register a handler `(view, params) -> result` of a place, answered at once."""
@@ -60,6 +61,15 @@ class Handlers:
 
         return register
 
+    def xml(self, method: str) -> Callable[[F], F]:
+        """Register `(view, params) -> result` besides the method's handler, for robots in XML."""
+
+        def register(handler: F) -> F:
+            self._of_xml[method] = handler
+            return handler
+
+        return register
+
     def command(self, name: str) -> Callable[[F], F]:
         """Register a command `(session, *arguments) -> result`, which may be awaitable."""
 
@@ -73,8 +83,8 @@ class Handlers:
         """Announce everything to the editor."""
         for method, options, bind in self._entries:
             answer = bind(session)
-            other = self._of_transforms.get(method)
-            chosen = answer if other is None else _by_kind(session, answer, other)
+            others = self._of_transforms.get(method), self._of_xml.get(method)
+            chosen = _by_kind(session, answer, *others) if any(others) else answer
             session.editor.feature(method, options)(chosen)
         for name, _, bind in self._commands:
             session.editor.command(name)(bind(session))
@@ -88,15 +98,25 @@ class Handlers:
 
 
 def _by_kind(
-    session: Session, of_robot: Callable[..., Any], of_transforms: Callable[..., Any]
+    session: Session,
+    of_robot: Callable[..., Any],
+    of_transforms: Callable[..., Any] | None,
+    of_xml: Callable[..., Any] | None,
 ) -> Callable[..., Any]:
-    async def ask(document: Document, params: Any) -> Any:
+    async def ask_of_transforms(document: Document, params: Any) -> Any:
+        assert of_transforms is not None, "else it is not asked"
         return of_transforms(await transforms_view(session, document), params)
+
+    async def ask_of_xml(document: Document, params: Any) -> Any:
+        assert of_xml is not None, "else it is not asked"
+        return of_xml(await session.view(document), params)
 
     def answer(params: Any) -> Any:
         document = session.documents.get(params.text_document.uri)
-        if document is not None and document.is_transforms:
-            return ask(document, params)
+        if document is not None and document.is_transforms and of_transforms is not None:
+            return ask_of_transforms(document, params)
+        if document is not None and document.is_xml and of_xml is not None:
+            return ask_of_xml(document, params)
         return of_robot(params)
 
     return answer

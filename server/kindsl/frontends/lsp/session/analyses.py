@@ -46,6 +46,14 @@ class Analyses:
         """Return the analysis of a version under the present settings, its model made."""
         return await (await self.version(document)).analysis()
 
+    async def shown(self, document: Document) -> "Analysis":
+        """Return the analysis to draw and compute: of XML the document that it would become.
+
+        Raises:
+            UnreadableRobotError: It is XML without a robot that can be shown.
+        """
+        return await (await self.version(document)).shown()
+
     async def findings(self, document: Document) -> "tuple[Diagnostic, ...]":
         """Return what is wrong with a version under the present settings."""
         return await (await self.version(document)).findings()
@@ -70,6 +78,17 @@ class Version(NamedTuple):
         if known is not None and known[0] == self.settings:
             return known[1]
         return await self._shared("analysis", self._made, Urgency.ANSWER)
+
+    async def shown(self) -> "Analysis":
+        """Return the analysis to draw and compute; see `Analyses.shown`."""
+        if not self.document.is_xml:
+            return await self.analysis()
+        return await self._shared("translation", self._translated, Urgency.ANSWER)
+
+    def _translated(self) -> "Analysis":
+        from kindsl.judgement.analysis.translated_robot import analysed_robot
+
+        return analysed_robot(self.document.uri, self.document.text, self.settings)
 
     async def findings(self, urgency: Urgency = Urgency.ANSWER) -> "tuple[Diagnostic, ...]":
         """Return what is wrong; twins are read when all else is known."""

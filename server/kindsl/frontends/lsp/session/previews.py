@@ -68,7 +68,7 @@ class Previews:
             RequestFailed: There is no such document, no such origin, or something is not installed.
         """
         document = self._state.documents.get(uri)
-        if document is None or not document.is_robot:
+        if document is None or not document.is_judged:
             raise RequestFailed(f"'{uri}' is not a document that can be shown")
         preview = await self._started()
         if isinstance(origin, str):
@@ -129,8 +129,16 @@ class Previews:
             self._drawing.discard(key)
 
     async def _show(self, preview: "DocumentPreviews", version: _Version) -> None:
+        from kindsl.judgement.analysis.translated_robot import UnreadableRobotError
+
         document, findings = version
-        analysis = await self._state.analyses.of(document)
+        try:
+            analysis = await self._state.analyses.shown(document)
+        except UnreadableRobotError as error:
+            if (shown := self._shown(document.uri)) is None:
+                raise RequestFailed(str(error)) from None
+            shown.lose(str(error))
+            return
         await self._state.until_quiet()
         await preview.show(uris.key(document.uri), analysis, findings, uris.basename(document.uri))
 

@@ -85,7 +85,7 @@ class Publisher:
     async def _publish_later(self, document: Document, delay: float) -> None:
         if delay:
             await asyncio.sleep(delay)
-        if not document.is_robot:
+        if not document.is_judged:
             await self._publish_companion(document)
             return
         version = await self._state.analyses.version(document)
@@ -125,6 +125,8 @@ class Publisher:
                 self._send(document.uri, shown, bool(findings))
             for listener in self._state.on_findings:
                 listener(document, findings)
+            if document.is_xml:
+                return
             analysis = await version.analysis()
             self._check_companions(document, analysis)
             if self._state.client.announces(STATUS):
@@ -152,7 +154,7 @@ class Publisher:
             self._publish(document.uri, document.version, shown)
 
     def _check_companions(self, document: Document, analysis: "Analysis") -> None:
-        companions = [other for other in self._state.documents if not other.is_robot]
+        companions = [other for other in self._state.documents if not other.is_judged]
         if not companions:
             return
         key = uris.key(document.uri)

@@ -84,7 +84,10 @@ class View(Sight):
         from kindsl.frontends.features.symbol_at import symbol_at
 
         symbol = symbol_at(self.analysis, self.offset(position))
-        kind, name = (symbol.entity.kind, symbol.entity.name) if symbol else ("", "")
+        self.tell_cursor(*((symbol.entity.kind, symbol.entity.name) if symbol else ("", "")))
+
+    def tell_cursor(self, kind: str, name: str) -> None:
+        """Tell who listens that the cursor is on a thing; on nothing for an empty name."""
         for listener in self.state.on_cursor:
             listener(self.document.uri, kind, name)
 

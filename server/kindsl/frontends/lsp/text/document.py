@@ -11,6 +11,7 @@ from kindsl.frontends.lsp.text.row import PlainPiece, Row, edits_between
 from kindsl.judgement.config.file_names import TRANSFORMS_SUFFIX
 from kindsl.language.text.facts import Facts
 from kindsl.language.text.span import Span
+from kindsl.robots.interchange.syntaxes import OWN_SUFFIX, is_xml_name, syntax_of
 
 if TYPE_CHECKING:
     from kindsl.language.syntax.document import SyntaxDocument
@@ -62,8 +63,18 @@ class Document:
 
     @property
     def is_robot(self) -> bool:
-        """True if it describes a robot."""
-        return not self.is_toml and not self.is_transforms
+        """True if it describes a robot in the Kinematics-DSL."""
+        return not self.is_toml and not self.is_transforms and not self.is_xml
+
+    @property
+    def is_xml(self) -> bool:
+        """True if it describes a robot in XML, by its name, whatever language the editor takes."""
+        return is_xml_name(uris.basename(self.uri))
+
+    @property
+    def is_judged(self) -> bool:
+        """True if it describes a robot on which rules have a word."""
+        return self.is_robot or self.is_xml
 
     @property
     def is_parsed(self) -> bool:
@@ -120,11 +131,9 @@ class Document:
         return types.Range(self.position(start), self.position(end))
 
     def _parsed(self) -> "SyntaxDocument":
-        from kindsl.language.syntax.document import parse
-
         basis, row = self._basis, self.lines.row
         if basis is None:
-            return parse(self.text)
+            return syntax_of(self.uri if self.is_xml else OWN_SUFFIX, self.text)
         starts = (*basis.starts, basis.length)
         return basis.edited(tuple(edits_between(basis.islands, starts, row)))
 
