@@ -115,3 +115,24 @@ def test_no_page_writes_into_a_urdf(kindsl: Runner, folder: Path) -> None:
     told = kindsl("preview", "arm.urdf", "--edit", "--no-open")
     assert told.status == 2
     assert "only a .kindsl document is edited in the page" in told.err
+
+
+def test_folders_are_walked_for_what_the_configuration_includes(
+    kdsl_lint: Runner, folder: Path
+) -> None:
+    bad = URDF.replace('iyy="0.02"', 'iyy="0.07"')
+    for name in ("arm.urdf", "sub/leg.urdf", "sub/old/leg.urdf", "sub/LEG.URDF"):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(bad)
+
+    def linted(*paths: str) -> list[str]:
+        told = json.loads(kdsl_lint("--output-format", "json", *paths).out)
+        return [found["path"] for found in told]
+
+    assert linted() == []
+    assert linted("arm.urdf") == ["arm.urdf"]
+    (folder / "kindsl.toml").write_text('include = ["sub/*.urdf", "*.URDF"]\n')
+    assert linted() == ["sub/LEG.URDF", "sub/leg.urdf"]
+    assert linted("arm.urdf", "sub/old/leg.urdf") == ["arm.urdf", "sub/old/leg.urdf"]
+    (folder / "kindsl.toml").write_text('include = "*.urdf"\n')
+    assert "'include' must be a list of patterns, not a string" in kdsl_lint().err

@@ -35,6 +35,7 @@ class Configuration(NamedTuple):
         root: The keys before ours: `("tool", "kindsl")` in a pyproject.toml.
         baseline: The file of known findings, from the file's folder; empty without one.
         twins: Other files of robots.
+        included: Patterns of URDFs that are linted, too, where a folder is.
     """
 
     path: str
@@ -45,6 +46,7 @@ class Configuration(NamedTuple):
     root: tuple[str, ...] = ()
     baseline: str = ""
     twins: tuple[TwinTable, ...] = ()
+    included: tuple[str, ...] = ()
 
     @property
     def twin_files(self) -> tuple[TwinFile, ...]:
@@ -68,6 +70,14 @@ class Configuration(NamedTuple):
             d.decisions for d in self.documents if is_match(self.path, d.pattern, document)
         ]
         return [self.common, *particular]
+
+    def includes(self, document: str) -> bool:
+        """Return whether a robot in another format is linted where its folder is."""
+        if not self.included:
+            return False
+        from kindsl.judgement.config.patterns import is_match
+
+        return any(is_match(self.path, pattern, document) for pattern in self.included)
 
     def keys_of(self, parameter: str, document: str) -> list[KeyPath]:
         """Return the keys that give a parameter of a document a value, the winning ones last."""

@@ -80,7 +80,8 @@ def configuration_of(path: str, text: str) -> Configuration:
     documents = tuple(_document(each, path) for each in table.at("document").tables())
     twins = tuple(_twin(each, path, root, places) for each in table.at("twins").tables())
     baseline = stripped(table.at("baseline"))
-    found = Configuration(path, text, common, documents, places, root, baseline, twins)
+    included = tuple(filter(None, map(pattern, table.at("include").elements("a list of patterns"))))
+    found = Configuration(path, text, common, documents, places, root, baseline, twins, included)
     _raise_if_wrong(found, table.mistakes)
     return found
 

@@ -24,7 +24,7 @@ T = TypeVar("T")
 DECISION_KEYS = (
     "target", "select", "ignore", "severity", "parameters", "joints", "version", "poses",
 )  # fmt: skip
-KEYS = (*DECISION_KEYS, "baseline", "document", "twins")
+KEYS = (*DECISION_KEYS, "baseline", "document", "include", "twins")
 DOCUMENT_KEYS = ("path", *DECISION_KEYS)
 EDITOR_KEYS = ("target", "ignore", "severity", "parameters")
 TWIN_KEYS = ("document", "file", "joints", "tolerance")

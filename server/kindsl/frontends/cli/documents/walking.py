@@ -40,7 +40,7 @@ def _identity(path: str) -> str:
     return os.path.join(os.path.realpath(folder), name)
 
 
-def _shown(path: str) -> str:
+def shown_path(path: str) -> str:
     """Return a path without `./` in front, which says nothing unless `-` is a file."""
     shown = path
     while shown.startswith(_HERE):
@@ -61,12 +61,12 @@ def _documents_of(
         yield Failure(path, why)
         return
     if not is_folder:
-        yield _shown(path)
+        yield shown_path(path)
         return
     is_empty = True
     for found in walked(path, excluded, suffixes):
         is_empty = False
-        yield _failure(found) if isinstance(found, Obstacle) else _shown(found)
+        yield _failure(found) if isinstance(found, Obstacle) else shown_path(found)
     if is_empty and is_robot(path):
         yield Failure(path, "is a folder, not a file")
 
@@ -75,4 +75,4 @@ def _failure(obstacle: Obstacle) -> Failure:
     path, why = obstacle
     # Of a folder it is the list of names that cannot be read.
     verb = "listed" if os.path.isdir(path) else "read"
-    return Failure(_shown(path), reason(path, why).replace("read", verb))
+    return Failure(shown_path(path), reason(path, why).replace("read", verb))

@@ -8,19 +8,20 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from kindsl.frontends.cli.documents.choices import Choices
 from kindsl.frontends.cli.documents.sources import STDIN, UNNAMED
-from kindsl.frontends.cli.documents.walking import documents
+from kindsl.frontends.cli.documents.walking import documents, shown_path
 from kindsl.frontends.cli.linter.one_document import Checked, FixMode, Task
 from kindsl.frontends.cli.linter.parallel import check_all
 from kindsl.frontends.cli.outcome import Failure, LintedFile, RunOutcome, as_failures
 from kindsl.judgement.config.errors import ConfigurationError
 from kindsl.judgement.config.file_names import TRANSFORMS_SUFFIX
 from kindsl.judgement.config.robots import SUFFIX, TOOLS_FOLDERS
+from kindsl.robots.interchange.syntaxes import JUDGED_SUFFIXES, is_xml_name
 
 if TYPE_CHECKING:
     from kindsl.judgement.config.configuration import Configuration
 
-# How files end that are linted when a folder is named.
-LINTED = (SUFFIX, TRANSFORMS_SUFFIX)
+# How files end that are linted when a folder is named; robots in XML only if included.
+_WALKED = (SUFFIX, TRANSFORMS_SUFFIX, *JUDGED_SUFFIXES)
 _FEW = 200
 # The garbage of so many documents fits into memory.
 _FEW_TO_COLLECT = 16
@@ -70,6 +71,23 @@ def lint(plan: LintPlan) -> RunOutcome:
     return RunOutcome(files, failures, remarks=remarks)
 
 
+def linted(plan: LintPlan) -> Iterator[str | Failure]:
+    """Yield the documents of a plan: in folders, robots in XML that a configuration includes."""
+    named = {shown_path(path) for path in plan.paths}
+    for document in documents(plan.paths, plan.excluded, _WALKED):
+        is_walked = not isinstance(document, Failure) and document not in named
+        if not (is_walked and is_xml_name(str(document))) or _is_included(str(document), plan):
+            yield document
+
+
+def _is_included(document: str, plan: LintPlan) -> bool:
+    try:
+        configuration = plan.choices.configuration_for(document)
+    except ConfigurationError:
+        return True  # It is reported with the document.
+    return configuration is not None and configuration.includes(document)
+
+
 def _prepared(
     plan: LintPlan,
 ) -> "tuple[list[Task], list[Failure], dict[str, Configuration]]":
@@ -77,7 +95,7 @@ def _prepared(
     tasks: list[Task] = []
     failures: list[Failure] = []
     configurations: dict[str, Configuration] = {}
-    for document in documents(plan.paths, plan.excluded, LINTED):
+    for document in linted(plan):
         if isinstance(document, Failure):
             failures.append(document)
             continue

@@ -6,8 +6,7 @@ import sys
 import time
 from collections.abc import Callable
 
-from kindsl.frontends.cli.documents.walking import documents
-from kindsl.frontends.cli.linter.run import LINTED, LintPlan, lint
+from kindsl.frontends.cli.linter.run import LintPlan, lint, linted
 from kindsl.frontends.cli.outcome import Failure, RunOutcome
 from kindsl.judgement.analysis.twins import watched_files
 from kindsl.judgement.config.baseline import baseline_path
@@ -48,7 +47,7 @@ def stamps(plan: LintPlan) -> dict[str, Stamp | None]:
     """Return a fingerprint of each file that the outcome depends on."""
     found: dict[str, Stamp | None] = {}
     configurations: set[str] = set()
-    for document in documents(plan.paths, plan.excluded, LINTED):
+    for document in linted(plan):
         path = document.path if isinstance(document, Failure) else document
         found[path] = stamp(path)
         if plan.choices.configurations is not None:
