@@ -67,6 +67,17 @@ def test_parts_fixed_together_are_judged_as_one_and_the_heaviest_is_to_blame() -
     assert found(robot(*parts).format("-0.25")) == [("KD511", '<link name="shell"><inertial>')]
 
 
+def test_a_frame_is_no_end_of_a_link() -> None:
+    point = 'ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"'
+    shoulder = joint("shoulder", "base", "upper", "0 0 1")
+    parts = link("upper", "0.5 0 0", point), '<link name="camera"/>\n', shoulder
+    near = {
+        kind: joint("on", "upper", "camera", "0 0 0.05", kind) for kind in ("fixed", "revolute")
+    }
+    assert found(robot(*parts, near["fixed"])) == []
+    assert "KD309" in [code for code, _ in found(robot(*parts, near["revolute"]))]
+
+
 def sides(left: str, right: str) -> str:
     return robot(
         link("left_arm", "0.1 0.05 0", ODD.format(left)),

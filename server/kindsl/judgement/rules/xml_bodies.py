@@ -7,11 +7,10 @@ from typing import NamedTuple
 
 from kindsl.language.semantics.declarations import Joint, Link
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.numbers import written_pose
 from kindsl.language.semantics.unknown import Unknown
 from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3, angles, rotation_from_z
-from kindsl.robots.interchange.xml_document import Connection, XmlIsland
+from kindsl.robots.interchange.xml_document import Connection, XmlDocument
 from kindsl.robots.limbs.limb import Body, Limbs, assembled, groups_of
 from kindsl.robots.mechanism.link_inertia import link_inertia
 
@@ -35,7 +34,7 @@ class XmlPart(NamedTuple):
 
 @dataclass(frozen=True)
 class XmlBody:
-    """Links that are fixed together; the body's frame is that of the first.
+    """Links that are fixed together; the body's frame is that of the joint that carries it.
 
     Attributes:
         parts: The links, the one that a joint moves first.
@@ -86,12 +85,9 @@ def xml_bodies(model: Model) -> list[XmlBody]:
         links.setdefault(str(link.name), link)
     below: dict[str, list[Connection]] = {}
     carried: dict[str, Connection] = {}
-    for island in model.islands:
-        connection = island.connection if isinstance(island, XmlIsland) else None
-        if (
-            connection is not None
-            and carried.setdefault(connection.child, connection) is connection
-        ):
+    document = model.document
+    for connection in document.connections if isinstance(document, XmlDocument) else ():
+        if carried.setdefault(connection.child, connection) is connection:
             below.setdefault(connection.parent, []).append(connection)
     return _BodyWalk(links, below, carried).bodies()
 
@@ -123,25 +119,29 @@ class _BodyWalk:
             name, parent, carrier, placement = pending.pop()
             if name not in self._links or name in self._seen:
                 continue
-            parts, moving = self._parts(name)
-            moves, ends = name in self._carried, tuple(pose.translation for _, pose in moving)
+            parts, moving = self._parts(name, carrier)
+            above, ends = self._carried.get(name), tuple(pose.translation for _, pose in moving)
+            moves = above is not None and not above.is_fixed
             index = len(self._bodies)
             self._bodies.append(XmlBody(parts, moves, carrier, parent, placement, ends))
             pending += [(each.child, index, each, pose) for each, pose in reversed(moving)]
 
-    def _parts(self, name: str) -> tuple[tuple[XmlPart, ...], list[tuple[Connection, RigidPose]]]:
+    def _parts(
+        self, name: str, carrier: Connection | None
+    ) -> tuple[tuple[XmlPart, ...], list[tuple[Connection, RigidPose]]]:
         """Return a link with all that is fixed to it, and what these carry otherwise."""
         self._seen.add(name)
-        parts = [_part(self._links[name], IDENTITY)]
+        joint_T_link = IDENTITY if carrier is None else carrier.child_T_joint.inverse()
+        parts = [_part(self._links[name], joint_T_link)]
         moving = []
         for part in parts:
             for each in self._below.get(str(part.link.name), ()):
-                pose = part.pose.then(written_pose(each.joint.pose, {}) or IDENTITY)
+                pose = part.pose.then(each.parent_T_child)
                 if each.is_fixed and each.child in self._links and each.child not in self._seen:
                     self._seen.add(each.child)
                     parts.append(_part(self._links[each.child], pose))
                 elif not each.is_fixed:
-                    moving.append((each, pose))
+                    moving.append((each, pose.then(each.child_T_joint)))
         return tuple(parts), moving
 
 

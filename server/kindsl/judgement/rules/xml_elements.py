@@ -25,14 +25,15 @@ _LIMITED = ("revolute", "prismatic")
 
 
 def elements(model: Model, tag: str) -> "Iterator[tuple[XmlIsland, XmlElement]]":
-    """Yield the elements of a kind of a robot in XML, with the islands that they are in."""
+    """Yield the elements of a kind of a robot in a URDF, with the islands that they are in."""
     if model.document.is_xml:
         from kindsl.robots.interchange.xml_document import XmlIsland
 
         for island in model.islands:
-            element = island.element if isinstance(island, XmlIsland) else None
-            if element is not None and element.tag == tag:
-                yield island, element  # type: ignore[misc]
+            if isinstance(island, XmlIsland) and island.has_attributes:
+                element = island.element
+                if element is not None and element.tag == tag:
+                    yield island, element
 
 
 def number(element: "Element | None", name: str) -> float | None:

@@ -72,8 +72,8 @@ def _odd(model: Model, context: Context) -> set[Link]:
 def _shapes(body: XmlBody) -> Found:
     """Yield what is doubtful about where a body's mass is; the greatest part is to blame."""
     mass, inertia = body.mass, body.heaviest.link.inertia
-    if mass is None or inertia is None:
-        return
+    if mass is None or inertia is None or not body.ends:
+        return  # A frame alone tells no length: it may be a sensor's.
     frames = tuple(part.pose.translation for part in body.parts[1:])
     for verdict in body_verdicts(str(body.link.name), mass, body.ends, frames):
         if verdict.code in _SHAPES:
@@ -178,6 +178,8 @@ def _meant(verdict: LimbVerdict, body: XmlBody, parent: XmlBody) -> str:
     """
     meant = verdict.repairs[0].meant[0] if verdict.repairs else ()
     if _accused(verdict).what != "translation" or len(meant) != 3 or body.carrier is None:
+        return ""
+    if not body.carrier.is_told:
         return ""
     x, y, z = meant
     carrier = next(p for p in parent.parts if p.link.name == body.carrier.parent)

@@ -9,18 +9,11 @@ if TYPE_CHECKING:
 
 OWN_SUFFIX = ".kindsl"
 # Of the other formats that rules judge where they stand.
-JUDGED_SUFFIXES = (".urdf",)
-_XML_SUFFIXES = (".urdf", ".sdf")
+JUDGED_SUFFIXES = (".urdf", ".sdf")
 _DOCTYPE = r"!DOCTYPE[^\[>]*(?:\[[^\]]*\]\s*)?"
 _BEFORE_ROOT = rf"\ufeff?\s*(?:<(?:\?.*?\?|!--.*?--|{_DOCTYPE})>\s*)*"
 _ROOT = re.compile(rf"{_BEFORE_ROOT}<(robot|sdf|mujoco)[\s/>]", re.DOTALL)
 _FORMATS = {"robot": "urdf", "sdf": "sdf", "mujoco": "mjcf"}
-
-
-def begins_as_urdf(text: str) -> bool:
-    """Return whether the root element of a text is a `<robot>`."""
-    found = _ROOT.match(text)
-    return found is not None and found[1] == "robot"
 
 
 def other_format(name: str, text: str) -> "Format | None":
@@ -47,7 +40,7 @@ def other_format(name: str, text: str) -> "Format | None":
 
 def is_xml_name(name: str) -> bool:
     """Return whether a file is another format's by its name, and nothing of our language."""
-    return name.lower().endswith(_XML_SUFFIXES)
+    return name.lower().endswith(JUDGED_SUFFIXES)
 
 
 def syntax_of(name: str, text: str) -> "SyntaxDocument":
@@ -57,16 +50,20 @@ def syntax_of(name: str, text: str) -> "SyntaxDocument":
         name: Of the file.
         text: Its text.
     """
-    is_urdf = begins_as_urdf(text) and not name.endswith(OWN_SUFFIX)
-    if not is_urdf and not name.lower().endswith(JUDGED_SUFFIXES):
-        if is_xml_name(name):
-            return unjudged(text)
-        from kindsl.language.syntax.document import parse
+    root = _ROOT.match(text)
+    kind = "" if root is None or name.endswith(OWN_SUFFIX) else root[1]
+    lower = name.lower()
+    if lower.endswith(".urdf") or (kind == "robot" and not lower.endswith(".sdf")):
+        from kindsl.robots.interchange.urdf.document import urdf_document
 
-        return parse(text)
-    from kindsl.robots.interchange.urdf.document import urdf_document
+        return urdf_document(text)
+    if lower.endswith(".sdf") or kind == "sdf":
+        from kindsl.robots.interchange.sdf.document import sdf_document
 
-    return urdf_document(text)
+        return sdf_document(text)
+    from kindsl.language.syntax.document import parse
+
+    return parse(text)
 
 
 def unjudged(text: str) -> "SyntaxDocument":

@@ -5,7 +5,7 @@ A comment before an element belongs to its island, and one behind it in the line
 
 import re
 from abc import abstractmethod
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 from kindsl.language.semantics.declarations import Joint
@@ -17,7 +17,7 @@ from kindsl.language.syntax.document import Chunk, SyntaxDocument
 from kindsl.language.syntax.tree import Island, Node, Token
 from kindsl.language.text.edits import TextEdit, apply_edits
 from kindsl.language.text.facts import Facts
-from kindsl.mechanics.rigid.pose import Vector3
+from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3
 from kindsl.robots.interchange.xml_reading import XmlElement, XmlError, finite_number, parsed_xml
 
 _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
@@ -36,11 +36,14 @@ class Connection(NamedTuple):
     """A joint and the links that it connects.
 
     Attributes:
-        joint: The joint, whose frame is the child's at zero.
+        joint: The joint.
         parent: The name of one link, empty where none is named.
         child: The name of the other.
         is_fixed: Whether it moves nothing.
         axis: About or along which it moves, in its frame; None where that is no axis.
+        parent_T_child: The child's frame in the parent's at zero.
+        child_T_joint: The joint's frame in the child's.
+        is_told: Whether the joint's own numbers place it in the parent.
     """
 
     joint: Joint
@@ -48,22 +51,26 @@ class Connection(NamedTuple):
     child: str
     is_fixed: bool
     axis: Vector3 | None
+    parent_T_child: RigidPose
+    child_T_joint: RigidPose = IDENTITY
+    is_told: bool = True
 
 
 class XmlIsland(OtherIsland):
     """A piece of an XML file: an element with the comments around it, or the root's own tags.
 
     Attributes:
-        element: The element, None for the root's tags.
-        connection: The joint that it is, None of anything else.
+        element: The element, None for the tags around elements.
+        has_attributes: Whether its values are attributes, as in a URDF.
     """
 
-    __slots__ = ("connection", "element")
+    __slots__ = ("element",)
+
+    has_attributes = True
 
     def __init__(self, text: str, is_element: bool) -> None:
         self.element = _parsed_piece(text) if is_element else None
         comments = tuple(match.span() for match in _COMMENT.finditer(text))
-        self.connection: Connection | None = None
         super().__init__(text, (), (), (), comments, ())
         if self.element is not None:
             self.nodes = tuple(self.lowered(self.element))
@@ -116,10 +123,33 @@ class XmlIsland(OtherIsland):
             for word in _WORD.finditer(self.text, *span)
         ]
 
+    def numbers_within(self, element: Any, sign: int = 1) -> list[Expression]:
+        """Return the numbers that an element holds, none where one is not finite.
+
+        Args:
+            element: The element.
+            sign: -1 where the format has the opposite sign.
+        """
+        if any(finite_number(word) is None for word in (element.text or "").split()):
+            return []
+        start = self.tag(element)[1]
+        end = getattr(element, "end", start)
+        words = _WORD.finditer(self.text, start, max(start, end))
+        if len(element) or "<" in self.text[start:end]:
+            return []
+        return [
+            self._number(_with_sign(_as_decimal(word[0]), sign), word.start(), word.end())
+            for word in words
+        ]
+
+    def constants(self, at: Any, texts: Iterable[str]) -> list[Expression]:
+        """Return numbers that an element means without having them written so."""
+        start, end = self.tag(at)
+        return [self._number(text, start, end) for text in texts]
+
     def zeros(self, at: Any, count: int) -> list[Expression]:
         """Return numbers that are zero because an element does not say otherwise."""
-        start, end = self.tag(at)
-        return [self._number(_EXACT_ZERO, start, end) for _ in range(count)]
+        return self.constants(at, [_EXACT_ZERO] * count)
 
     def block(self, kind: str, element: XmlElement) -> Node:
         """Return the block of an element: its tag, and its end."""
@@ -151,6 +181,7 @@ class XmlDocument(SyntaxDocument):
 
     Attributes:
         flaws: What keeps it from being in its format.
+        connections: Its joints with the links that they connect.
     """
 
     is_xml = True
@@ -160,6 +191,7 @@ class XmlDocument(SyntaxDocument):
         chunks = (Chunk(tuple(islands[first : first + _CHUNK])) for first in firsts)
         super().__init__(tuple(chunks), versions)
         self.flaws: tuple[Flaw, ...] = ()
+        self.connections: tuple[Connection, ...] = ()
         self.make: Callable[[str, SyntaxDocument | None], SyntaxDocument] = _unmade
 
     @property
@@ -193,13 +225,17 @@ def pieces(text: str, root: XmlElement) -> list[str]:
     """Return the texts of a root's first tag, of its children, and of its end."""
     tag = _TAG.match(text, root.offset)
     ends = [tag.end() if tag else len(text)]
-    for child in root:
-        end = end_of_element(text, child)
-        rest = _REST_OF_LINE.match(text, end)
-        is_last = rest is not None and text[rest.end() : rest.end() + 1] in ("\n", "\r", "")
-        ends.append(rest.end() if rest is not None and is_last else end)
+    ends += [rest_of_line(text, child) for child in root]
     starts = [0, *ends]
     return [text[start:end] for start, end in zip(starts, [*ends, len(text)], strict=True)]
+
+
+def rest_of_line(text: str, element: Any) -> int:
+    """Return where an element ends, with the comments behind it in its last line."""
+    end = end_of_element(text, element)
+    rest = _REST_OF_LINE.match(text, end)
+    is_last = rest is not None and text[rest.end() : rest.end() + 1] in ("\n", "\r", "")
+    return rest.end() if rest is not None and is_last else end
 
 
 def end_of_element(text: str, element: Any) -> int:

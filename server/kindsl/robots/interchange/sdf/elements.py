@@ -29,11 +29,24 @@ def parsed(content: bytes | str) -> Any:
     return root
 
 
-def defect(element: Any, what: str) -> FormatError:
+class SdfError(FormatError):
+    """Something is wrong with an element.
+
+    Attributes:
+        element: The element.
+        sentence: What is wrong, without the line.
+    """
+
+    def __init__(self, element: Any, sentence: str) -> None:
+        super().__init__(f"line {element.sourceline}: {sentence}")
+        self.element, self.sentence = element, sentence
+
+
+def defect(element: Any, what: str) -> SdfError:
     """Return the error for what is wrong with an element."""
     name = element.get("name")
     told = f"{element.tag} name='{name}'" if name else element.tag
-    return FormatError(f"line {element.sourceline}: <{told}> {what}")
+    return SdfError(element, f"<{told}> {what}")
 
 
 def name_of(element: Any) -> str:

@@ -185,7 +185,7 @@ def _carried(joint: Any, index: int, parent: str, child: str, graph: FrameGraph)
     kind = JOINT_KINDS[joint.get("type")]
     axis = _Z
     if kind != "fixed":
-        axis = model_T_joint.inverse().turn(_axis_in_model(joint, graph))
+        axis = model_T_joint.inverse().turn(axis_in_model(joint, graph))
     return RigidLink(
         child,
         index,
@@ -199,7 +199,8 @@ def _carried(joint: Any, index: int, parent: str, child: str, graph: FrameGraph)
     )
 
 
-def _axis_in_model(joint: Any, graph: FrameGraph) -> Vector3:
+def axis_in_model(joint: Any, graph: FrameGraph) -> Vector3:
+    """Return a joint's axis in the model's frame."""
     axis = joint.find("axis")
     xyz = None if axis is None else axis.find("xyz")
     x, y, z = _Z if xyz is None else numbers_in(xyz, 3)

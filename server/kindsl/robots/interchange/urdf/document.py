@@ -18,11 +18,13 @@ from kindsl.language.semantics.declarations import (
     Vector,
 )
 from kindsl.language.semantics.expressions import Expression
+from kindsl.language.semantics.numbers import written_pose
 from kindsl.language.semantics.places import Name, Place
 from kindsl.language.semantics.sections import JointFrame
 from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.language.syntax.tree import Node
 from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.mechanics.rigid.pose import IDENTITY
 from kindsl.robots.interchange.rigid_links import JOINT_KINDS, TENSOR
 from kindsl.robots.interchange.urdf.checking import WORLD, UrdfDefect, defects, end_of, root_links
 from kindsl.robots.interchange.xml_document import (
@@ -60,7 +62,6 @@ class UrdfIsland(XmlIsland):
             yield link.node
         elif element.tag == "joint":
             joint = self._joint(element)
-            self.connection = self._connection(element, joint)
             self._declared = Declarations(None, (), (), (joint,), (joint,))
             yield joint.node
 
@@ -107,13 +108,18 @@ class UrdfIsland(XmlIsland):
         joint.frame.translation, joint.frame.rotation = self._pose(element)
         return joint
 
-    def _connection(self, element: XmlElement, joint: Joint) -> Connection:
+    def connection(self) -> Connection | None:
+        """Return the joint with its links, None of anything else."""
+        element, joints = self.element, self.declared().joints
+        if element is None or not joints:
+            return None
         kind, told = element.get("type"), element.find("axis")
         numbers = [] if told is None else self.numbers(told, "xyz")
         x, y, z = (e.literal or 0.0 for e in numbers) if len(numbers) == 3 else _USUAL_AXIS
         has_axis = kind in JOINT_KINDS and kind != "fixed" and any((x, y, z))
         ends = end_of(element, "parent"), end_of(element, "child")
-        return Connection(joint, *ends, kind == "fixed", (x, y, z) if has_axis else None)
+        axis, pose = (x, y, z) if has_axis else None, written_pose(joints[0].pose, {})
+        return Connection(joints[0], *ends, kind == "fixed", axis, pose or IDENTITY)
 
     def _pose(self, parent: XmlElement) -> Pose:
         """Return the pose in an element's `<origin>`; no turn where it is a quaternion."""
@@ -167,6 +173,7 @@ def _of_elements(text: str, root: XmlElement, former: SyntaxDocument | None) -> 
         islands.append(same.pop(0) if same else UrdfIsland(*key))
     document = XmlDocument(islands, former.versions if former is not None else None)
     document.flaws = tuple(_flaws(root, islands))
+    document.connections = tuple(filter(None, (island.connection() for island in islands)))
     return document
 
 

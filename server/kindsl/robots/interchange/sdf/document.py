@@ -1,0 +1,260 @@
+"""An SDF as a document that is judged where it stands.
+
+The links, joints and frames of a model, and of the models in it, are its islands; names of inner
+models stand before theirs. Poses are relative to frames that may be anywhere, so that what a joint
+connects is known of the whole document only.
+"""
+
+import re
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from kindsl.language.semantics.declarations import (
+    Declarations,
+    FixedAxes,
+    Frame,
+    Inertia,
+    Joint,
+    Link,
+    Pose,
+    Vector,
+)
+from kindsl.language.semantics.expressions import Expression
+from kindsl.language.semantics.places import Name, Place
+from kindsl.language.semantics.sections import JointFrame
+from kindsl.language.syntax.document import SyntaxDocument
+from kindsl.language.syntax.tree import Node
+from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.mechanics.rigid.pose import IDENTITY, fixed_axis_angles
+from kindsl.robots.interchange.format import FormatError
+from kindsl.robots.interchange.rigid_links import JOINT_KINDS, TENSOR
+from kindsl.robots.interchange.sdf.elements import SdfError, is_true, pose_of, text_of
+from kindsl.robots.interchange.sdf.frame_graph import WORLD, FrameGraph
+from kindsl.robots.interchange.sdf.nesting import flatten
+from kindsl.robots.interchange.sdf.sdf_reading import axis_in_model
+from kindsl.robots.interchange.xml_document import (
+    Connection,
+    Flaw,
+    XmlDocument,
+    XmlIsland,
+    rest_of_line,
+    unreadable,
+)
+from kindsl.robots.interchange.xml_reading import XmlElement, XmlError, parsed_xml
+
+_NAMED = ("link", "joint", "frame")
+_TAG_OR_COMMENT = re.compile(r"""<!--.*?-->|<(?:[^"'>]|"[^"]*"|'[^']*')*>""", re.DOTALL)
+_DEFAULT = "1.0"
+
+
+class SdfIsland(XmlIsland):
+    """A link, joint or frame of an SDF, or what is around them."""
+
+    __slots__ = ("_declared", "prefix")
+
+    has_attributes = False
+
+    def __init__(self, text: str, is_element: bool, prefix: str = "") -> None:
+        self.prefix = prefix
+        self._declared = Declarations(None, (), (), (), ())
+        super().__init__(text, is_element)
+
+    def declared(self) -> Declarations:
+        """Return the link or joint."""
+        return self._declared
+
+    def lowered(self, element: XmlElement) -> Iterator[Node]:
+        """Yield the block of a link or joint."""
+        if element.tag == "link":
+            link = self._link(element)
+            self._declared = Declarations(None, (), (link,), (), (link,))
+            yield link.node
+        elif element.tag == "joint":
+            joint = self._joint(element)
+            self._declared = Declarations(None, (), (), (joint,), (joint,))
+            yield joint.node
+
+    def _name(self, element: XmlElement) -> Name:
+        at = self.place(element, "name")
+        return Name.at(f"{self.prefix}{element.get('name') or ''}", self, at.start, at.end)
+
+    def _link(self, element: XmlElement) -> Link:
+        link = Link(self.block("link", element), self, self._name(element), "")
+        link.id, link.id_place, link.inertia, link.children, link.frames = None, None, None, (), ()
+        inertial: Any = element.find("inertial")
+        if inertial is None or (inertial.get("auto") or "").lower() in ("1", "true"):
+            return link
+        inertia = link.inertia = self._inertia(inertial, link.name)
+        link.node.children.insert(1, inertia.node)
+        inertia.frame = Name.at("", self, inertia.start, inertia.start)
+        frame = Frame(inertia.node, self, inertia.frame, link.name)
+        frame.translation, frame.rotation = self._pose(inertial)
+        link.frames = (frame,)
+        return link
+
+    def _inertia(self, inertial: XmlElement, owner: str) -> Inertia:
+        inertia = Inertia(self.block("inertia", inertial), self, Name(""), owner)
+        tensor = inertial.find("inertia")
+        inertia.moments = {}
+        for name, theirs in zip(MOMENTS, TENSOR, strict=True):
+            is_product = theirs[1] != theirs[2]
+            found = self._number_in(inertial, tensor, theirs, -1 if is_product else 1)
+            if found is not None:
+                inertia.moments[name] = found
+        inertia.mass = self._number_in(inertial, inertial, "mass", 1)
+        x, y, z = self.zeros(inertial, 3)
+        inertia.com = Vector(inertia.node, self, (x, y, z))
+        return inertia
+
+    def _number_in(self, at: Any, parent: Any, tag: str, sign: int) -> Expression | None:
+        """Return the number of a child; SDFormat's default is 1, and 0 of a product."""
+        child = None if parent is None else parent.find(tag)
+        if child is not None:
+            found = self.numbers_within(child, sign)
+            return found[0] if len(found) == 1 else None
+        if sign < 0:
+            return self.zeros(at, 1)[0]
+        return self.constants(at, (_DEFAULT,))[0]
+
+    def _joint(self, element: XmlElement) -> Joint:
+        joint = Joint(self.block("joint", element), self, self._name(element), "")
+        joint.kind = "prismatic" if element.get("type") == "prismatic" else "revolute"
+        joint.id, joint.id_place = None, None
+        joint.frame = JointFrame(joint.node, self, Name(""), joint.name)
+        joint.frame.translation, joint.frame.rotation = self._pose(element)
+        return joint
+
+    def _pose(self, parent: Any) -> Pose:
+        """Return the pose that an element gives in its `<pose>`, whatever that is relative to."""
+        pose = parent.find("pose")
+        at = parent if pose is None else pose
+        found = [] if pose is None else self.numbers_within(pose)
+        try:
+            read = pose_of(parent)
+        except FormatError:
+            read, found = IDENTITY, []
+        turns = [repr(angle) for angle in fixed_axis_angles(read.rotation)]
+        x, y, z = found[:3] if len(found) >= 6 else self.zeros(at, 3)
+        a, b, c = self.constants(at, turns) if any(map(float, turns)) else self.zeros(at, 3)
+        node = self.block("vector", at)
+        return Pose(Vector(node, self, (x, y, z)), FixedAxes(node, self, (a, b, c)))
+
+
+def sdf_document(text: str, former: SyntaxDocument | None = None) -> XmlDocument:
+    """Return the document of an SDF; never raises, whatever the text.
+
+    Args:
+        text: The text.
+        former: An earlier version: elements with the same text are taken from it.
+    """
+    try:
+        root = parsed_xml(text)
+    except XmlError as error:
+        document = unreadable(text, error)
+    else:
+        document = _of_elements(text, root, former)
+    document.make = sdf_document
+    return document
+
+
+def _of_elements(text: str, root: Any, former: SyntaxDocument | None) -> XmlDocument:
+    known: dict[tuple[str, bool, str], list[SdfIsland]] = {}
+    for island in former.islands if former is not None else ():
+        if isinstance(island, SdfIsland):
+            key = island.text, island.element is not None, island.prefix
+            known.setdefault(key, []).append(island)
+    islands: list[SdfIsland] = []
+    for key in _pieces(text, root):
+        same = known.get(key)
+        islands.append(same.pop(0) if same else SdfIsland(*key))
+    document = XmlDocument(islands, former.versions if former is not None else None)
+    flaws: list[Flaw] = []
+    if root.tag != "sdf":
+        at = Place(islands[0], root.offset, root.offset + len(root.tag) + 1)
+        message = f"not an SDF: its root element is <{root.tag}>, not <sdf>"
+        flaws.append(Flaw("KD001", message, at))
+    joints = {str(j.name): j for island in islands for j in island.declared().joints}
+    connections: list[Connection] = []
+    # What is in inner models moves into the outer one, which the islands must not see.
+    for model, prefix in _models(parsed_xml(text)):
+        try:
+            connections += _connections(model, prefix, joints, root.get("version") or "")
+        except SdfError as error:
+            flaws.append(Flaw("KD105", error.sentence, _place(document, error.element)))
+        except FormatError:
+            continue
+    document.flaws, document.connections = tuple(flaws), tuple(connections)
+    return document
+
+
+def _models(root: Any) -> list[tuple[Any, str]]:
+    """Return the models that are in no other one, with what stands before their names.
+
+    Nothing stands before those of the only one that is not static.
+    """
+    models = [*root.findall("model"), *root.findall("world/model")]
+    moving = [model for model in models if not is_true(model, "static")]
+    plain = moving if len(moving) == 1 else models if len(models) == 1 else []
+    return [(m, "" if m in plain else f"{m.get('name')}::") for m in models]
+
+
+def _elements(model: Any, prefix: str) -> Iterator[tuple[Any, str]]:
+    """Yield the links, joints and frames of a model and of those in it, in their order."""
+    for child in model:
+        if child.tag == "model":
+            yield from _elements(child, f"{prefix}{child.get('name') or ''}::")
+        elif child.tag in _NAMED:
+            yield child, prefix
+
+
+def _pieces(text: str, root: Any) -> Iterator[tuple[str, bool, str]]:
+    """Yield the texts of elements with the comments around them, and the texts between these."""
+    done = 0
+    for model, prefix in _models(root):
+        for element, before in _elements(model, prefix):
+            tags = _TAG_OR_COMMENT.finditer(text, done, element.offset)
+            around = [tag.end() for tag in tags if not tag[0].startswith("<!--")]
+            if around or not done:
+                start = around[-1] if around else element.offset
+                yield text[done:start], False, ""
+                done = start
+            end = rest_of_line(text, element)
+            yield text[done:end], True, before
+            done = end
+    yield text[done:], False, ""
+
+
+def _connections(
+    model: Any, prefix: str, joints: Mapping[str, Joint], version: str
+) -> Iterator[Connection]:
+    flatten(model)
+    graph = FrameGraph(model, version)
+    for element in model.iterfind("joint"):
+        joint, kind = joints.get(f"{prefix}{element.get('name')}"), element.get("type")
+        if joint is None:
+            continue
+        parent, child = (
+            graph.link_of(text_of(element, end), element) for end in ("parent", "child")
+        )
+        model_T_joint = graph.model_T(str(element.get("name")), element)
+        model_T_child = graph.model_T(child, element)
+        axis = None
+        if kind in JOINT_KINDS and kind != "fixed":
+            axis = model_T_joint.inverse().turn(axis_in_model(element, graph))
+        yield Connection(
+            joint,
+            parent if parent == WORLD else f"{prefix}{parent}",
+            f"{prefix}{child}",
+            kind == "fixed",
+            axis,
+            graph.model_T(parent, element).inverse().then(model_T_child),
+            model_T_child.inverse().then(model_T_joint),
+            is_told=False,
+        )
+
+
+def _place(document: XmlDocument, element: Any) -> Place:
+    placed = document.island_at(element.offset)
+    start = element.offset - placed.start
+    tag = _TAG_OR_COMMENT.match(placed.island.text, start)
+    return Place(placed.island, start, tag.end() if tag else start + 1)

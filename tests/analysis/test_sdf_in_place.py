@@ -1,0 +1,121 @@
+"""An SDF judged where it stands; its bodies are those that are converted, as a URDF's are."""
+
+from math import dist
+from pathlib import Path
+
+import pytest
+from tests.interchange import documents
+
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.rules.xml_bodies import xml_bodies
+from kindsl.language.text.edits import TextEdit
+from kindsl.mechanics.rigid.body import seen_from
+from kindsl.robots.interchange.format import AS_WRITTEN
+from kindsl.robots.interchange.registry import format_of_suffix
+from kindsl.robots.interchange.sdf.document import sdf_document
+from kindsl.robots.interchange.syntaxes import syntax_of
+
+FOLDER = Path(documents.__path__[0])
+FILES = sorted(each for each in FOLDER.iterdir() if each.suffix in (".sdf", ".urdf"))
+ARM = """<?xml version="1.0"?>
+<sdf version="1.9">
+  <model name="arm">
+    <!-- the lower one -->
+    <link name="upper">
+      <inertial>
+        <pose degrees="true">0 0 0.15 0 90 0</pose>
+        <mass>1.2</mass>
+        <inertia><ixx>0.0003</ixx><iyy>0.009</iyy><izz>0.009</izz></inertia>
+      </inertial>
+    </link>
+    <model name="hand">
+      <pose relative_to="upper">0 0 0.3 0 0 0</pose>
+      <link name="palm">
+        <inertial>
+          <mass>0.5</mass>
+          <inertia><ixx>0.001</ixx><iyy>0.001</iyy><izz>0.001</izz><ixy>0.0</ixy></inertia>
+        </inertial>
+      </link>
+    </model>
+    <joint name="shoulder" type="revolute">
+      <parent>world</parent><child>upper</child><axis><xyz>0 1 0</xyz></axis>
+    </joint>
+    <joint name="wrist" type="revolute">
+      <parent>upper</parent><child>hand::palm</child><axis><xyz>0 1 0</xyz></axis>
+    </joint>
+  </model>
+</sdf>
+"""
+
+
+def told(text: str) -> list[tuple[str, int]]:
+    found = analyse(text)
+    assert found.faults == ()
+    return [(f.code, text.count("\n", 0, f.start) + 1) for f in found.findings]
+
+
+def test_a_sound_robot_has_no_finding() -> None:
+    assert told(ARM) == []
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "code", "line"),
+    [
+        ("<iyy>0.009", "<iyy>0.09", "KD302", 6),
+        ("<mass>1.2", "<mass>-1.2", "KD303", 8),
+        ("0 0 0.15 0 90 0", "0 0 -0.15 0 90 0", "KD511", 6),
+        ('relative_to="upper"', 'relative_to="uper"', "KD105", 24),
+        ("hand::palm", "palm", "KD105", 24),
+        ("</model>\n</sdf>", "</sdf>", "KD001", 27),
+    ],
+)
+def test_findings_have_their_lines(old: str, new: str, code: str, line: int) -> None:
+    assert (code, line) in told(ARM.replace(old, new))
+
+
+def test_comments_silence_findings() -> None:
+    bad = ARM.replace("<iyy>0.009", "<iyy>0.09")
+    assert told(bad.replace("the lower one", "kindsl: ignore[KD302] a dummy")) == []
+
+
+def test_links_of_inner_models_have_their_names() -> None:
+    text = ARM.replace("<izz>0.001", "<izz>0.01")
+    (finding,) = analyse(text).findings
+    assert finding.message.startswith("inertia of 'hand::palm' violates")
+
+
+def test_default_moments_are_a_placeholder() -> None:
+    start = ARM.index("<inertia><ixx>0.001<")
+    end = ARM.index("</inertia>", start)
+    text = (ARM[:start] + "<inertia>" + ARM[end:]).replace("<mass>0.5", "<mass>1")
+    assert told(text) == [("KD310", 15)]
+
+
+def test_an_edit_keeps_the_elements_that_it_does_not_touch() -> None:
+    first = sdf_document(ARM)
+    at = ARM.index("0.009")
+    second = first.edited([TextEdit(at, at + 5, "0.008")])
+    assert second.text == ARM[:at] + "0.008" + ARM[at + 5 :]
+    kept = set(map(id, first.islands)) & set(map(id, second.islands))
+    assert len(kept) == len(first.islands) - 1
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda file: file.name)
+def test_bodies_are_those_that_are_converted(file: Path) -> None:
+    format = format_of_suffix(file.suffix)
+    assert format is not None and format.read is not None
+    robot = format.read(file, AS_WRITTEN).robot
+    model = Analysis(syntax_of(file.name, file.read_text())).model
+    bodies = {str(body.link.name): body for body in xml_bodies(model)}
+    assert {body.name for body in robot.bodies[1:]} <= bodies.keys()
+    for body in robot.bodies[1:]:
+        ours = bodies[body.name]
+        weighed = ours.mass and seen_from(ours.mass, ours.axis_pose.inverse())
+        if any(part.mass is None for part in ours.parts) or body.mass is None or not weighed:
+            continue  # In place nothing is known of it; SDFormat has a default.
+        numbers = [(m.mass, *m.com, *m.moments) for m in (body.mass, weighed)]
+        assert dist(*numbers) < 1e-9
+        if ours.parent is not None and body.parent:
+            above = xml_bodies(model)[ours.parent].axis_pose
+            pose = above.inverse().then(ours.placement).then(ours.axis_pose)
+            assert dist(pose.numbers, body.placement.numbers) < 1e-9
