@@ -192,3 +192,13 @@ def test_pages_have_the_words_of_xml(code: str, is_of_xml: bool) -> None:
     assert rule is not None
     page = page_of(rule)
     assert ("`ixx`" in page) is is_of_xml and (f"kindsl: ignore[{code}]" in page) is is_of_xml
+
+
+def test_the_density_of_what_no_joint_moves_is_a_hint() -> None:
+    light = 'ixx="5" ixy="0" ixz="0" iyy="5" iyz="0" izz="5"'
+    alone = f'<robot name="stand">{link("foot", tensor=light)}</robot>'
+    carrying = alone.replace("</robot>", link("arm") + joint("j", "foot", "arm", "0 0 1"))
+    severities = [
+        [str(f.severity) for f in analyse(text).findings] for text in (alone, carrying + "</robot>")
+    ]
+    assert severities == [["warning"], ["hint"]]

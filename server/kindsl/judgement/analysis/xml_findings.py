@@ -55,7 +55,7 @@ def xml_findings(
     own += body_findings(model, bodies, context)
     rules = {rule.code: rule for rule in rules_with(frozenset(code for code, _ in own))}
     enabled = [(rules[code], each) for code, each in own if is_enabled(rules[code], settings)]
-    light = _light_parts(bodies)
+    light, at_rest = _light_parts(bodies), _parts_at_rest(bodies)
     copied = {id(finding.at.island) for rule, finding in found if rule.code == _COPIED}
     told = []
     for rule, finding in (*enabled, *found):
@@ -63,6 +63,7 @@ def xml_findings(
         if is_of_part and rule.code != _COPIED and island in copied:
             continue
         is_light = is_of_part and island in light
+        is_light = is_light or (rule.code == _DENSITY and island in at_rest)
         severity = Severity.HINT if is_light else finding.severity
         told.append((rule, finding._replace(fix=None, choices=(), severity=severity)))
     yield from _folded(told)
@@ -115,6 +116,16 @@ def _light_parts(bodies: Iterable[XmlBody]) -> set[int]:
         least = _NEGLIGIBLE * sum(map(_mass, links))
         light |= {id(link.island) for link in links if _mass(link) < least}
     return light
+
+
+def _parts_at_rest(bodies: Sequence[XmlBody]) -> set[int]:
+    """Return the islands of what no joint moves though some move others: mostly a fixed base.
+
+    Where such a base floats its density matters, which the file does not say.
+    """
+    resting = (body for body in bodies if not body.moves)
+    has_joints = any(body.moves for body in bodies)
+    return {id(part.link.island) for b in resting for part in b.parts} if has_joints else set()
 
 
 def _placeholders(model: Model) -> Iterator[Finding]:
