@@ -18,10 +18,10 @@ from kindsl.judgement.rules.base import Severity
 from kindsl.judgement.rules.xml_bodies import XmlBody, XmlPart, xml_bodies
 from kindsl.language.semantics.declarations import Joint, Link
 from kindsl.language.semantics.lowering import declarations
-from kindsl.language.semantics.numbers import written_pose
 from kindsl.language.text.phrases import listed
 from kindsl.mechanics.rigid.body import principal_moments_about_com
-from kindsl.robots.interchange.xml_document import Connection, XmlIsland
+from kindsl.robots.interchange.xml_document import Connection, XmlDocument, XmlIsland
+from kindsl.robots.interchange.xml_reading import XmlElement
 
 _MARKS = {Severity.ERROR: "✗ ", Severity.WARNING: "⚠ "}
 _UNLIMITED = "without limits"
@@ -49,7 +49,7 @@ def xml_hover(analysis: Analysis, offset: int) -> Hover | None:
         tag = node.children[0]
         if place.start + tag.start <= offset <= place.start + tag.end:
             text = [_of_link(analysis, link) for link in declared.links]
-            text += map(_of_joint, declared.joints)
+            text += [_of_joint(analysis, joint) for joint in declared.joints]
             return Hover(place.start + tag.start, place.start + tag.end, text[0])
     return None
 
@@ -106,26 +106,25 @@ def _finding_lines(analysis: Analysis, link: Link) -> Iterator[str]:
         yield f"{_MARKS.get(finding.severity, '')}{finding.message} ({finding.code})"
 
 
-def _of_joint(joint: Joint) -> str:
-    island = joint.island
-    assert isinstance(island, XmlIsland) and island.connection is not None, "a joint connects"
-    kind = (island.element.get("type") if island.element is not None else None) or ""
-    title = f"**{kind} joint `{joint.name}`**"
-    return paragraph(title, _joint_lines(joint, island.connection, island))
+def _of_joint(analysis: Analysis, joint: Joint) -> str:
+    document, island = analysis.syntax, joint.island
+    connections = document.connections if isinstance(document, XmlDocument) else ()
+    element = island.element if isinstance(island, XmlIsland) else None
+    kind = (element.get("type") if element is not None else None) or ""
+    lines = (_joint_lines(c, element) for c in connections if c.joint is joint)
+    return paragraph(f"**{kind} joint `{joint.name}`**", next(lines, ()))
 
 
-def _joint_lines(joint: Joint, connection: Connection, island: XmlIsland) -> Iterator[str]:
+def _joint_lines(connection: Connection, element: XmlElement | None) -> Iterator[str]:
+    is_length = connection.joint.kind == "prismatic"
     yield f"parent {code(connection.parent)}, child {code(connection.child)}"
-    pose = written_pose(joint.pose, {})
-    if pose is not None:
-        yield f"at zero: {pose_text(pose)}"
+    yield f"at zero: {pose_text(connection.parent_T_child.then(connection.child_T_joint))}"
     if connection.axis is not None:
-        motion = "slides along" if joint.kind == "prismatic" else "turns about"
+        motion = "slides along" if is_length else "turns about"
         yield f"{motion} {vector(connection.axis)} of its frame"
-    limit = island.element.find("limit") if island.element is not None else None
+    limit = element.find("limit") if element is not None else None
     if limit is not None:
-        ends = [limit.get(name) for name in ("lower", "upper")]
-        yield f"limits {_limits(ends, joint.kind == 'prismatic')}"
+        yield f"limits {_limits([limit.get(name) for name in ('lower', 'upper')], is_length)}"
 
 
 def _limits(ends: Sequence[str | None], is_length: bool) -> str:
