@@ -193,7 +193,7 @@ def _book(bodies: Bodies, values: Mapping[str, Array] | None = None) -> Referenc
 
 
 def _files(made: Library, expected: Reference) -> dict[str, str]:
-    return language_named(made.options.language).files(made, expected, {})
+    return language_named(made.options.language).files(made, expected)
 
 
 def _answers(made: Library, call: Caller, expected: Reference) -> Iterator[Answers]:

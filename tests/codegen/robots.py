@@ -50,7 +50,7 @@ def reference(bodies: Bodies) -> Reference:
 
 def write_c(bodies: Bodies, folder: Path, quantities: tuple[str, ...] = PLAIN, **options) -> Path:
     """Write a mechanism's library in C."""
-    files = c_files(library(bodies, quantities, **options), reference(bodies), {})
+    files = c_files(library(bodies, quantities, **options), reference(bodies))
     folder.mkdir(exist_ok=True)
     for name, text in files.items():
         (folder / name).write_text(text, encoding="utf-8")

@@ -50,7 +50,7 @@ def _module(text: str) -> ModuleType:
 
 def _language(bodies, language: str, quantities: tuple[str, ...] = PLAIN) -> ModuleType:
     made = library(bodies, quantities, language=language)
-    (text,) = language_named(language).files(made, reference(bodies), {}).values()
+    (text,) = language_named(language).files(made, reference(bodies)).values()
     return _module(text)
 
 
@@ -189,7 +189,7 @@ def test_eigen(tmp_path: Path) -> None:
     bodies = bodies_of_seed(3, 2)
     quantities = ("poses", "joint_space_inertia", "inverse_dynamics")
     made = library(bodies, quantities, language="cpp")
-    for name, text in language_named("cpp").files(made, reference(bodies), {}).items():
+    for name, text in language_named("cpp").files(made, reference(bodies)).items():
         (tmp_path / name).write_text(text)
     expected, values = reference(bodies), reference(bodies).values
     tau = float(expected.loaded_results(made.functions["inverse_dynamics"][0])[0][0])

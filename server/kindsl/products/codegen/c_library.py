@@ -20,20 +20,19 @@ from kindsl.products.codegen.reference import Reference
 OPTIONS = frozenset(("--real float", "--single-header"))
 
 
-def c_files(library: Library, reference: Reference, parameters: dict[str, float]) -> dict[str, str]:
+def c_files(library: Library, reference: Reference) -> dict[str, str]:
     """Return the text of each file by its name.
 
     Args:
         library: The functions to write.
         reference: The right answers, for the test program.
-        parameters: The values that these hold for.
     """
     p = library.prefix
     if library.options.is_single_header:
         return {
             f"{p}.h": single_header(library),
             f"{p}_test.c": test_program(
-                library, reference, parameters,
+                library, reference,
                 f'#define {macro(library)}_IMPLEMENTATION\n#include "{p}.h"',
             ),
             "README.md": readme(library, _usage(library, "c_single_header.md")),
@@ -42,7 +41,7 @@ def c_files(library: Library, reference: Reference, parameters: dict[str, float]
     names = [name for name in files if name.endswith(".c")]
     return {
         **files,
-        f"{p}_test.c": test_program(library, reference, parameters, f'#include "{p}.h"'),
+        f"{p}_test.c": test_program(library, reference, f'#include "{p}.h"'),
         "CMakeLists.txt": cmake_lists(library, "C", f"{p}.h", names),
         "README.md": readme(library, _usage(library, "c.md")),
     }

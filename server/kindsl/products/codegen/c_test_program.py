@@ -17,15 +17,12 @@ ROUNDINGS_PER_BODY = 30
 FLOAT_ROUNDING = 2.0**-24
 
 
-def test_program(
-    library: Library, reference: Reference, parameters: dict[str, float], include: str
-) -> str:
+def test_program(library: Library, reference: Reference, include: str) -> str:
     """Return the program.
 
     Args:
         library: The functions under test.
         reference: The right answers.
-        parameters: The values that these hold for.
         include: The lines that include the library.
     """
     p, number = library.prefix, real(library)
@@ -36,7 +33,7 @@ def test_program(
     values = "\n".join(_array(number, name, reference.values[name]) for name in used)
     given = "\n".join(
         f"    parameters.{library.parameter_names[name]} = ({number}){value!r};"
-        for name, value in parameters.items()
+        for name, value in reference.parameters.items()
     )
     calls = "\n".join(f"    failures += test_{n}(&model);" for n in library.function_names.values())
     summary = f"Compares the library of {library.robot_name} with reference numbers."

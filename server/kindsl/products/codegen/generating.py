@@ -101,8 +101,8 @@ def generate(
         for function in library.functions.get("contact_dynamics", ()):
             active = independent_contacts(mechanics, values_of_arguments["q"], function.about)
             values_of_arguments["active"] = active
-        reference = Reference(mechanics, values_of_arguments)
-        files = language.files(library, reference, parameters)
+        reference = Reference(mechanics, values_of_arguments, parameters)
+        files = language.files(library, reference)
     except OverflowError as error:
         raise GenerationError(str(error)) from None
     numbers = robot_record(linkage_of_bodies(mechanics.bodies))

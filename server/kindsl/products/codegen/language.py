@@ -19,8 +19,7 @@ class Language(NamedTuple):
     """A language; its module is called as the command line calls it, and holds it as `LANGUAGE`.
 
     Attributes:
-        files: Takes a library, the right answers, and the values of parameters that these hold
-            for; returns the text of each file by its name.
+        files: Takes a library and the right answers; returns the text of each file by its name.
         options: Those options that not every language takes and this one does, as typed.
         parameters: Which parameters stay inputs where that is not said.
         makes_transforms: Whether it has transforms where no transforms document lists them.
@@ -28,7 +27,7 @@ class Language(NamedTuple):
         renamed: Takes a library; returns the names that are others in the code.
     """
 
-    files: "Callable[[Library, Reference, dict[str, float]], Files]"
+    files: "Callable[[Library, Reference], Files]"
     options: frozenset[str] = frozenset()
     parameters: str = "unbound"
     makes_transforms: bool = False

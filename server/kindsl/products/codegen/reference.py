@@ -4,6 +4,7 @@ import random
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
+from types import MappingProxyType
 
 import numpy as np
 
@@ -16,6 +17,7 @@ from kindsl.mechanics.spatial.arrays import Array
 from kindsl.mechanics.spatial.cross_products import skew
 
 Values = Mapping[str, Array]
+NOTHING: Mapping[str, float] = MappingProxyType({})
 
 
 def sample(bodies: Bodies, seed: int = 1) -> dict[str, Array]:
@@ -46,11 +48,15 @@ class Reference:
     Attributes:
         mechanics: The mechanism.
         values: Of all arguments, by their names in code.
+        parameters: Values of the parameters that the mechanism has.
     """
 
-    def __init__(self, mechanics: Mechanics, values: Values) -> None:
+    def __init__(
+        self, mechanics: Mechanics, values: Values, parameters: Mapping[str, float] = NOTHING
+    ) -> None:
         self.mechanics = mechanics
         self.values = values
+        self.parameters = parameters
         self._base = values["v0"] if mechanics.bodies.is_floating else None
         self._joints = values["q"], values["qd"], values["qdd"]
         self._first = 6 if mechanics.bodies.is_floating else 0

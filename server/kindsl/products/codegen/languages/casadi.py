@@ -12,7 +12,7 @@ poses are 4x4 matrices by name. Wrap a call in casadi.Function to differentiate 
 OWN = "import casadi\nfrom casadi import cos, sign, sin\n", "casadi_answer", "casadi_poses"
 
 
-def _files(library: Library, _: Reference, _parameters: dict[str, float]) -> dict[str, str]:
+def _files(library: Library, _: Reference) -> dict[str, str]:
     return {f"{library.prefix}.py": module_text(library, HOW, OWN)}
 
 

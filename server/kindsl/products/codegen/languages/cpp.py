@@ -148,7 +148,7 @@ def _type(result: Result) -> str:
     return f"Matrix<{rows}, {columns}>"
 
 
-def _test(library: Library, reference: Reference, parameters: dict[str, float]) -> str:
+def _test(library: Library, reference: Reference) -> str:
     """Return the test program of C, which calls a model's functions of pointers."""
     p = library.prefix
     calls = "".join(
@@ -157,17 +157,17 @@ def _test(library: Library, reference: Reference, parameters: dict[str, float]) 
         for name in library.function_names.values()
     )
     include = fill(template("test_model.hpp"), PREFIX=p, CALLS=calls)
-    text = test_program(library, reference, parameters, include)
+    text = test_program(library, reference, include)
     start = f"{p}_model model" + ("" if library.is_bound else f"{{{p}_parameters()}}")
     return re.sub(r"\bNULL\b", "nullptr", text).replace(f"    {p}_model model;", f"    {start};")
 
 
-def _files(library: Library, reference: Reference, parameters: dict[str, float]) -> dict[str, str]:
+def _files(library: Library, reference: Reference) -> dict[str, str]:
     given = "" if library.is_bound else "(parameters)"
     usage = fill(template("usage/cpp.md"), PREFIX=library.prefix, GIVEN=given)
     return {
         f"{library.prefix}.hpp": cpp_header(library),
-        f"{library.prefix}_test.cpp": _test(library, reference, parameters),
+        f"{library.prefix}_test.cpp": _test(library, reference),
         "CMakeLists.txt": cmake_lists(library, "CXX", f"{library.prefix}.hpp"),
         "README.md": readme(library, usage),
     }

@@ -25,7 +25,7 @@ IN_ARRAYS = frozenset(
 )  # fmt: skip
 
 
-def _files(library: Library, _: Reference, _parameters: dict[str, float]) -> dict[str, str]:
+def _files(library: Library, _: Reference) -> dict[str, str]:
     text = module_text(library, HOW, OWN, without=IN_ARRAYS)
     return {f"{library.prefix}.py": f"{text}\n{_tables(library)}\n{template(ARRAYS)}"}
 

@@ -11,7 +11,7 @@ OWN = (
 HOW = "Needs NumPy only. Leading dimensions of all arguments are batches and broadcast."
 
 
-def _files(library: Library, _: Reference, _parameters: dict[str, float]) -> dict[str, str]:
+def _files(library: Library, _: Reference) -> dict[str, str]:
     return {f"{library.prefix}.py": module_text(library, HOW, OWN)}
 
 
