@@ -157,7 +157,8 @@ def copied_limbs(model: Model, context: Context) -> list[PairOfLimbs]:
     def found() -> list[PairOfLimbs]:
         carried = limbs_of(model, context.values).values()
         every = (pair for groups in carried for limbs in groups for pair in limbs.pairs())
-        if not any(how == "LR" for *_, how in every):
+        names = limb_names(model)
+        if names.elsewhere or names.crossed or not any(how == "LR" for *_, how in every):
             return []
         pairs = pairs_of(carried, _masses(model.bodies, context.values))
         return list(unmirrored(pairs))
