@@ -496,6 +496,12 @@ def test_hands_do_not_tell_whether_arms_are_copies(y: str) -> None:
     assert codes(walker(MIRRORED_ARM, hands=hands)) == []
 
 
+def test_one_slip_that_makes_nearly_a_copy_is_told_alone() -> None:
+    text = walker("0.1, -0.001, -0.2; 0.05, 0.03, -0.25").replace("(0.1, 0.05,", "(0.1, 0.001,")
+    (finding,) = found("KD510", text)
+    assert "one slip" in finding.message
+
+
 def with_turned_mount(text: str, place: str, rotation: str) -> str:
     old = f"({place})\n        rotation = (0.0, 0.0, 0.0)"
     assert old in text

@@ -24,6 +24,7 @@ r_joint right_elbow { ref_frame { translation = (0.03, 0.0, 0.02) ... } }
 """
 
 from collections.abc import Iterator
+from itertools import chain
 
 from kindsl.judgement.rules.base import Finding, Fix, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
@@ -34,6 +35,7 @@ from kindsl.judgement.rules.limb_verdicts import copied_limbs, limb_slips
 from kindsl.judgement.rules.limb_writing import as_numbers, rewriting, written
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
+from kindsl.robots.limbs.limb import Body
 from kindsl.robots.limbs.verdicts import LimbVerdict, MeantNumbers
 
 
@@ -61,14 +63,26 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
 
 
 def _of_copies(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for a right limb that is a copy where all others are mirrored."""
+    """Yield a finding for a right limb that is a copy where all others are mirrored.
+
+    One number that keeps it from being mirrored is told better.
+    """
+    slips = {place.link for each in limb_slips(model, context).verdicts for place in each.places}
     for pair in copied_limbs(model, context):
         left, right = (joint_of(model, body.name) for body in (pair.left, pair.right))
-        if left is not None and right is not None:
+        is_told = not slips.isdisjoint(chain(_names(pair.left), _names(pair.right)))
+        if left is not None and right is not None and not is_told:
             message = f"limb '{pair.right.name}' is a copy of '{pair.left.name}', not its mirror "
             message += "image as the other limbs of this robot are"
             related = Related(left.name, f"joint '{left.name}' of the other side")
             yield Finding(right.name, message, (related,))
+
+
+def _names(body: Body) -> Iterator[str]:
+    """Yield the names of a limb's links."""
+    yield body.name
+    for child in body.children:
+        yield from _names(child)
 
 
 def _choices(model: Model, context: Context, verdict: LimbVerdict) -> Iterator[Fix]:
