@@ -161,6 +161,21 @@ def wrong_parent(generator: random.Random, analysis: Analysis, edge: Edge) -> Pl
     return Planted(edited(analysis, *changes), (str(edge.child.link),))
 
 
+def other_parent(generator: random.Random, analysis: Analysis, edge: Edge) -> Planted | None:
+    """Move a pair of link and joint to any other body that it does not carry."""
+    tree = analysis.model.tree
+    carried = [edge.link]
+    for link in carried:
+        carried += [e.link for e in tree.successor_edges(link)] if link is not None else []
+    others = [e for e in tree.edges if e.predecessor not in (*carried, edge.predecessor)]
+    if not others:
+        return None
+    child = generator.choice(others).child
+    entry = f"{edge.child.link} via {edge.child.joint}"
+    changes = ((edge.child, ""), (child, f"{child.link} via {child.joint} {entry}"))
+    return Planted(edited(analysis, *changes), (str(edge.child.link),))
+
+
 def exchanged(generator: random.Random, analysis: Analysis, edge: Edge) -> Planted | None:
     """Exchange the joints of a link and of what it carries, or of its twin."""
     edges = analysis.model.tree.successor_edges(edge.link) if edge.link else []
@@ -248,6 +263,7 @@ KINDS: dict[str, Plant] = {
     "angle in degrees": vector_slip(("rotation",), in_degrees),
     "quarter turn": vector_slip(("rotation",), quarter_turn),
     "wrong parent": wrong_parent,
+    "any other parent": other_parent,
     "two joints exchanged": exchanged,
     "other kind of joint": other_kind,
     "sign of the CoM": vector_slip(("com",), sign),

@@ -57,6 +57,33 @@ def test_links_that_are_not_attached_as_their_twins(
     assert misplaced(*legs(*changes)) == (elsewhere, crossed)
 
 
+@pytest.mark.parametrize(
+    ("change", "elsewhere"),
+    [
+        (("RF_shank", "RF_hip", "RF_KFE"), [("LF_shank", "LF_hip"), ("RF_shank", "RF_thigh")]),
+        (("RF_thigh", "trunk", "RF_HFE"), [("LF_thigh", "trunk"), ("RF_thigh", "RF_hip")]),
+        # The other side has no such body.
+        (("RF_shank", "RF_tail", "RF_KFE"), []),
+    ],
+)
+def test_of_a_left_and_a_right_link_either_may_be_misplaced(
+    change: tuple[str, str, str], elsewhere: list[object]
+) -> None:
+    extra = Attachment("RF_tail", "trunk", "tail")
+    assert misplaced(*legs(change, names=("LF", "RF")), extra) == (elsewhere, [])
+
+
+@pytest.mark.parametrize("carrier", ["head", "front_mast"])
+def test_a_front_and_a_rear_part_need_not_be_alike(carrier: str) -> None:
+    names = ("front", "rear")
+    masts = [Attachment(f"{n}_mast", "trunk", f"{n}_fix") for n in names]
+    cameras = [
+        Attachment("front_camera", carrier, "front_pan"),
+        Attachment("rear_camera", "trunk", "rear_pan"),
+    ]
+    assert misplaced(*masts, *cameras) == ([], [])
+
+
 def test_numbered_limbs() -> None:
     names = ("leg1", "leg2", "leg3")
     assert misplaced(*legs(names=names)) == ([], [])

@@ -502,6 +502,22 @@ def test_one_slip_that_makes_nearly_a_copy_is_told_alone() -> None:
     assert "one slip" in finding.message
 
 
+def test_both_moves_are_offered_where_either_of_two_links_may_be_wrong() -> None:
+    text = two_arms("0.3, -0.1, 0.02")
+    entry = "right_wrist via right_roll"
+    assert entry in text
+    moved = text.replace(entry, "").replace("right_forearm via", f"{entry} right_forearm via")
+    (finding,) = found("KD208", moved)
+    assert finding.message == (
+        "link 'left_wrist' is a child of 'left_forearm', 'right_wrist' of 'right_arm': one of the "
+        "two sides is attached wrongly"
+    )
+    assert [fix.title for fix in finding.choices] == [
+        "Move 'left_wrist' to 'left_arm'",
+        "Move 'right_wrist' to 'right_forearm'",
+    ]
+
+
 def with_turned_mount(text: str, place: str, rotation: str) -> str:
     old = f"({place})\n        rotation = (0.0, 0.0, 0.0)"
     assert old in text

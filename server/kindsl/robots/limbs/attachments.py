@@ -120,9 +120,33 @@ class LimbNames:
         told = [each for _, group in odd for each in group]
         if what == "joint" and len(odd) == 2 and odd[0][0] == odd[1][0]:
             return told
+        if what == "parent" and len(odd) == 1 and len(told) == 2:
+            return self._of_two(told, sided)
         # A part that is only named otherwise has no place elsewhere.
         is_alone = len(odd) == 1 and (what == "parent" or len(told) == 1)
         return told if is_alone and all(each.meant is not None for each in told) else []
+
+    def _of_two(self, told: Sequence[Misplaced], sided: _Sided) -> list[Misplaced]:
+        """Return a left and a right link, of which either may be misplaced, each with the other.
+
+        Either could hang on what its twin's carrier is on its own side.
+        """
+        here, there = (each.attachment for each in told)
+        found = []
+        for own, twin in ((here, there), (there, here)):
+            (side, row), (other_side, other_row) = (self._read(a.link)[0] for a in (own, twin))
+            is_pair = row == other_row and side and other_side
+            meant = self._counterpart((side, row), twin.parent, sided) if is_pair else None
+            if meant is None:
+                return []
+            found.append(Misplaced(own, meant, (twin,)))
+        return found
+
+    def _counterpart(self, label: _Side, carrier: str, sided: _Sided) -> str | None:
+        """Return what is called like a carrier but of this side, itself if it is of none."""
+        of, words = self._read(carrier)
+        alike = (n for n, own in sided.items() if own == label and self._read(n)[1] == words)
+        return next(alike, None) if any(of) else carrier
 
     def _judged(
         self,

@@ -7,7 +7,8 @@ sides, rows or the numbers of limbs (`leg3_tibia`).
 
 ## Why is this bad?
 Blocks are copied from limb to limb, and one name is forgotten. The robot has a limb with two ends
-and one with none, and every number of them may be right.
+and one with none, and every number of them may be right. Of a left and a right link alone either
+may be the wrong one: both moves are offered.
 
 Names that tell nothing of the parent, and robots in which many links are attached so, are left in
 peace.
@@ -23,7 +24,7 @@ Moves the pair of link and joint to the parent that the twins let expect. The fi
 changes the robot.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from kindsl.judgement.rules.base import Example, Finding, Fix, Related, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
@@ -35,24 +36,45 @@ from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Child
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Place
-from kindsl.robots.limbs.attachments import Misplaced
+from kindsl.robots.limbs.attachments import Attachment, Misplaced
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each link that another body carries than its twins let expect."""
     found = limb_names(model).elsewhere
+    if len(found) == 2 and found[1].attachment in found[0].twins:
+        yield _of_either(model, *found)
+        return
     for misplaced in found:
         (name, parent, _joint), meant, twins = misplaced
         child = child_of(model, name)
         message = f"link '{name}' is a child of '{parent}'"
         message += f", by its twins of '{meant}'" if meant else ", unlike its twin"
         others = [each.attachment for each in found if each is not misplaced]
-        related = [
-            Related(child_of(model, a.link), f"'{a.link}' is a child of '{a.parent}'")
-            for a in (*others, *twins)
-        ]
+        related = _related(model, (*others, *twins))
         fix = _moved(model, child, misplaced) if len(found) == 1 else None
-        yield Finding(child, message, tuple(related), fix, subject=link_subject(name))
+        yield Finding(child, message, related, fix, subject=link_subject(name))
+
+
+def _of_either(model: Model, one: Misplaced, other: Misplaced) -> Finding:
+    """Return the finding of a left and a right link that hang on unlike bodies."""
+    (name, parent, _), there = one.attachment, other.attachment
+    message = f"link '{name}' is a child of '{parent}', '{there.link}' of '{there.parent}': one of "
+    message += "the two sides is attached wrongly"
+    moves = [_moved(model, child_of(model, m.attachment.link), m) for m in (one, other)]
+    return Finding(
+        child_of(model, name),
+        message,
+        _related(model, (there,)),
+        choices=tuple(fix for fix in moves if fix is not None),
+        subject=link_subject(name),
+    )
+
+
+def _related(model: Model, others: Sequence[Attachment]) -> tuple[Related, ...]:
+    return tuple(
+        Related(child_of(model, a.link), f"'{a.link}' is a child of '{a.parent}'") for a in others
+    )
 
 
 def _moved(model: Model, child: Child, misplaced: Misplaced) -> Fix | None:
