@@ -86,7 +86,7 @@ def _pair(
     left: Body, right: Body, axes: Collection[int], masses: Mapping[str, MassDistribution]
 ) -> PairOfLimbs:
     """Return what two limbs are; who copies joints alone may have left the masses mirrored."""
-    known = ({}, masses)
+    known: tuple[Mapping[str, MassDistribution], ...] = ({}, masses)
     images, copies = zip(*(_likeness(left, right, axes, each) for each in known), strict=True)
     is_copied = copies[0] if images[0] != copies[0] else copies[1] and not images[1]
     return PairOfLimbs(left, right, images[1] and not copies[1], is_copied)
