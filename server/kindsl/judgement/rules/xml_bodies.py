@@ -1,6 +1,6 @@
 """The bodies of a robot in XML: links that are fixed together, and the joint that moves them."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -9,9 +9,8 @@ from kindsl.language.semantics.declarations import Joint, Link
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.unknown import Unknown
 from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from
-from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3, angles, rotation_from_z
+from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3, rotation_from_z
 from kindsl.robots.interchange.xml_document import Connection, XmlDocument
-from kindsl.robots.limbs.limb import Body, Limbs, assembled, groups_of
 from kindsl.robots.mechanism.link_inertia import link_inertia
 
 _AT_ORIGIN = (0.0, 0.0, 0.0)
@@ -148,35 +147,6 @@ class _BodyWalk:
 def _part(link: Link, pose: RigidPose) -> XmlPart:
     mass = link_inertia(link, {})
     return XmlPart(link, pose, None if isinstance(mass, Unknown) else mass)
-
-
-def limbs_in(bodies: Sequence[XmlBody]) -> Iterator[Limbs]:
-    """Yield the groups of limbs of a robot that are meant to be alike.
-
-    In each limb a link's frame is turned with its joint's axis, which is z.
-    """
-    carried: dict[int, list[Body]] = {}
-    lost: set[int] = set()
-    for index, body in reversed(list(enumerate(bodies))):
-        ones = carried.get(index, [])[::-1]
-        yield from groups_of(ones)
-        if body.parent is None:
-            continue
-        made = None if index in lost else _limb_body(body, bodies[body.parent], tuple(ones))
-        if made is None:
-            lost.add(body.parent)
-        else:
-            carried.setdefault(body.parent, []).append(made)
-
-
-def _limb_body(body: XmlBody, parent: XmlBody, carried: tuple[Body, ...]) -> Body | None:
-    carrier = body.carrier
-    if carrier is None or carrier.axis is None:
-        return None
-    pose = parent.axis_pose.inverse().then(body.placement).then(body.axis_pose)
-    turns = angles(pose.rotation, _WITHIN)
-    names = str(body.link.name), str(carrier.joint.name)
-    return assembled(*names, carrier.joint.kind, pose, turns, carried)
 
 
 def moving_joint(body: XmlBody) -> Joint | None:

@@ -1,0 +1,138 @@
+"""Limbs of a robot in XML that differ from their counterparts."""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from kindsl.judgement.rules.base import Finding, Related
+from kindsl.judgement.rules.limb_places import OF_A_LINK, told
+from kindsl.judgement.rules.xml_bodies import XmlBody, moving_joint
+from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.numbers import written_pose
+from kindsl.language.semantics.places import Located
+from kindsl.mechanics.rigid.body import seen_from
+from kindsl.mechanics.rigid.pose import angles
+from kindsl.robots.limbs.attachments import Attachment, LimbNames
+from kindsl.robots.limbs.limb import Body, Limbs, assembled, groups_of
+from kindsl.robots.limbs.slips import n_retyped
+from kindsl.robots.limbs.verdicts import ComparedLimbs, LimbVerdict, verdicts
+from kindsl.robots.limbs.weighing import Suspect
+
+_WITHIN = 1e-9
+
+
+def limb_findings(
+    bodies: Sequence[XmlBody], odd: set[Link]
+) -> Iterator[tuple[str, Finding, tuple[Link, ...]]]:
+    """Yield numbers of limbs that do not fit the others, and the links that these are of."""
+    named = {str(body.link.name): body for body in bodies}
+    pairs = ((body, bodies[body.parent]) for body in bodies if body.parent is not None)
+    names = LimbNames(
+        [
+            Attachment(str(b.link.name), str(parent.link.name), str(joint.name))
+            for b, parent in pairs
+            if (joint := moving_joint(b)) is not None
+        ]
+    )
+    if names.elsewhere or names.crossed:
+        return
+    masses = {
+        name: seen_from(body.mass, body.axis_pose.inverse())
+        for name, body in named.items()
+        if body.mass is not None
+    }
+    for limbs in limbs_in(bodies):
+        compared = ComparedLimbs(limbs)
+        for group in (compared, *compared.held):
+            for verdict in verdicts(group, masses):
+                links = tuple(part.link for p in verdict.places for part in named[p.link].parts)
+                if not any(link in odd for link in links):
+                    body = named[_accused(verdict).link]
+                    meant = _meant(verdict, body, bodies[body.parent or 0])
+                    for code, finding in _of_limbs(verdict, named, meant):
+                        yield code, finding, links
+
+
+def _of_limbs(
+    verdict: LimbVerdict, named: Mapping[str, XmlBody], meant: str
+) -> Iterator[tuple[str, Finding]]:
+    place = _accused(verdict)
+    at = _located(named[place.link], place)
+    others = [(p, f"or {told(p)}") for p in verdict.places if p != place]
+    if verdict.is_convicted:
+        verb = "differ" if place.what == "moments" else "differs"
+        message = f"{told(place)} {verb} from its twins{meant}"
+        twins = [place._replace(link=twin) for twin in verdict.twins if twin in named]
+        others += [(p, f"the same of '{p.link}'") for p in twins]
+        code = "KD210" if place.what == "kind" else "KD509"
+    elif meant:
+        message = f"{told(place)} does not mirror the other side{meant}"
+        code = "KD510"
+    else:
+        return
+    related = (Related(_located(named[p.link], p), words) for p, words in others)
+    yield code, Finding(at, message, tuple(related))
+
+
+def _accused(verdict: LimbVerdict) -> Suspect:
+    """Return the place that is told first: the one of which it is known what is meant."""
+    return verdict.repairs[0].place if verdict.repairs else verdict.places[0]
+
+
+def _meant(verdict: LimbVerdict, body: XmlBody, parent: XmlBody) -> str:
+    """Return a translation as it would be written, nothing of anything else.
+
+    Of two sides only a sign, an order or a unit tells that one is wrong.
+    """
+    meant = verdict.repairs[0].meant[0] if verdict.repairs else ()
+    if _accused(verdict).what != "translation" or len(meant) != 3 or body.carrier is None:
+        return ""
+    if not body.carrier.is_told:
+        return ""
+    x, y, z = meant
+    carrier = next(p for p in parent.parts if p.link.name == body.carrier.parent)
+    there = carrier.pose.inverse().point(parent.axis_pose.turn((x, y, z)))
+    own = written_pose(body.carrier.joint.pose, {})
+    if own is None or (not verdict.is_convicted and n_retyped(own.translation, there)):
+        return ""
+    return f": it would be {' '.join(f'{_clean(each):.5g}' for each in there)}"
+
+
+def _clean(value: float) -> float:
+    return round(value, 9) + 0.0
+
+
+def _located(body: XmlBody, place: Suspect) -> Located:
+    """Return where a finding on numbers of a limb is shown."""
+    joint, inertia = moving_joint(body), body.heaviest.link.inertia
+    if place.what in OF_A_LINK and inertia is not None:
+        return inertia
+    vector = joint.pose.translation if joint is not None else None
+    return vector or (joint.name if joint is not None else body.link.name)
+
+
+def limbs_in(bodies: Sequence[XmlBody]) -> Iterator[Limbs]:
+    """Yield the groups of limbs of a robot that are meant to be alike.
+
+    In each limb a link's frame is turned with its joint's axis, which is z.
+    """
+    carried: dict[int, list[Body]] = {}
+    lost: set[int] = set()
+    for index, body in reversed(list(enumerate(bodies))):
+        ones = carried.get(index, [])[::-1]
+        yield from groups_of(ones)
+        if body.parent is None:
+            continue
+        made = None if index in lost else _limb_body(body, bodies[body.parent], tuple(ones))
+        if made is None:
+            lost.add(body.parent)
+        else:
+            carried.setdefault(body.parent, []).append(made)
+
+
+def _limb_body(body: XmlBody, parent: XmlBody, carried: tuple[Body, ...]) -> Body | None:
+    carrier = body.carrier
+    if carrier is None or carrier.axis is None:
+        return None
+    pose = parent.axis_pose.inverse().then(body.placement).then(body.axis_pose)
+    turns = angles(pose.rotation, _WITHIN)
+    names = str(body.link.name), str(carrier.joint.name)
+    return assembled(*names, carrier.joint.kind, pose, turns, carried)
