@@ -18,7 +18,7 @@ from kindsl.language.syntax.tree import Island, Node, Token
 from kindsl.language.text.edits import TextEdit, apply_edits
 from kindsl.language.text.facts import Facts
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3
-from kindsl.robots.interchange.xml_reading import XmlElement, XmlError, finite_number, parsed_xml
+from kindsl.robots.interchange.xml_reading import XmlElement, XmlError, finite_number
 
 _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _REST_OF_LINE = re.compile(r"(?:[^\S\r\n]|<!--[^\r\n]*?-->)*")
@@ -26,7 +26,6 @@ _TAG = re.compile(r"""<(?:[^"'>]|"[^"]*"|'[^']*')*>""")
 _ATTRIBUTE = r"""[\s"']{name}\s*=\s*(?:"([^"]*)"|'([^']*)')"""
 _WORD = re.compile(r"\S+")
 _LINE_END = re.compile(r"\r\n?|\n")
-_AROUND = "<x>"
 _CHUNK = 96
 # A zero without a point is exact: as a decimal it has more digits than any number beside it.
 _EXACT_ZERO = "0.000000000000000"
@@ -56,6 +55,29 @@ class Connection(NamedTuple):
     is_told: bool = True
 
 
+class Piece(NamedTuple):
+    """A piece of a file that is to be an island.
+
+    Attributes:
+        text: Its text.
+        start: Where it begins.
+        element: The element in it, None of the tags around elements.
+    """
+
+    text: str
+    start: int
+    element: Any
+
+    def placed(self) -> XmlElement | None:
+        """Return the element with its offsets in the piece; those in the file are lost."""
+        for each in self.element.iter() if self.element is not None else ():
+            each.offset -= self.start
+            if hasattr(each, "end"):
+                each.end -= self.start
+        found: XmlElement | None = self.element
+        return found
+
+
 class XmlIsland(OtherIsland):
     """A piece of an XML file: an element with the comments around it, or the root's own tags.
 
@@ -68,8 +90,8 @@ class XmlIsland(OtherIsland):
 
     has_attributes = True
 
-    def __init__(self, text: str, is_element: bool) -> None:
-        self.element = _parsed_piece(text) if is_element else None
+    def __init__(self, text: str, element: XmlElement | None) -> None:
+        self.element = element
         comments = tuple(match.span() for match in _COMMENT.finditer(text))
         super().__init__(text, (), (), (), comments, ())
         if self.element is not None:
@@ -204,30 +226,18 @@ class XmlDocument(SyntaxDocument):
         return self.make(apply_edits(self.text, edits), self)
 
 
-def _parsed_piece(text: str) -> XmlElement:
-    """Return the element of a piece, which may have words beside it that no program reads."""
-    try:
-        return parsed_xml(text)
-    except XmlError:
-        (element,) = root = parsed_xml(f"{_AROUND}{text}</x>")
-        for each in root.iter():
-            each.offset -= len(_AROUND)  # type: ignore[attr-defined]
-            if hasattr(each, "end"):
-                each.end -= len(_AROUND)
-        return element  # type: ignore[return-value]
-
-
 def _unmade(text: str, former: SyntaxDocument | None) -> SyntaxDocument:
     raise NotImplementedError
 
 
-def pieces(text: str, root: XmlElement) -> list[str]:
-    """Return the texts of a root's first tag, of its children, and of its end."""
+def pieces(text: str, root: XmlElement) -> list[Piece]:
+    """Return a root's first tag, its children, and its end."""
     tag = _TAG.match(text, root.offset)
     ends = [tag.end() if tag else len(text)]
     ends += [rest_of_line(text, child) for child in root]
-    starts = [0, *ends]
-    return [text[start:end] for start, end in zip(starts, [*ends, len(text)], strict=True)]
+    elements = (None, *root, None)
+    places = zip([0, *ends], [*ends, len(text)], elements, strict=True)
+    return [Piece(text[start:end], start, each) for start, end, each in places]
 
 
 def rest_of_line(text: str, element: Any) -> int:

@@ -35,6 +35,7 @@ from kindsl.robots.interchange.sdf.sdf_reading import axis_in_model
 from kindsl.robots.interchange.xml_document import (
     Connection,
     Flaw,
+    Piece,
     XmlDocument,
     XmlIsland,
     rest_of_line,
@@ -54,10 +55,10 @@ class SdfIsland(XmlIsland):
 
     has_attributes = False
 
-    def __init__(self, text: str, is_element: bool, prefix: str = "") -> None:
+    def __init__(self, text: str, element: XmlElement | None, prefix: str = "") -> None:
         self.prefix = prefix
         self._declared = Declarations(None, (), (), (), ())
-        super().__init__(text, is_element)
+        super().__init__(text, element)
 
     def declared(self) -> Declarations:
         """Return the link or joint."""
@@ -164,9 +165,9 @@ def _of_elements(text: str, root: Any, former: SyntaxDocument | None) -> XmlDocu
             key = island.text, island.element is not None, island.prefix
             known.setdefault(key, []).append(island)
     islands: list[SdfIsland] = []
-    for key in _pieces(text, root):
-        same = known.get(key)
-        islands.append(same.pop(0) if same else SdfIsland(*key))
+    for piece, prefix in list(_pieces(text, root)):
+        same = known.get((piece.text, piece.element is not None, prefix))
+        islands.append(same.pop(0) if same else SdfIsland(piece.text, piece.placed(), prefix))
     document = XmlDocument(islands, former.versions if former is not None else None)
     flaws: list[Flaw] = []
     if root.tag != "sdf":
@@ -207,8 +208,8 @@ def _elements(model: Any, prefix: str) -> Iterator[tuple[Any, str]]:
             yield child, prefix
 
 
-def _pieces(text: str, root: Any) -> Iterator[tuple[str, bool, str]]:
-    """Yield the texts of elements with the comments around them, and the texts between these."""
+def _pieces(text: str, root: Any) -> Iterator[tuple[Piece, str]]:
+    """Yield elements with the comments around them and what stands before names, and the rest."""
     done = 0
     for model, prefix in _models(root):
         for element, before in _elements(model, prefix):
@@ -216,12 +217,12 @@ def _pieces(text: str, root: Any) -> Iterator[tuple[str, bool, str]]:
             around = [tag.end() for tag in tags if not tag[0].startswith("<!--")]
             if around or not done:
                 start = around[-1] if around else element.offset
-                yield text[done:start], False, ""
+                yield Piece(text[done:start], done, None), ""
                 done = start
             end = rest_of_line(text, element)
-            yield text[done:end], True, before
+            yield Piece(text[done:end], done, element), before
             done = end
-    yield text[done:], False, ""
+    yield Piece(text[done:], done, None), ""
 
 
 def _connections(

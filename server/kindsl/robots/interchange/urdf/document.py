@@ -165,12 +165,10 @@ def _of_elements(text: str, root: XmlElement, former: SyntaxDocument | None) -> 
     for island in former.islands if former is not None else ():
         if isinstance(island, UrdfIsland):
             known.setdefault((island.text, island.element is not None), []).append(island)
-    texts = pieces(text, root)
     islands = []
-    for index, piece in enumerate(texts):
-        key = piece, 0 < index < len(texts) - 1
-        same = known.get(key)
-        islands.append(same.pop(0) if same else UrdfIsland(*key))
+    for piece in pieces(text, root):
+        same = known.get((piece.text, piece.element is not None))
+        islands.append(same.pop(0) if same else UrdfIsland(piece.text, piece.placed()))
     document = XmlDocument(islands, former.versions if former is not None else None)
     document.flaws = tuple(_flaws(root, islands))
     document.connections = tuple(filter(None, (island.connection() for island in islands)))
