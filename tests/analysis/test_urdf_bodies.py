@@ -202,3 +202,8 @@ def test_the_density_of_what_no_joint_moves_is_a_hint() -> None:
         [str(f.severity) for f in analyse(text).findings] for text in (alone, carrying + "</robot>")
     ]
     assert severities == [["warning"], ["hint"]]
+
+
+def test_a_moving_link_of_no_mass_is_told_once() -> None:
+    text = robot(link("a", mass="0"), joint("j", "base", "a", "0 0 1"))
+    assert [code for code, _ in found(text)] == ["KD304"]

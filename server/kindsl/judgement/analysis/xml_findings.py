@@ -22,6 +22,7 @@ from kindsl.robots.interchange.xml_document import XmlDocument
 from kindsl.robots.mechanism.body_verdicts import density_of
 
 _MISSING, _PLACEHOLDER, _COPIED, _DENSITY = "KD304", "KD310", "KD315", "KD311"
+_NO_MASS = "KD303"
 _TOLD_OF_PARTS = OF_PARTS | {_COPIED, "KD307"}
 # A part of so small a share of its body's mass hardly matters to how the body moves.
 _NEGLIGIBLE = 0.01
@@ -56,11 +57,14 @@ def xml_findings(
     rules = {rule.code: rule for rule in rules_with(frozenset(code for code, _ in own))}
     enabled = [(rules[code], each) for code, each in own if is_enabled(rules[code], settings)]
     light, at_rest = _light_parts(bodies), _parts_at_rest(bodies)
+    massless = {id(link.island) for link in _massless(bodies)} if _MISSING in rules else set()
     copied = {id(finding.at.island) for rule, finding in found if rule.code == _COPIED}
     told = []
     for rule, finding in (*enabled, *found):
         island, is_of_part = id(finding.at.island), rule.code in _TOLD_OF_PARTS
         if is_of_part and rule.code != _COPIED and island in copied:
+            continue
+        if rule.code == _NO_MASS and island in massless:
             continue
         is_light = is_of_part and island in light
         is_light = is_light or (rule.code == _DENSITY and island in at_rest)
@@ -143,15 +147,20 @@ def _placeholders(model: Model) -> Iterator[Finding]:
 
 def _missing(bodies: Iterable[XmlBody]) -> Iterator[Finding]:
     """Yield one finding for all bodies of a file that move and have no mass."""
-    without = [
-        body.link
-        for body in bodies
-        if body.moves and all(_is_massless(part.link) for part in body.parts)
-    ]
+    without = _massless(bodies)
     if without:
         verb = "have" if without[1:] else "has"
         what = f"link '{without[0].name}'{_more(without)} {verb} no inertia, and a joint moves "
         yield _of_all(without, without[0].name, what + ("them" if without[1:] else "it"))
+
+
+def _massless(bodies: Iterable[XmlBody]) -> list[Link]:
+    """Return the first links of bodies that move and have no mass."""
+    return [
+        body.link
+        for body in bodies
+        if body.moves and all(_is_massless(part.link) for part in body.parts)
+    ]
 
 
 def _more(links: list[Link]) -> str:
