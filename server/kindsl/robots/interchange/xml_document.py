@@ -55,7 +55,7 @@ class Connection(NamedTuple):
     is_told: bool = True
 
 
-class Piece(NamedTuple):
+class XmlPiece(NamedTuple):
     """A piece of a file that is to be an island.
 
     Attributes:
@@ -230,14 +230,14 @@ def _unmade(text: str, former: SyntaxDocument | None) -> SyntaxDocument:
     raise NotImplementedError
 
 
-def pieces(text: str, root: XmlElement) -> list[Piece]:
+def pieces(text: str, root: XmlElement) -> list[XmlPiece]:
     """Return a root's first tag, its children, and its end."""
     tag = _TAG.match(text, root.offset)
     ends = [tag.end() if tag else len(text)]
     ends += [rest_of_line(text, child) for child in root]
     elements = (None, *root, None)
     places = zip([0, *ends], [*ends, len(text)], elements, strict=True)
-    return [Piece(text[start:end], start, each) for start, end, each in places]
+    return [XmlPiece(text[start:end], start, each) for start, end, each in places]
 
 
 def rest_of_line(text: str, element: Any) -> int:

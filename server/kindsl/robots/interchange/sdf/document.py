@@ -35,9 +35,9 @@ from kindsl.robots.interchange.sdf.sdf_reading import axis_in_model
 from kindsl.robots.interchange.xml_document import (
     Connection,
     Flaw,
-    Piece,
     XmlDocument,
     XmlIsland,
+    XmlPiece,
     rest_of_line,
     unreadable,
 )
@@ -208,7 +208,7 @@ def _elements(model: Any, prefix: str) -> Iterator[tuple[Any, str]]:
             yield child, prefix
 
 
-def _pieces(text: str, root: Any) -> Iterator[tuple[Piece, str]]:
+def _pieces(text: str, root: Any) -> Iterator[tuple[XmlPiece, str]]:
     """Yield elements with the comments around them and what stands before names, and the rest."""
     done = 0
     for model, prefix in _models(root):
@@ -217,12 +217,12 @@ def _pieces(text: str, root: Any) -> Iterator[tuple[Piece, str]]:
             around = [tag.end() for tag in tags if not tag[0].startswith("<!--")]
             if around or not done:
                 start = around[-1] if around else element.offset
-                yield Piece(text[done:start], done, None), ""
+                yield XmlPiece(text[done:start], done, None), ""
                 done = start
             end = rest_of_line(text, element)
-            yield Piece(text[done:end], done, element), before
+            yield XmlPiece(text[done:end], done, element), before
             done = end
-    yield Piece(text[done:], done, None), ""
+    yield XmlPiece(text[done:], done, None), ""
 
 
 def _connections(
