@@ -11,11 +11,10 @@ from tests.support.bodies import document_of_bodies, inertia_text, random_body, 
 from tests.support.recorded import assert_as_recorded
 
 from kindsl.judgement.analysis.analysis import analyse
-from kindsl.judgement.diagnosis.causes import Cause, candidates
+from kindsl.judgement.diagnosis.judge import Cause, candidates, diagnoses
 from kindsl.judgement.diagnosis.slips import Hypothesis, hypotheses
 from kindsl.judgement.diagnosis.surroundings import surroundings
 from kindsl.judgement.diagnosis.suspects import suspects_of
-from kindsl.judgement.rules.inertia.repairs import explanations
 from kindsl.mechanics.rigid.body import (
     MassDistribution,
     eigensystem,
@@ -106,7 +105,7 @@ def weights() -> Iterator[str]:
     yield "## every slip"
     without_products = body._replace(moments=(*body.moments[:3], 0.0, 0.0, 0.0))
     for h in (*hypotheses(body, half), *hypotheses(without_products, half)):
-        told = f"{_slips(h)}: weight {h.weight:.4g}, {h.is_partial} {h.is_last_resort} {h.kinds}"
+        told = f"{_slips(h)}: weight {h.weight:.4g}, {h.is_partial} {h.sort} {h.kinds}"
         yield told.replace("<Slip.", "").replace(">", "")
         numbers = (*h.body.com, *h.body.moments, h.half.mass, *h.half.moments)
         yield f"    {h.body.mass:.6g} {' '.join(f'{x:.6g}' for x in numbers)}"
@@ -120,7 +119,7 @@ def weights() -> Iterator[str]:
             for cause in candidates(found, surroundings(model, context.values, found)):
                 h = cause.hypothesis
                 yield f"    {_slips(h)}: weight {h.weight:.4g}, log {cause.log_likelihood:.5g}"
-        for found, causes in explanations(suspects, model, context.values):
+        for found, causes in diagnoses(suspects, model, context.values):
             told = (f"{_slips(c.hypothesis)} {c.probability:.3f}{_reasons(c)}" for c in causes)
             yield f"{found.link.name} of all: {'; '.join(told)}"
         for finding in analysis.findings:

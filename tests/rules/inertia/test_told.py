@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from kindsl.judgement.diagnosis.causes import Cause
-from kindsl.judgement.diagnosis.likelihood import MassShape
+from kindsl.judgement.diagnosis.evidence import MassShape
+from kindsl.judgement.diagnosis.judge import Cause
 from kindsl.judgement.diagnosis.slips import Hypothesis, Slip
 from kindsl.judgement.rules.inertia.told import clause, likely_cause, rivals, shared_cause, title
 from kindsl.language.text.quantities import sum_below, with_unit
@@ -109,6 +109,12 @@ def test_slips_are_told_in_words(h: Hypothesis, what: str, step: str) -> None:
             "the moments were shifted to the frame origin once, not twice",
             "Shift the moments back once",
         ),
+        (of(Slip.COM_UNIT, unit="cm"), "the CoM were in cm", "Convert the CoM to m"),
+        (
+            of(Slip.MOMENT, names=("Iy",), power=-1),
+            "Iy were divided by 10",
+            "Multiply Iy by 10⁻¹",
+        ),
         (
             of(Slip.PLACEHOLDER, names=("0.001",)),
             "is a placeholder: Ix, Iy and Iz are all 0.001",
@@ -131,7 +137,8 @@ def ball(com: Vector3, *reasons: str, slip: Slip = Slip.REFERENCE, tilt: float =
     mass = 1000.0 * 4.0 / 3.0 * pi
     matrix = (mass / 5.0, mass / 5.0, mass / 5.0, tilt, 0.0, 0.0)
     h = of(slip, names=("Ixy",))._replace(body=BODY._replace(mass=mass, com=com))
-    return Cause(h, MassShape(matrix, (0.0,) * 6, eigensystem(matrix)), reasons, 0.0, 0.0)
+    shape = MassShape(matrix, (0.0,) * 6, eigensystem(matrix))
+    return Cause(h, shape, reasons, 0.0, 0.0, probability=0.9)
 
 
 REFERENCE = "the moments were taken about the CoM rather than the frame origin"
@@ -163,15 +170,31 @@ def test_axes_along_the_links_speak_for_a_cause_where_the_com_lies_off_them(
 def test_of_several_causes_what_speaks_for_all_of_them_is_left_out() -> None:
     com = (0.0, 0.0, 0.0)
     one, two = ball(com, "long", "near"), ball(com, "near", "equal", slip=Slip.SIGNS)
-    causes = [one, two, ball(com, "near")._replace(is_left_odd=True)]
+    causes = [one._replace(probability=0.5), two, ball(com, "near")]
     assert likely_cause("inertia of 'arm'", causes, " at m = 2") == (
         f"inertia of 'arm' would most likely be consistent if {REFERENCE} at m = 2"
         " (density 1000 kg/m³, long)"
     )
     assert rivals(causes) == [
         "or if the sign of Ixy were changed (density 1000 kg/m³, equal)",
-        f"or if {REFERENCE} (density 1000 kg/m³, what remains is judged again)",
+        f"or if {REFERENCE} (density 1000 kg/m³)",
     ]
+
+
+@pytest.mark.parametrize(
+    ("probability", "verb"),
+    [
+        (0.9, "would be"),
+        (0.899, "would most likely be"),
+        (0.5, "would most likely be"),
+        (0.499, "might be"),
+    ],
+)
+def test_words_are_as_sure_as_the_cause_is(probability: float, verb: str) -> None:
+    cause = ball((0.0, 0.0, 0.0))._replace(probability=probability)
+    assert f"inertia of 'arm' {verb} consistent if {REFERENCE}" in likely_cause(
+        "inertia of 'arm'", [cause]
+    )
 
 
 def test_what_leaves_no_trace_is_told_without_reasons() -> None:

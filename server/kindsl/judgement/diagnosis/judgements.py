@@ -46,7 +46,7 @@ from kindsl.robots.mechanism.body_verdicts import (
     is_plainly_dense_as_matter,
 )
 
-_JUDGEMENTS: "Fact[tuple[Mapping[str, float] | None, list[Judgement]]]" = Fact("judgements")
+_JUDGED: "Fact[tuple[Mapping[str, float] | None, _Judged]]" = Fact("judgements")
 # The numbers of an inertia in words, as `MassDistribution` has them.
 TEN = ("mass", "x of the CoM", "y of the CoM", "z of the CoM", *MOMENTS)
 _SINGULAR = 1e-9
@@ -98,21 +98,47 @@ class Judgement(NamedTuple):
         return self.verdict in IMPOSSIBLE
 
 
+class _Judged(NamedTuple):
+    """Judgements of an island, those apart of which nothing but the place of the CoM is told."""
+
+    near: list[Judgement]
+    far: list[Judgement]
+
+
+_NONE = _Judged([], [])
+
+
 def judgements(declared: Declarations, values: Mapping[str, float]) -> Sequence[Judgement]:
     """Return the moving links of an island whose inertia is not plainly possible.
 
-    Computed once for each island, or for each context where parameters are in it.
+    A body without whose CoM, beyond ten metres, nothing could be told is none of them.
     """
+    return _judged(declared, values).near
+
+
+def far_judgements(declared: Declarations, values: Mapping[str, float]) -> Sequence[Judgement]:
+    """Return the bodies of an island that are not plainly possible with a CoM beyond ten metres."""
+    return _judged(declared, values).far
+
+
+def _judged(declared: Declarations, values: Mapping[str, float]) -> _Judged:
+    """Return what is judged once for each island, or for values where parameters are in it."""
     if not declared.links and not declared.bases:
-        return ()
+        return _NONE
     facts = (declared.links or declared.bases)[0].island.facts
-    known = facts.get(_JUDGEMENTS)
+    known = facts.get(_JUDGED)
     if known is not None and (known[0] is None or known[0] is values):
         return known[1]
     moving = [body for body in declared.bodies() if is_moving(body) and body.inertia is not None]
     judged = [j for j in (_judge(link, values) for link in moving) if j is not None]
     is_literal = all(is_plain(link.inertia) for link in moving if link.inertia is not None)
-    return facts.keep(_JUDGEMENTS, (None if is_literal else values, judged))[1]
+    near, far = ([j for j in judged if _is_far(j) == is_far] for is_far in (False, True))
+    return facts.keep(_JUDGED, (None if is_literal else values, _Judged(near, far)))[1]
+
+
+def _is_far(found: Judgement) -> bool:
+    is_possible = found.verdict is Verdict.IMPLAUSIBLE
+    return not is_possible and max(map(abs, found.body.com)) > GREATEST_LENGTH
 
 
 def is_impossible(link: Link, values: Mapping[str, float]) -> bool:
@@ -218,10 +244,9 @@ def _judge(link: Link, values: Mapping[str, float]) -> Judgement | None:
     if body is None or body.mass <= 0.0 or is_placeholder(body):
         return None
     second_moments = second_moments_about_com(body)
-    if is_clearly_positive(second_moments):
-        if is_plainly_dense_as_matter(body.mass, second_moments):
-            return None
-    elif max(map(abs, body.com)) > GREATEST_LENGTH:
+    if is_clearly_positive(second_moments) and is_plainly_dense_as_matter(
+        body.mass, second_moments
+    ):
         return None
     pairs = eigensystem(second_moments)
     half = likely_half_widths(numbers_written(inertia, values))

@@ -1,15 +1,16 @@
 """Mistakes in copying ten numbers, in one table, and the numbers as they were meant.
 
-A row has its rule, its weight against the others and what that rests on. Two at a time are tried as
-far as `_PAIRS` says, for a share of their weight. A unit is fixed first, and what remains judged
-again: what may have been done to the moments besides only speaks for the unit.
+A row has its rule, its weight against the others and what that rests on; `fitted` corrects it. Two
+at a time are tried as far as `_PAIRS` says, for a share of their weight.
 """
 
 from collections.abc import Callable, Container, Iterator, Sequence
 from enum import StrEnum
 from itertools import combinations
+from math import exp, log
 from typing import NamedTuple, TypeVar
 
+from kindsl.judgement.diagnosis.fitted import WEIGHTS
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.rigid.body import MassDistribution, Symmetric, shifted
 from kindsl.mechanics.rigid.pose import Vector3
@@ -32,6 +33,8 @@ _RARE = 2.5e-5
 # A second slip is looked for beside the units of CAD programs only.
 _GREATEST_OF_PAIR = -4
 _MASSES = ((-3, "g", 1.0), (-1, "", 0.1), (1, "", 0.1))
+_LENGTHS = ((1e-3, "mm", 1.0), (1e-2, "cm", 0.5), (0.0254, "in", 0.5))
+_LOG_TEN = log(10.0)
 # Where the six moments stand in the rows of half a matrix, as in URDF, and with axes turned round.
 _ROWS = (0, 3, 5, 1, 2, 4)
 _TURNS = (((1, 2, 0, 5, 3, 4), "y, z and x"), ((2, 0, 1, 4, 5, 3), "z, x and y"))
@@ -44,6 +47,8 @@ class Slip(StrEnum):
     REFERENCE = "reference"
     TWICE = "shifted twice"
     SCALE = "scale"
+    COM_UNIT = "CoM in another unit"
+    MOMENT = "power of ten of a moment"
     MINUS = "sign of a moment"
     COM_SIGN = "sign of the CoM"
     COM_ORDER = "two coordinates of the CoM swapped"
@@ -68,7 +73,6 @@ class Hypothesis(NamedTuple):
         unit: The unit that explains that, or empty.
         is_partial: Whether only some of the products' signs are wrong.
         has_products: Whether there are signs to be wrong.
-        simple: The one slip to fix first where another one may remain, None for itself.
     """
 
     slips: tuple[Slip, ...]
@@ -80,7 +84,12 @@ class Hypothesis(NamedTuple):
     unit: str = ""
     is_partial: bool = False
     has_products: bool = True
-    simple: "Hypothesis | None" = None
+
+    @property
+    def sort(self) -> str:
+        """The mistakes of one sort, which are equally common but for their share of it."""
+        unit = ("unit" if self.unit else "digit") if {Slip.SCALE, Slip.MASS} & {*self.slips} else ""
+        return " + ".join((*self.slips, *filter(None, (unit,))))
 
     @property
     def code(self) -> str:
@@ -88,14 +97,15 @@ class Hypothesis(NamedTuple):
         return TABLE[self.slips[0]].code
 
     @property
-    def is_last_resort(self) -> bool:
-        """True if it is a digit too many or too few, which can fix nearly everything."""
-        return Slip.SCALE in self.slips and not self.unit
+    def log_change(self) -> float:
+        """The logarithm of how much smaller a volume of moments becomes without the mistake."""
+        n_moments = 6.0 if Slip.SCALE in self.slips else 1.0 if Slip.MOMENT in self.slips else 0.0
+        return n_moments * self.power * _LOG_TEN
 
     @property
     def kind(self) -> Kind:
         """The part that is equal where the same mistake was made at another link."""
-        return self.slips, self.power, self.is_partial and self.names
+        return self.slips, self.power, self.unit, self.is_partial and self.names
 
     @property
     def kinds(self) -> tuple[Kind, ...]:
@@ -116,7 +126,11 @@ def hypotheses(
         half: How far each number may be from what is written.
         among: The mistakes that are tried first.
     """
-    written = Hypothesis((), body, half, 1.0, has_products=any(body.moments[3:]))
+    for h in _in_table(Hypothesis((), body, half, 1.0, has_products=any(body.moments[3:])), among):
+        yield h._replace(weight=h.weight * exp(WEIGHTS.get(h.sort, 0.0)))
+
+
+def _in_table(written: Hypothesis, among: Container[Slip]) -> Iterator[Hypothesis]:
     for slip, row in TABLE.items():
         for single in row.meant(written) if slip in among else ():
             h = _with(slip, single, row.weight)
@@ -126,8 +140,9 @@ def hypotheses(
                     continue
                 for both in TABLE[other].meant(h):
                     weight = TABLE[other].weight * (of_some if both.is_partial else share)
-                    simple = h if slip is Slip.SCALE else None
-                    yield _with(other, both, weight)._replace(simple=simple)
+                    pair = _with(other, both, weight)
+                    # The unit is told, and mended, first.
+                    yield pair._replace(slips=pair.slips[::-1]) if slip is Slip.SCALE else pair
 
 
 def _with(slip: Slip, h: Hypothesis, weight: float) -> Hypothesis:
@@ -167,6 +182,28 @@ def _scaled(h: Hypothesis) -> Iterator[Hypothesis]:
             power=power,
             unit=unit,
         )
+
+
+def _com_scaled(h: Hypothesis) -> Iterator[Hypothesis]:
+    for factor, unit, share in _LENGTHS if any(h.body.com) else ():
+        yield h._replace(
+            body=h.body._replace(com=_times(factor, h.body.com)),
+            half=h.half._replace(com=_times(factor, h.half.com)),
+            weight=share * h.weight,
+            unit=unit,
+        )
+
+
+def _one_scaled(h: Hypothesis) -> Iterator[Hypothesis]:
+    for index, moment in enumerate(h.body.moments[:3]):
+        for power in (-1, 1) if moment else ():
+            yield h._replace(
+                body=h.body._replace(moments=_with_one_times(10.0**power, h.body.moments, index)),
+                half=h.half._replace(moments=_with_one_times(10.0**power, h.half.moments, index)),
+                names=(MOMENTS[index],),
+                power=power,
+                is_partial=True,
+            )
 
 
 def _other_moment_sign(h: Hypothesis) -> Iterator[Hypothesis]:
@@ -247,6 +284,8 @@ TABLE = {
     Slip.REFERENCE: SlipRow("KD306", 1.0, "corrected so in 3 published histories", _about_origin),
     Slip.SIGNS: SlipRow("KD307", 1.0, "URDF, MJCF and most CAD programs negate them", _other_signs),
     Slip.SCALE: SlipRow("KD308", 0.4, "each unit as CAD programs have it; else a digit", _scaled),
+    Slip.COM_UNIT: SlipRow("KD502", 0.1, "CAD programs have mm, some cm or in", _com_scaled),
+    Slip.MOMENT: SlipRow("KD308", 0.02, "a digit is lost, a point is moved", _one_scaled),
     Slip.MASS: SlipRow("KD314", 0.1, "in no published history; CAD programs give g", _other_mass),
     Slip.MINUS: SlipRow("KD307", 0.5, "no body has a negative moment", _other_moment_sign),
     Slip.COM_SIGN: SlipRow("KD307", 0.15, "HyQ's legs, mirrored by hand", _other_com_sign),
@@ -274,8 +313,12 @@ def _negated(values: _Values, chosen: Sequence[int]) -> _Values:
     return tuple(-v if i in chosen else v for i, v in enumerate(values))  # type: ignore[return-value]
 
 
-def _times(factor: float, moments: Symmetric) -> Symmetric:
-    return tuple(factor * moment for moment in moments)  # type: ignore[return-value]
+def _times(factor: float, values: _Values) -> _Values:
+    return tuple(factor * value for value in values)  # type: ignore[return-value]
+
+
+def _with_one_times(factor: float, values: Symmetric, index: int) -> Symmetric:
+    return tuple(factor * v if i == index else v for i, v in enumerate(values))  # type: ignore[return-value]
 
 
 def _in_order(h: Hypothesis, order: Sequence[int], *names: str) -> Hypothesis:

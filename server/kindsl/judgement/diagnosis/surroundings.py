@@ -6,8 +6,9 @@ from itertools import islice
 from math import hypot, isclose, isfinite, log, log10
 from typing import NamedTuple
 
+from kindsl.judgement.diagnosis.evidence import MassShape
+from kindsl.judgement.diagnosis.fitted import EXPECTED, MIRRORED
 from kindsl.judgement.diagnosis.judgements import Judgement, is_impossible, is_moving
-from kindsl.judgement.diagnosis.likelihood import MassShape
 from kindsl.judgement.diagnosis.slips import Hypothesis, Slip
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Link
@@ -16,7 +17,7 @@ from kindsl.language.semantics.numbers import mass_distribution, written_pose
 from kindsl.language.text.decimals import significant_digits
 from kindsl.language.text.facts import Fact, kept
 from kindsl.mechanics.rigid.body import MassDistribution
-from kindsl.mechanics.rigid.pose import Rotation, Vector3, transposed
+from kindsl.mechanics.rigid.pose import Rotation, Vector3, dot, transposed
 from kindsl.robots.limbs.mounts import REFLECTIONS
 from kindsl.robots.limbs.names import label_of, other_side
 from kindsl.robots.limbs.twin_frames import twin_frames
@@ -34,10 +35,6 @@ _ELONGATED = 2.5
 _ALONG = 0.85
 _ACROSS = 0.2
 _SAME = 0.02
-_LOG_EXPECTED, _LOG_MIRRORED = log(1500.0), log(30.0)
-_LOG_ALONG, _LOG_ACROSS = log(2.5), log(0.6)
-# 97 % of 694 published links have their CoM on the side of the next joint.
-_LOG_TOWARDS, _LOG_AWAY = log(1.9), log(0.06)
 
 
 class Twin(NamedTuple):
@@ -72,19 +69,27 @@ class LinkSurroundings(NamedTuple):
     mass: float = 0.0
     copies: tuple[tuple[str, str], ...] = ()
 
-    def reach(self, com: Vector3) -> float:
-        """Return how far the link goes from its origin, m."""
-        return max([hypot(*com), *(hypot(*point) for point in self.points)])
+    @property
+    def end(self) -> Vector3 | None:
+        """The farthest of its points, None where none is known."""
+        return max(self.points, key=lambda point: hypot(*point), default=None)
 
 
 _SURROUNDINGS = Fact[tuple[object, LinkSurroundings]]("surroundings")
 
 
 class Evidence(NamedTuple):
-    """The evidence for a hypothesis: a logarithm to add, and why in words."""
+    """The evidence for a hypothesis.
+
+    Attributes:
+        log_weight: A logarithm to add.
+        reasons: Why, in words.
+        agreement: Of a body with its counterparts: 1 with one but for its signs, 2 with all.
+    """
 
     log_weight: float
     reasons: tuple[str, ...] = ()
+    agreement: int = 0
 
 
 def surroundings(model: Model, values: Mapping[str, float], found: Judgement) -> LinkSurroundings:
@@ -97,7 +102,7 @@ def surroundings(model: Model, values: Mapping[str, float], found: Judgement) ->
         model.tree.joints_on(link),
         namesakes,
         [_bodies_with(model, telling) for telling in _telling_numbers(link)],
-        _middle_mass(model),
+        middle_mass(model),
     )
     look = partial(_surroundings, model, values, found, namesakes)
     return link.facts.made_of(_SURROUNDINGS, made_of, look)
@@ -107,59 +112,66 @@ def _surroundings(
     model: Model, values: Mapping[str, float], found: Judgement, namesakes: Iterable[Link]
 ) -> LinkSurroundings:
     link = found.link
-    points: list[Vector3] = []
-    if found.inertia.frame is None:
-        poses = [frame.pose for frame in link.frames]
-        edges = model.tree.successor_edges(link)
-        poses += [edge.joint.pose for edge in edges if edge.joint is not None]
-        placed = (written_pose(pose, values) for pose in poses)
-        points = [place.translation for place in placed if place is not None]
+    points = _points(model, values, link)
     alike = list(_with_inertia(namesakes, values))
     possible = [each for each in alike if not is_impossible(each[0], values)]
     twins = _twins(model, values, found, possible)
     return LinkSurroundings(
-        tuple(point for point in points if hypot(*point) > _NEAR),
+        points,
         twins,
         len(possible) / len(alike) if twins else 0.0,
-        _middle_mass(model),
+        middle_mass(model),
         tuple(copies(model, values, link)),
     )
 
 
-def of_points(h: Hypothesis, shape: MassShape, around: LinkSurroundings) -> Evidence:
-    """Return what the places of the next joints and of the frames say of a hypothesis."""
-    if not around.points:
-        return Evidence(0.0)
-    point = max(around.points, key=lambda p: hypot(*p))
-    length, total, reasons = hypot(*point), 0.0, []
+def _points(model: Model, values: Mapping[str, float], link: Link) -> tuple[Vector3, ...]:
+    """Return where a link's frames and its children's joints are, none beside its origin."""
+    if link.inertia is None or link.inertia.frame is not None:
+        return ()
+    poses = [frame.pose for frame in link.frames]
+    edges = model.tree.successor_edges(link)
+    poses += [edge.joint.pose for edge in edges if edge.joint is not None]
+    placed = (written_pose(pose, values) for pose in poses)
+    points = (place.translation for place in placed if place is not None)
+    return tuple(point for point in points if hypot(*point) > _NEAR)
+
+
+def farthest_end(model: Model, values: Mapping[str, float], link: Link) -> Vector3 | None:
+    """Return the farthest of a link's frames and children's joints, None where none is known."""
+    return LinkSurroundings(_points(model, values, link), (), 0.0).end
+
+
+def reasons_of_end(h: Hypothesis, shape: MassShape, end: Vector3 | None) -> Iterator[str]:
+    """Yield in words what the place of a link's end says of a hypothesis."""
+    if end is None:
+        return
     _, middle, long = shape.pairs
     if long.value > _ELONGATED * max(middle.value, 0.0):
-        along = abs(sum(a * p for a, p in zip(long.axis, point, strict=True))) / length
-        total += _LOG_ALONG if along > _ALONG else _LOG_ACROSS
-        reasons += ["long towards its next joint"] if along > _ALONG else []
-        reasons += ["though then long across its link"] if along < _ACROSS else []
-    ahead = sum(c * p for c, p in zip(h.body.com, point, strict=True))
-    if ahead:
-        total += _LOG_TOWARDS if ahead > 0.0 else _LOG_AWAY
-    if ahead > 0.0 and (Slip.COM_SIGN in h.slips or Slip.COM_ORDER in h.slips):
-        reasons.append("CoM on the side of its next joint")
-    return Evidence(total, tuple(reasons))
+        along = abs(dot(long.axis, end)) / hypot(*end)
+        if along > _ALONG:
+            yield "long towards its next joint"
+        elif along < _ACROSS:
+            yield "though then long across its link"
+    if {Slip.COM_SIGN, Slip.COM_ORDER} & set(h.slips) and dot(h.body.com, end) > 0.0:
+        yield "CoM on the side of its next joint"
 
 
-def of_twins(h: Hypothesis, around: LinkSurroundings) -> Evidence:
-    """Return what the twin that says most says of a hypothesis."""
-    images = [twin for twin in around.twins if is_mirror_image(h.body, twin.body)]
-    said = [_of_image(h, twin, around.share) for twin in images]
+def of_counterparts(body: MassDistribution, around: LinkSurroundings) -> Evidence:
+    """Return what the counterpart that says most says of a body."""
+    images = [twin for twin in around.twins if is_mirror_image(body, twin.body)]
+    said = [_of_image(body, twin, around.share) for twin in images]
     return max(said, key=lambda each: each.log_weight, default=Evidence(0.0))
 
 
-def _of_image(h: Hypothesis, twin: Twin, share: float) -> Evidence:
+def _of_image(body: MassDistribution, twin: Twin, share: float) -> Evidence:
     """Return what a mirror image says: most where the body is as it expects it."""
-    is_equal = is_same_body(h.body, twin.body)
-    is_expected = twin.expected is not None and is_same_body(h.body, twin.expected)
+    is_equal = is_same_body(body, twin.body)
+    is_expected = twin.expected is not None and is_same_body(body, twin.expected)
     return Evidence(
-        _LOG_EXPECTED + log(share) if is_expected else _LOG_MIRRORED,
+        EXPECTED + log(share) if is_expected else MIRRORED,
         (f"{'equal to' if is_equal else 'mirror image of'} '{twin.name}'",),
+        2 if is_expected else 1,
     )
 
 
@@ -208,7 +220,7 @@ def _are_near(one: Sequence[float], other: Sequence[float]) -> bool:
 
 
 @kept
-def _middle_mass(model: Model) -> float:
+def middle_mass(model: Model) -> float:
     """Return the lower median of the masses that are written as numbers, zero of one or two."""
     moving = [b.inertia.mass for b in model.bodies if b.inertia is not None and is_moving(b)]
     masses = sorted(m.literal for m in moving if m is not None and m.literal)

@@ -3,7 +3,13 @@
 from collections.abc import Mapping
 from math import inf
 
-from kindsl.judgement.diagnosis.judgements import Judgement, Verdict, is_round, judgements
+from kindsl.judgement.diagnosis.judgements import (
+    Judgement,
+    Verdict,
+    far_judgements,
+    is_round,
+    judgements,
+)
 from kindsl.language.semantics.model import Model, ModelPart
 from kindsl.language.text.facts import Fact
 from kindsl.robots.mechanism.body_verdicts import density_of
@@ -28,12 +34,18 @@ def _suspects(part: ModelPart, values: Mapping[str, float]) -> list[Judgement]:
     return [
         found
         for declared in part.declared
-        for found in judgements(declared, values)
-        if found.is_impossible
+        for found in (*judgements(declared, values), *far_judgements(declared, values))
+        if _is_suspect(found)
+    ]
+
+
+def _is_suspect(found: Judgement) -> bool:
+    return (
+        found.is_impossible
         or found.verdict is Verdict.IMPLAUSIBLE
         or is_round(found.body.moments)
         or _is_of_no_size(found)
-    ]
+    )
 
 
 def _is_of_no_size(found: Judgement) -> bool:

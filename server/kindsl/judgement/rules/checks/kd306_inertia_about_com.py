@@ -23,7 +23,7 @@ inertia_params {
     Ix=0.02 Iy=0.02 Iz=0.002 Ixy=0.0 Ixz=0.0 Iyz=0.0
 }
 ```
-`Ix` and `Iy` miss 2.0 * 0.3^2 = 0.18 kg·m².
+with the elbow at 0.6 m. `Ix` and `Iy` miss 2.0 * 0.3^2 = 0.18 kg·m².
 
 ## Fix
 Adds `m (c.c 1 - c c')` to the tensor (Huygens and Steiner): `m (y^2 + z^2)` to `Ix`, `m x y` to the
@@ -35,7 +35,7 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import link
+from kindsl.judgement.rules.examples import joint, link, robot
 from kindsl.judgement.rules.inertia.told_causes import explained
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
@@ -52,7 +52,8 @@ def _upper(moment: str) -> str:
         CoM = (0.0, 0.0, 0.3)
         Ix={moment} Iy={moment} Iz=0.002 Ixy=0.0 Ixz=0.0 Iyz=0.0
     }}"""
-    return link("upper", 1, inertia=inertia)
+    links = link("upper", 1, "lower via elbow", inertia), link("lower", 2)
+    return robot(*links, joint("shoulder"), joint("elbow", 0.6), base="upper via shoulder")
 
 
 RULE = Rule(

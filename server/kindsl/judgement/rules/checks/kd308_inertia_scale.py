@@ -1,8 +1,9 @@
-"""Moments of inertia were given in another unit.
+"""Moments of inertia were given in another unit, or one has a digit too many or too few.
 
 ## What it does
 Reports an impossible inertia (KD301, KD302), or one of implausible density (KD311), that would be
-consistent and plausible with its moments in another unit. KD306 explains how causes are weighed.
+consistent and plausible with its moments in another unit, or one of them ten times as great or
+small. KD306 explains how causes are weighed.
 
 ## Why is this bad?
 CAD programs give g·mm², kg·mm² or g·cm², finite elements t·mm². The language wants kg·m², which is
@@ -13,7 +14,7 @@ CAD programs give g·mm², kg·mm² or g·cm², finite elements t·mm². The lan
 inertia_params {
     mass = 0.5
     CoM = (0.0, 0.0, 0.0)
-    Ix=150000.0 Iy=150000.0 Iz=90000.0 Ixy=0.0 Ixz=0.0 Iyz=0.0
+    Ix=300000.0 Iy=300000.0 Iz=180000.0 Ixy=0.0 Ixz=0.0 Iyz=0.0
 }
 ```
 
@@ -27,7 +28,7 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import inertia, link
+from kindsl.judgement.rules.examples import inertia, joint, link, robot
 from kindsl.judgement.rules.inertia.told_causes import explained
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
@@ -38,8 +39,13 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     yield from explained(model, context, "KD308")
 
 
-_LINK = link("motor", 1, inertia=inertia("0.5", "0.0", "%s", "%s", "%s"))
-_MOMENTS = ("0.00015", "0.00015", "0.00009")
+_LINK = robot(
+    link("motor", 1, "arm via shaft", inertia("0.5", "0.0", "%s", "%s", "%s")),
+    link("arm", 2),
+    *(joint("mount"), joint("shaft", 0.1)),
+    base="motor via mount",
+)
+_MOMENTS = ("0.0003", "0.0003", "0.00018")
 
 RULE = Rule(
     "KD308",
@@ -48,5 +54,5 @@ RULE = Rule(
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
     good=(_LINK % _MOMENTS,),
-    bad=(Example(_LINK % ("150000.0", "150000.0", "90000.0"), fixed=_LINK % _MOMENTS),),
+    bad=(Example(_LINK % ("300000.0", "300000.0", "180000.0"), fixed=_LINK % _MOMENTS),),
 )

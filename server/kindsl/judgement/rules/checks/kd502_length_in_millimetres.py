@@ -1,8 +1,10 @@
-"""A length was given in millimetres.
+"""A length was given in another unit.
 
 ## What it does
 Reports a translation or a centre of mass of more than 10 m in some direction, of an impossible
-inertia a centre of mass of more than 5 m.
+inertia a centre of mass of more than 5 m. Says of an impossible inertia (KD301, KD302) that it
+would be consistent if its centre of mass were in millimetres, centimetres or inches. KD306 tells
+how causes are weighed.
 
 ## Why is this bad?
 Lengths are in metres, and no robot of this kind is that large.
@@ -13,47 +15,88 @@ translation = (0.0, 0.0, 425.0)
 ```
 
 ## Fix
-Divides the vector by 1000. Unsafe: millimetres are a guess.
+Converts the vector to metres. Unsafe: the unit is a guess, of a translation millimetres.
 """
 
 from collections.abc import Iterator
 
-from kindsl.judgement.diagnosis.judgements import judgements
+from kindsl.judgement.diagnosis.judgements import keyword
 from kindsl.judgement.rules.base import Example, Finding, Fix, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import joint
+from kindsl.judgement.rules.examples import joint, link
 from kindsl.judgement.rules.geometry import lengths
+from kindsl.judgement.rules.inertia.told_causes import SuspectCom, explained, suspect_coms
 from kindsl.judgement.rules.number_writing import rescaled
-from kindsl.language.semantics.declarations import Declarations, Vector
+from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.declarations import Vector
+from kindsl.language.semantics.model import Model, model_part
+from kindsl.language.syntax.document import Chunk
+from kindsl.language.text.facts import kept
 from kindsl.robots.mechanism.body_verdicts import GREATEST_LENGTH
 
 _GREATEST_OF_IMPOSSIBLE = 5.0
+_UNITS = {"mm": ("millimetres", 1e-3), "cm": ("centimetres", 1e-2), "in": ("inches", 0.0254)}
+_ANY = SuspectCom("mm", is_sure=True)
 
 
-def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each vector that is longer than a robot."""
-    impossible = [j.inertia.com for j in judgements(declared, context.values) if j.is_impossible]
-    for vector in lengths(declared):
-        is_of_impossible = any(vector is com for com in impossible)
-        greatest = _GREATEST_OF_IMPOSSIBLE if is_of_impossible else GREATEST_LENGTH
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each vector longer than a robot, and each CoM in another unit."""
+    suspects = suspect_coms(model, context)
+    told = set()
+    for vector in (vector for chunk in model.document.chunks for vector in _long(chunk)):
+        suspect = suspects.get(vector)
+        greatest = _GREATEST_OF_IMPOSSIBLE if suspect is not None else GREATEST_LENGTH
         for value in vector.components:
             if value.literal is not None and abs(value.literal) > greatest:
-                message = f"length {value.text} m is implausible; is it in millimetres?"
-                yield Finding(value, message, fix=_fix(vector))
+                unit, is_sure = suspect or _ANY
+                name, factor = _UNITS[unit]
+                message = f"length {value.text} m is implausible; is it in {name}?"
+                yield Finding(value, message, fix=_fix(vector, factor) if is_sure else None)
+                told.add(vector)
                 break
+    inertias = (body.inertia for body in model.bodies if body.inertia is not None)
+    sections = [keyword(inertia) for inertia in inertias if inertia.com in told] if told else []
+    for finding in explained(model, context, "KD502"):
+        if finding.at not in sections:
+            yield finding
 
 
-def _fix(vector: Vector) -> Fix | None:
-    values = [(component.literal or 0.0) / 1000.0 for component in vector.components]
+@kept
+def _long(chunk: Chunk) -> list[Vector]:
+    """Return the lengths in a chunk that may be told."""
+    return [
+        vector
+        for declared in model_part(chunk).declared
+        for vector in lengths(declared)
+        if any(abs(c.literal or 0.0) > _GREATEST_OF_IMPOSSIBLE for c in vector.components)
+    ]
+
+
+def _fix(vector: Vector, factor: float) -> Fix | None:
+    values = [(component.literal or 0.0) * factor for component in vector.components]
     changes = rescaled(vector.components, values)
     return Fix("Convert to metres", tuple(changes)) if changes else None
+
+
+def _block(com: str) -> str:
+    inertia = f"""inertia_params {{
+        mass = 2.4
+        CoM = (0.0, 0.0, {com})
+        Ix=0.073 Iy=0.073 Iz=0.004 Ixy=0.0 Ixz=0.0 Iyz=0.0
+    }}"""
+    return link("upper", 1, inertia=inertia)
 
 
 RULE = Rule(
     "KD502",
     "length-in-millimetres",
     Severity.WARNING,
-    check_island=check_island,
-    good=(joint("elbow", 1.5),),
-    bad=(Example(joint("elbow", 425.0), fixed=joint("elbow", 0.425)),),
+    check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
+    good=(joint("elbow", 1.5), _block("0.15")),
+    bad=(
+        Example(joint("elbow", 425.0), fixed=joint("elbow", 0.425)),
+        Example(_block("150.0"), fixed=_block("0.15")),
+        Example(_block("5.9"), fixed=_block("0.15")),
+    ),
 )

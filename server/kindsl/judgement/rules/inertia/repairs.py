@@ -1,15 +1,14 @@
-"""Findings of the rules KD306, KD307 and KD308, and the fix that they offer."""
+"""Findings of the rules that tell a cause of an inertia, and the fix that they offer."""
 
 from collections.abc import Iterator, Sequence
 
-from kindsl.judgement.diagnosis.causes import Cause
 from kindsl.judgement.diagnosis.digits import (
     WrittenDigits,
     likely_half_widths,
     numbers_written,
     rewritten_number,
 )
-from kindsl.judgement.diagnosis.explanations import Explained, explanations
+from kindsl.judgement.diagnosis.judge import Cause, Diagnosis, diagnoses
 from kindsl.judgement.diagnosis.judgements import (
     IMPOSSIBLE,
     Judgement,
@@ -19,7 +18,6 @@ from kindsl.judgement.diagnosis.judgements import (
     keyword,
     verdict_of,
 )
-from kindsl.judgement.diagnosis.likelihood import density
 from kindsl.judgement.diagnosis.slips import Slip
 from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Severity
 from kindsl.judgement.rules.context import ROBCOGEN, ROBCOGEN2, Context
@@ -34,9 +32,8 @@ from kindsl.language.text.quantities import with_unit
 from kindsl.mechanics.rigid.body import MassDistribution, eigensystem, second_moments_about_com
 from kindsl.robots.mechanism.body_verdicts import density_of
 
-_LIKELY, _SURE = 0.5, 0.85
-# In kg/m³: two slips at once that make a body denser than lead are too much to believe.
-_DENSEST_OF_TWO = 12e3
+# A fix is offered from here on, a cause told; that of numbers that no body has from the last.
+_SURE, _LIKELY, _POSSIBLE = 0.9, 0.5, 0.2
 _MOST_RELATED = 20
 _LEAST_SHARED = 3
 _EVIDENCE = frozenset(("KD311",))
@@ -47,27 +44,42 @@ _TELLINGS = Fact[tuple[object, _Told | None]]("told causes")
 
 def findings(suspects: Sequence[Judgement], model: Model, context: Context) -> list[_Told]:
     """Return what is told of inertias that need an explanation, with the code of its rule."""
-    explained = explanations(suspects, model, context.values)
-    told = [each for e in explained if (each := _told(e, context)) is not None]
-    shared = _shared(explained, told, model)
+    diagnosed = diagnoses(suspects, model, context.values)
+    told = [each for d in diagnosed if (each := _told(d, context)) is not None]
+    shared = _shared(diagnosed, told, model)
     return told if shared is None else [shared]
 
 
-def _told(explained: Explained, context: Context) -> _Told | None:
+def length_unit(causes: Sequence[Cause]) -> tuple[str, bool]:
+    """Return the likeliest unit of a CoM, millimetres if none is, and whether that is sure."""
+    units = (c for c in causes if Slip.COM_UNIT in c.hypothesis.slips)
+    cause = next(units, None)
+    if cause is None:
+        return "mm", False
+    return cause.hypothesis.unit, cause.probability >= _SURE
+
+
+def _told(diagnosis: Diagnosis, context: Context) -> _Told | None:
     """Return what is told of one inertia; made again only where its likely causes have changed."""
-    found, causes = explained
+    found, causes = diagnosis
     at = at_values(found.inertia, context.values)
 
     def telling() -> _Told | None:
-        # Less likely than not: the numbers may be right as they are written.
-        if sum(cause.probability for cause in causes) < _LIKELY:
+        if not causes or not _is_told(found, causes):
             return None
-        return causes[0].hypothesis.code, _finding(explained, at, context)
+        return causes[0].hypothesis.code, _finding(diagnosis, at, context)
 
     return found.link.facts.made_of(_TELLINGS, (causes, at, context.targets), telling)
 
 
-def _shared(explained: Sequence[Explained], told: Sequence[_Told], model: Model) -> _Told | None:
+def _is_told(found: Judgement, causes: Sequence[Cause]) -> bool:
+    """Return whether numbers are likely to be wrong in a way that is known."""
+    if found.is_impossible:
+        return causes[0].probability >= _POSSIBLE
+    return sum(cause.probability for cause in causes) >= _LIKELY
+
+
+def _shared(explained: Sequence[Diagnosis], told: Sequence[_Told], model: Model) -> _Told | None:
     """Return the one finding of a document in which every body shows the same slip."""
     fixes = [finding.fix for _, finding in told if finding.fix is not None]
     if not _LEAST_SHARED <= len(fixes) == len(explained):
@@ -89,8 +101,8 @@ def _shared(explained: Sequence[Explained], told: Sequence[_Told], model: Model)
     return cause.hypothesis.code, finding
 
 
-def _finding(explained: Explained, at: str, context: Context) -> Finding:
-    found, causes = explained
+def _finding(diagnosis: Diagnosis, at: str, context: Context) -> Finding:
+    found, causes = diagnosis
     section = keyword(found.inertia)
     told = f"inertia of '{found.link.name}'"
     if not found.is_impossible:
@@ -108,14 +120,10 @@ def _finding(explained: Explained, at: str, context: Context) -> Finding:
 
 
 def _fix(found: Judgement, cause: Cause, context: Context) -> Fix | None:
-    is_guess = cause.hypothesis.is_last_resort and not cause.has_twin
-    if cause.probability < _SURE or is_guess or not title(cause.hypothesis):
-        return None
-    is_dense = density(cause.hypothesis.body.mass, cause.shape) > _DENSEST_OF_TWO
-    if len(cause.hypothesis.slips) > 1 and is_dense and not cause.has_twin:
+    if cause.probability < _SURE or not title(cause.hypothesis):
         return None
     changes = _changes(found, cause)
-    if not changes or not _holds(found, changes, cause.is_left_odd, context):
+    if not changes or not _holds(found, changes, context):
         return None
     return Fix(title(cause.hypothesis), tuple(changes))
 
@@ -126,17 +134,15 @@ def _changes(found: Judgement, cause: Cause) -> list[Replacement] | None:
     if Slip.MASS in h.slips:
         return rescaled([mass], [h.body.mass])
     if h.body.com != found.body.com:
-        return rewritten(others[:3], h.body.com)
+        return (rescaled if h.unit else rewritten)(others[:3], h.body.com)
+    if Slip.MOMENT in h.slips:
+        i = MOMENTS.index(h.names[0])
+        return rescaled([others[3 + i]], [h.body.moments[i]])
     return (rescaled if h.power else rewritten)(others[3:], h.body.moments)
 
 
-def _holds(
-    found: Judgement, changes: Sequence[Replacement], is_left_odd: bool, context: Context
-) -> bool:
-    """Return whether no rule finds anything in the numbers as they would stand there.
-
-    What a simple slip leaves odd is judged again.
-    """
+def _holds(found: Judgement, changes: Sequence[Replacement], context: Context) -> bool:
+    """Return whether no rule finds anything in the numbers as they would stand there."""
     texts = {change.at.start: change.text for change in changes}
     written = numbers_written(found.inertia, context.values)
     numbers = [
@@ -153,8 +159,6 @@ def _holds(
     if ROBCOGEN2 in context.targets and is_lost:
         return False
     body = MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
-    if is_left_odd:
-        return True
     pairs = eigensystem(second_moments_about_com(body))
     half = likely_half_widths(numbers)
     if verdict_of(body, half, pairs) in IMPOSSIBLE:

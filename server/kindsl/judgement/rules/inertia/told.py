@@ -2,19 +2,22 @@
 
 from collections.abc import Sequence
 
-from kindsl.judgement.diagnosis.causes import Cause
-from kindsl.judgement.diagnosis.likelihood import density, vanishing_products
+from kindsl.judgement.diagnosis.evidence import density, vanishing_products
+from kindsl.judgement.diagnosis.judge import Cause
 from kindsl.judgement.diagnosis.slips import Hypothesis, Slip
 from kindsl.language.text.phrases import listed
 from kindsl.language.text.quantities import with_unit
 
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+# From which probability on a cause is told without doubt, and as the one that is likely.
+_SURE, _LIKELY = 0.9, 0.5
 _WITHOUT_MEANING = (Slip.PLACEHOLDER, Slip.COPY)
 _CLAUSES = {
     Slip.REFERENCE: "the moments were taken about the CoM rather than the frame origin",
     Slip.TWICE: "the moments were shifted to the frame origin once, not twice",
     Slip.ROWS: "the moments were in the order xx xy xz yy yz zz",
     Slip.AXES: "the moments were about the axes {}",
+    Slip.COM_UNIT: "the CoM were in {unit}",
     Slip.PLACEHOLDER: "is a placeholder: Ix, Iy and Iz are all {}",
 }
 _STEPS = {
@@ -24,6 +27,7 @@ _STEPS = {
     Slip.AXES: "Turn the moments to the link's axes",
     Slip.SWAP: "Swap {} and {}",
     Slip.COM_ORDER: "Swap {} and {}",
+    Slip.COM_UNIT: "Convert the CoM to m",
 }
 
 
@@ -38,8 +42,14 @@ def likely_cause(found: str, causes: Sequence[Cause], at: str = "") -> str:
     first = _by_itself(causes)[0]
     if first.hypothesis.slips[0] in _WITHOUT_MEANING:
         return f"{found} {clause(first.hypothesis)}{at}"
-    likely = "would most likely" if len(causes) > 1 else "would"
-    return f"{found} {likely} be consistent if {clause(first.hypothesis)}{at} ({_why(first)})"
+    verb = f"{_verb(first.probability)} if {clause(first.hypothesis)}{at}"
+    return f"{found} {verb} ({_why(first)})"
+
+
+def _verb(probability: float) -> str:
+    if probability >= _SURE:
+        return "would be consistent"
+    return "would most likely be consistent" if probability >= _LIKELY else "might be consistent"
 
 
 def rivals(causes: Sequence[Cause]) -> list[str]:
@@ -87,18 +97,22 @@ def _slip(slip: Slip, h: Hypothesis) -> str:
         return f"the {'sign' if len(h.names) == 1 else 'signs'} of {listed(h.names)} were changed"
     if slip in (Slip.SWAP, Slip.COM_ORDER):
         return f"{listed(h.names)} were swapped"
+    if slip is Slip.MOMENT:
+        return f"{h.names[0]} were {_times(h.power)}"
     if slip in (Slip.MASS, Slip.SCALE):
         what = "the mass were" if slip is Slip.MASS else "the moments were"
         return f"{what} in {h.unit}" if h.unit else f"{what} {_times(h.power)}"
     if slip is Slip.COPY:
         return f"has the {h.names[1]} of '{h.names[0]}', which is another part"
-    return _CLAUSES[slip].format(*h.names)
+    return _CLAUSES[slip].format(*h.names, unit=h.unit)
 
 
 def _step(slip: Slip, h: Hypothesis) -> str:
     if slip in (Slip.SCALE, Slip.MASS):
         what, unit = ("mass", "kg") if slip is Slip.MASS else ("moments", "kg·m²")
         return f"Convert the {what} to {unit}" if h.unit else f"Multiply the {what} by {_ten(h)}"
+    if slip is Slip.MOMENT:
+        return f"Multiply {h.names[0]} by {_ten(h)}"
     if slip in (Slip.SIGNS, Slip.COM_SIGN, Slip.MINUS):
         return f"Change sign of {', '.join(h.names)}"
     return _STEPS.get(slip, "").format(*h.names)
@@ -119,5 +133,4 @@ def _why(cause: Cause) -> str:
     is_telling = any((x * y, x * z, y * z))
     if is_telling and all(vanishing_products(cause.shape)):
         said.append("principal axes along the link's")
-    remaining = ["what remains is judged again"] if cause.is_left_odd else []
-    return ", ".join((*said, *cause.reasons, *remaining))
+    return ", ".join((*said, *cause.reasons))

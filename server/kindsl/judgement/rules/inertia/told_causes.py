@@ -2,10 +2,12 @@
 
 from collections.abc import Iterator
 from functools import partial
+from typing import NamedTuple
 
 from kindsl.judgement.diagnosis.suspects import suspects_of
 from kindsl.judgement.rules.base import Finding
 from kindsl.judgement.rules.context import Context
+from kindsl.language.semantics.declarations import Vector
 from kindsl.language.semantics.model import Model
 from kindsl.language.text.facts import Fact
 
@@ -20,6 +22,34 @@ def explained(model: Model, context: Context, code: str) -> Iterator[Finding]:
 def told_causes(model: Model, context: Context) -> list[tuple[str, Finding]]:
     """Return all that is told of mistakes in inertias, with the code of its rule."""
     return model.facts.made_of(_CAUSES, context, partial(_findings, model, context))
+
+
+class SuspectCom(NamedTuple):
+    """The CoM of an impossible inertia.
+
+    Attributes:
+        unit: The likeliest that it may be in.
+        is_sure: Whether a fix may rely on it.
+    """
+
+    unit: str
+    is_sure: bool
+
+
+def suspect_coms(model: Model, context: Context) -> dict[Vector, SuspectCom]:
+    """Return the CoMs of impossible inertias."""
+    suspects = suspects_of(model, context.values)
+    if not any(found.is_impossible for found in suspects):
+        return {}
+    # Imported for suspects only, since it delays the linter's start.
+    from kindsl.judgement.diagnosis.judge import diagnoses
+    from kindsl.judgement.rules.inertia.repairs import length_unit
+
+    return {
+        found.inertia.com: SuspectCom(*length_unit(causes))
+        for found, causes in diagnoses(suspects, model, context.values)
+        if found.is_impossible and found.inertia.com is not None
+    }
 
 
 def _findings(model: Model, context: Context) -> list[tuple[str, Finding]]:

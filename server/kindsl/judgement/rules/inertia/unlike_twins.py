@@ -2,7 +2,7 @@
 
 from collections.abc import Container, Iterable, Sequence
 
-from kindsl.judgement.diagnosis.slips import Hypothesis, hypotheses
+from kindsl.judgement.diagnosis.slips import Hypothesis, Slip, hypotheses
 from kindsl.judgement.diagnosis.surroundings import may_be_image, same_moments
 from kindsl.judgement.rules.inertia.told import clause
 from kindsl.language.semantics.declarations import Link
@@ -33,6 +33,7 @@ def slips_of(own: MassDistribution, meant: Iterable[MassDistribution]) -> list[H
     fitting = (
         h
         for h in (hypotheses(own, own) if likely else ())
-        if not (h.is_last_resort or h.simple) and any(not differing(h.body, m) for m in likely)
+        if (Slip.SCALE not in h.slips or (h.unit and len(h.slips) == 1))
+        and any(not differing(h.body, m) for m in likely)
     )
     return sorted(fitting, key=lambda h: -h.weight)[:_MOST]

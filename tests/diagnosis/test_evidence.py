@@ -1,39 +1,40 @@
-"""How likely second moments are: each part of the prior by its formula, at shapes of one's own."""
+"""What is looked up of a body, and how its axes lie: by formula, at shapes of one's own."""
 
-from math import exp, inf, log, pi, sqrt
+from math import exp, log, pi, sqrt
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kindsl.judgement.diagnosis.likelihood import (
+from kindsl.judgement.diagnosis.evidence import (
     MassShape,
     density,
-    log_likelihood,
+    of_anything,
+    of_matter,
+    of_spread,
+    quantities_of,
     shape_of,
     vanishing_products,
+    ways_to_lie,
 )
+from kindsl.judgement.diagnosis.fitted import LIES, TABLES, TRUST
+from kindsl.judgement.diagnosis.tables import Table
 from kindsl.mechanics.rigid.body import (
     MassDistribution,
     Symmetric,
     eigensystem,
     second_moments_about_com,
 )
+from kindsl.mechanics.rigid.pose import Vector3
 
 steady = settings(max_examples=60, deadline=None, derandomize=True)
 EXACT: Symmetric = (0.0,) * 6  # type: ignore[assignment]
 numbers = st.floats(-2.0, 2.0)
 halves = st.floats(0.0, 0.5)
-WORTHLESS = log(1e-9)
 
 
 def shape(*matrix: float, errors: Symmetric = EXACT) -> MassShape:
     return MassShape(matrix, errors, eigensystem(matrix))  # type: ignore[arg-type]
-
-
-def log_normal(z: float, spread: float) -> float:
-    """Nineteen in twenty log-normal; the others spread over ten units, falling off slowly."""
-    return log(0.95 / (spread * sqrt(2.0 * pi)) * exp(-z * z / 2.0) + 0.005 * exp(-z * z / 20.0))
 
 
 def mass_of(density: float, *values: float) -> float:
@@ -45,54 +46,118 @@ def mass_of(density: float, *values: float) -> float:
     return ((4.0 / 3.0 * pi * density) ** 2 * 125.0 * a * b * c) ** 0.2
 
 
+def of_orientation(of: MassShape) -> float:
+    """Return how likely a body lies so, if it lies each way as often as `mixed` says."""
+    return log(sum(w * d for w, d in zip((0.35, 0.15, 0.25, 0.25), ways_to_lie(of), strict=True)))
+
+
 OBLONG = shape(0.2, 0.5, 1.0, 0.0, 0.0, 0.0)
 
 
+END = (0.3, 0.0, 0.4)
+
+
+def looked_up(
+    of: MassShape, mass: float = 10.0, com: Vector3 = (0.0, 0.0, 0.0), other: float = 0.0
+) -> dict[str, float]:
+    """Return what is looked up of a link that ends at half a metre."""
+    return dict(quantities_of(MassDistribution(mass, com, EXACT), of, END, other))
+
+
+def test_quantities_of_a_link_whose_end_is_known() -> None:
+    """The radius of gyration squared is the sum of the second moments by the mass: 1.7 by 10."""
+    found = looked_up(OBLONG, com=(0.15, 0.2, 0.0), other=5.0)
+    assert {name: pytest.approx(value) for name, value in found.items()} == {
+        "density": log(density(10.0, OBLONG)),
+        "thickness": log(0.2),
+        "width": log(0.5),
+        "mass": log(2.0),
+        "gyration": log(sqrt(0.17)),
+        "distance": log(0.25),
+        "size": log(sqrt(0.17) / 0.5),
+        "reach": log(0.5),
+        "side": 0.15 * 0.3 / (0.25 * 0.5),
+    }
+    assert set(found) | {"place", "direction"} == set(TABLES)
+
+
+def test_without_an_end_the_place_is_told_by_the_size() -> None:
+    body = MassDistribution(10.0, (0.0, 0.3, 0.0), EXACT)
+    found = dict(quantities_of(body, OBLONG, None, 0.0))
+    assert found["place"] == pytest.approx(log(0.3 / sqrt(0.17)))
+    assert {"size", "reach", "side", "mass"}.isdisjoint(found)
+
+
+@pytest.mark.parametrize(("long", "cosine"), [(2.4, None), (2.6, 0.8)])
+def test_a_long_body_has_a_direction(long: float, cosine: float | None) -> None:
+    assert looked_up(shape(0.2, 1.0, long, 0.0, 0.0, 0.0)).get("direction") == (
+        None if cosine is None else pytest.approx(cosine)
+    )
+
+
 @pytest.mark.parametrize(
-    ("wanted", "z"),
-    [
-        (1500.0, 0.0),
-        (1500.0 * exp(1.2), 1.0),
-        (1500.0 * exp(-1.2), -1.0),
-        (1500.0 * exp(2.4), 2.0),
-        (1500.0 * exp(-4.8), -4.0),
-        (1500.0 * exp(12.0), 10.0),
-    ],
+    ("smallest", "error", "told"),
+    [(0.0001, 0.0002, 1500.0), (0.0002, 0.0002, 1500.0), (0.0003, 0.0002, 500.0)],
 )
-def test_density_is_log_normal_around_that_of_plastic_and_light_metal(
-    wanted: float, z: float
+def test_what_may_be_thinner_than_it_seems_is_not_too_light(
+    smallest: float, error: float, told: float
 ) -> None:
-    mass, usual = mass_of(wanted, 0.2, 0.5, 1.0), mass_of(1500.0, 0.2, 0.5, 1.0)
-    assert density(mass, OBLONG) == pytest.approx(wanted)
-    told = log_likelihood(mass, OBLONG, 0.0) - log_likelihood(usual, OBLONG, 0.0)
-    assert told == pytest.approx(log_normal(z, 1.2) - log_normal(0.0, 1.2), abs=1e-9)
+    values = (max(smallest, error), 0.5, 1.0)
+    of = shape(smallest, 0.5, 1.0, 0.0, 0.0, 0.0, errors=(error, 0.0, 0.0, 0.3, 0.0, 0.0))
+    light = mass_of(500.0, *values)
+    assert density(light, of) == pytest.approx(500.0)
+    assert looked_up(of, light)["density"] == pytest.approx(log(told))
+    assert looked_up(of, light)["thickness"] == pytest.approx(log(values[0]))
 
 
-@pytest.mark.parametrize("z", [0.0, 1.0, -1.0, 2.0, -4.0, 8.0])
-def test_a_link_reaches_about_twice_its_radius_of_gyration(z: float) -> None:
-    """The radius squared is the sum of the second moments by the mass: here 1.7 by 10."""
-    reach = sqrt(1.7 / 10.0) / (0.5 * exp(z))
-    told = log_likelihood(10.0, OBLONG, reach) - log_likelihood(10.0, OBLONG, 0.0)
-    assert told == pytest.approx(log_normal(z, 1.0), abs=1e-9)
+def test_what_is_thin_and_seems_too_heavy_is() -> None:
+    of = shape(0.0, 0.5, 1.0, 0.0, 0.0, 0.0, errors=(0.0, 0.0, 0.0001, 0.0, 0.0, 0.0))
+    heavy = mass_of(15_000.0, 0.0001, 0.5, 1.0)
+    assert looked_up(of, heavy)["density"] == pytest.approx(log(15_000.0))
 
 
 @pytest.mark.parametrize("mass", [1e-300, 1e300])
-def test_a_density_beyond_all_floats_is_worth_next_to_nothing(mass: float) -> None:
-    usual = mass_of(1500.0, 0.2, 0.5, 1.0)
-    assert density(mass, OBLONG) in (0.0, inf)
-    told = log_likelihood(mass, OBLONG, 0.0) - log_likelihood(usual, OBLONG, 0.0)
-    assert told == pytest.approx(WORTHLESS - log_normal(0.0, 1.2))
+def test_a_density_beyond_all_floats_is_not_looked_up(mass: float) -> None:
+    assert "density" not in looked_up(OBLONG, mass)
 
 
-def of_orientation(of: MassShape) -> float:
-    """Return what is left of the likelihood besides density and the volume of the eigenvalues."""
-    values = [max(pair.value, max(of.errors[:3])) for pair in of.pairs]
-    mass = mass_of(1500.0, *values)
-    return (
-        log_likelihood(mass, of, 0.0)
-        - log_normal(0.0, 1.2)
-        + log(values[0] * values[1] * values[2])
-    )
+def test_a_point_is_taken_to_have_next_to_no_extent() -> None:
+    """Of 1e-30 kg·m²; of four times that everything that has its unit is four times as wide."""
+    point, larger = shape(*EXACT), shape(4e-30, 4e-30, 4e-30, 0.0, 0.0, 0.0)
+    assert density(1.0, point) == pytest.approx(1.0 / (4.0 / 3.0 * pi * 5e-30**1.5))
+    assert density(1.0, larger) == pytest.approx(density(1.0, point) / 8.0)
+
+
+def test_all_evidence_is_added() -> None:
+    body = MassDistribution(10.0, (0.15, 0.2, 0.0), EXACT)
+    known = dict(quantities_of(body, OBLONG, END, 5.0))
+    told = sum(TABLES[name].at(value) for name, value in known.items())
+    lie = log(sum(w * d for w, d in zip(LIES, ways_to_lie(OBLONG), strict=True)))
+    assert of_spread(OBLONG) == pytest.approx(lie - log(0.2 * 0.5 * 1.0))
+    assert of_matter(body, OBLONG, END, 5.0) == pytest.approx(told + TRUST * of_spread(OBLONG))
+
+
+@pytest.mark.parametrize(
+    ("moments", "expected"),
+    [
+        ((4.0, 3.0, 2.0, 1.0, -1.0, 0.5), -6.0 * log(4.0)),
+        ((4.0, -5.0, 2.0, 1.0, -1.0, 0.5), -6.0 * log(5.0)),
+        # What is written as zero is so within a thousandth to either side.
+        ((4.0, 3.0, 2.0, 0.0, 0.0, 0.5), -6.0 * log(4.0) - 2.0 * log(0.002)),
+    ],
+)
+def test_any_moments_are_of_their_size(moments: Symmetric, expected: float) -> None:
+    assert of_anything(moments) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize(
+    ("quantity", "expected"),
+    [(1.0, 3.0), (1.5, 5.0), (1.25, 4.0), (2.0, -1.0), (0.0, 2.0), (2.5, -1.5), (-9.0, -7.0)],
+)
+def test_a_table_is_read_between_its_steps_and_falls_outside(
+    quantity: float, expected: float
+) -> None:
+    assert Table(1.0, 0.5, (3.0, 5.0, -1.0)).at(quantity) == pytest.approx(expected)
 
 
 def mixed(aligned: float, turned: float, tilted: float, anyhow: float) -> float:
@@ -221,45 +286,6 @@ def test_gaps_between_eigenvalues_have_a_least_width_each() -> None:
             anyhow=1.0 / (gaps[0] * gaps[1] * gaps[2] * 2.0 * pi**2),
         )
         assert of_orientation(of) == pytest.approx(expected, abs=1e-9)
-
-
-@pytest.mark.parametrize(
-    ("smallest", "error", "is_thin"),
-    [(0.0001, 0.0002, True), (0.0002, 0.0002, True), (0.0003, 0.0002, False)],
-)
-def test_what_may_be_thinner_than_it_seems_is_not_too_light(
-    smallest: float, error: float, is_thin: bool
-) -> None:
-    """Seemingly 500 kg/m3: a plate that thin may be three times as dense.
-
-    How exactly its products are known says nothing of that.
-    """
-    values = (max(smallest, error), 0.5, 1.0)
-    of = shape(smallest, 0.5, 1.0, 0.0, 0.0, 0.0, errors=(error, 0.0, 0.0, 0.3, 0.0, 0.0))
-    light, usual = (mass_of(wanted, *values) for wanted in (500.0, 1500.0))
-    assert density(light, of) == pytest.approx(500.0)
-    told = log_likelihood(light, of, 0.0) - log_likelihood(usual, of, 0.0)
-    z = 0.0 if is_thin else log(1.0 / 3.0) / 1.2
-    assert told == pytest.approx(log_normal(z, 1.2) - log_normal(0.0, 1.2), abs=1e-9)
-
-
-def test_what_is_thin_and_seems_too_heavy_is() -> None:
-    of = shape(0.0, 0.5, 1.0, 0.0, 0.0, 0.0, errors=(0.0, 0.0, 0.0001, 0.0, 0.0, 0.0))
-    heavy, usual = (mass_of(wanted, 0.0001, 0.5, 1.0) for wanted in (15_000.0, 1500.0))
-    told = log_likelihood(heavy, of, 0.0) - log_likelihood(usual, of, 0.0)
-    expected = log_normal(log(10.0) / 1.2, 1.2) - log_normal(0.0, 1.2)
-    assert told == pytest.approx(expected, abs=1e-9)
-
-
-def test_a_point_is_taken_to_have_next_to_no_extent() -> None:
-    """Of 1e-30 kg·m²; of four times that everything that has its unit is four times as wide."""
-    point, larger = shape(*EXACT), shape(4e-30, 4e-30, 4e-30, 0.0, 0.0, 0.0)
-    assert density(1.0, point) == pytest.approx(1.0 / (4.0 / 3.0 * pi * 5e-30**1.5))
-    assert density(1.0, larger) == pytest.approx(density(1.0, point) / 8.0)
-    z, other = (log(density(1.0, of) / 1500.0) / 1.2 for of in (point, larger))
-    told = log_likelihood(1.0, larger, 0.0) - log_likelihood(1.0, point, 0.0)
-    expected = log_normal(other, 1.2) - log_normal(z, 1.2) - 6.0 * log(4.0)
-    assert told == pytest.approx(expected, abs=1e-9)
 
 
 @pytest.mark.parametrize(

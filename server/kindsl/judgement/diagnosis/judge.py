@@ -1,0 +1,273 @@
+"""The judge of an inertia: what may have happened to it, and how sure that is.
+
+Hypotheses stand beside each other on equal terms: that the numbers are meant so, that they are a
+placeholder or a copy, that one mistake or two of the table was made, or that something else was.
+Each weighs as much as it is common, times how likely a robot's link has the numbers that it says
+were meant (`evidence`), times what counterparts in the robot say (`surroundings`).
+
+One author makes one mistake: that the other links of the document show a slip too makes it more
+likely here. With `w` the weight of a slip alone and `q` what the other links say of it, a slip
+weighs `0.2 w + 0.8 q`.
+
+A body is tried again only where its own numbers or its surroundings have changed; its causes are
+ranked again only where that has, or what all bodies together say. Copies of a body, which robots
+are full of, are tried together.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from math import exp, isclose, log
+from typing import NamedTuple
+
+from kindsl.judgement.diagnosis.evidence import MassShape, of_anything, of_matter, shape_of
+from kindsl.judgement.diagnosis.fitted import AS_WRITTEN, TRUST, UNKNOWN
+from kindsl.judgement.diagnosis.judgements import (
+    IMPOSSIBLE,
+    Judgement,
+    is_about_one_number,
+    is_round,
+    verdict_of,
+)
+from kindsl.judgement.diagnosis.slips import TABLE, Hypothesis, Kind, Slip, hypotheses
+from kindsl.judgement.diagnosis.surroundings import (
+    LinkSurroundings,
+    of_counterparts,
+    reasons_of_end,
+    surroundings,
+)
+from kindsl.language.semantics.model import Model
+from kindsl.language.text.facts import Fact
+from kindsl.mechanics.rigid.body import MassDistribution, second_moments_about_com, shifted
+
+_NEGLIGIBLE = 0.1
+_MOST = 4
+_SHARED = 0.8
+_UNLIKELY = 0.01
+# In kg·m²: six of them are multiplied.
+_BEYOND_COUNTING = 1e40
+# What may make a possible body likelier; other slips show where a counterpart has the numbers.
+_OF_SIZE = frozenset((Slip.SCALE, Slip.MASS, Slip.TWICE, Slip.MOMENT, Slip.COM_UNIT))
+_TRIALS: "Fact[tuple[object, _Tried]]" = Fact("tried causes")
+_RANKINGS = Fact[tuple[object, list["Cause"]]]("likely causes")
+
+
+class Cause(NamedTuple):
+    """A mistake that explains an inertia.
+
+    Attributes:
+        hypothesis: The mistake, and the numbers without it.
+        shape: The second moments about the CoM without it.
+        reasons: Evidence for it in the rest of the robot.
+        log_likelihood: How likely the numbers are under it, apart from how common it is.
+        log_alone: The same without what its counterparts say.
+        probability: Of it among all that were tried.
+    """
+
+    hypothesis: Hypothesis
+    shape: MassShape
+    reasons: tuple[str, ...]
+    log_likelihood: float
+    log_alone: float
+    probability: float = 0.0
+
+
+class Diagnosis(NamedTuple):
+    """An inertia, and what may have happened to it, the most likely first."""
+
+    found: Judgement
+    causes: list[Cause]
+
+
+class _Tried(NamedTuple):
+    """The explanations of an inertia by itself, and of all that are written and lie alike.
+
+    Attributes:
+        causes: In no order.
+        said: Their evidence for each kind of mistake, as `said_by` returns it.
+        rest: Logarithm of the weight of all else: that it is right, and that nothing is known.
+    """
+
+    causes: list[Cause]
+    said: dict[Kind, float]
+    rest: float
+
+
+def diagnoses(
+    suspects: Sequence[Judgement], model: Model, values: Mapping[str, float]
+) -> list[Diagnosis]:
+    """Return what may have happened to each inertia that needs an explanation."""
+    alike: dict[object, _Tried] = {}
+    tried = [_tried(found, surroundings(model, values, found), alike) for found in suspects]
+    by_all: dict[Kind, float] = {}
+    # Copies of a body, mirrored or not, say what it says.
+    unlike = {_sizes(found.body): each for found, each in zip(suspects, tried, strict=True)}
+    for each in unlike.values():
+        for kind, said in each.said.items():
+            by_all[kind] = by_all.get(kind, 0.0) + said
+    together = tuple(by_all.items()) if len(unlike) > 1 else ()
+    return [
+        Diagnosis(found, _likely(found, each, together))
+        for found, each in zip(suspects, tried, strict=True)
+    ]
+
+
+def _sizes(body: MassDistribution) -> tuple[float, ...]:
+    return (body.mass, *map(abs, body.com), *map(abs, body.moments))
+
+
+def _tried(found: Judgement, around: LinkSurroundings, alike: dict[object, _Tried]) -> _Tried:
+    def trial() -> _Tried:
+        key = found.body, found.half, found.verdict, around
+        if key not in alike:
+            causes = candidates(found, around)
+            alike[key] = _Tried(causes, said_by(causes), weight_of_rest(found, around))
+        return alike[key]
+
+    return found.link.facts.made_of(_TRIALS, (found, around), trial)
+
+
+def _likely(
+    found: Judgement, tried: _Tried, together: tuple[tuple[Kind, float], ...]
+) -> list[Cause]:
+    def ranking() -> list[Cause]:
+        others = {kind: said - tried.said.get(kind, 0.0) for kind, said in together}
+        return ranked(tried.causes, others, tried.rest)
+
+    return found.link.facts.made_of(_RANKINGS, (tried, together), ranking)
+
+
+def candidates(found: Judgement, around: LinkSurroundings) -> list[Cause]:
+    """Return all mistakes that explain an inertia, in no order."""
+    is_open = found.is_impossible or around.twins
+    tried = hypotheses(found.body, found.half, frozenset(Slip) if is_open else _OF_SIZE)
+    kept = _merged([cause for h in tried if (cause := _weighed(h, found, around)) is not None])
+    return [*kept, *_without_meaning(found, around, kept)]
+
+
+def _weighed(h: Hypothesis, found: Judgement, around: LinkSurroundings) -> Cause | None:
+    """Return what speaks for a hypothesis, None where the numbers would be those of no body."""
+    if not max(map(abs, h.body.moments)) < _BEYOND_COUNTING:
+        return None
+    shape = shape_of(h.body, h.half)
+    if shape is None or verdict_of(h.body, h.half, shape.pairs) in IMPOSSIBLE:
+        return None
+    # A digit less of the mass makes next to every body thin within its digits.
+    if h.slips == (Slip.MASS,) and not h.unit and shape.is_thin:
+        return None
+    alone = of_matter(h.body, shape, around.end, around.mass)
+    alone += TRUST * (h.log_change - of_anything(found.body.moments))
+    twins = of_counterparts(h.body, around)
+    reasons = (*reasons_of_end(h, shape, around.end), *twins.reasons)
+    return Cause(h, shape, reasons, alone + twins.log_weight, alone)
+
+
+def weighed_as_written(found: Judgement, around: LinkSurroundings) -> Cause | None:
+    """Return what speaks for numbers that are meant so, None where no body has them."""
+    if found.is_impossible:
+        return None
+    return _weighed(Hypothesis((), found.body, found.half, 1.0), found, around)
+
+
+def weight_of_rest(found: Judgement, around: LinkSurroundings) -> float:
+    """Return the logarithm of the weight of all that is no cause that is tried."""
+    as_written = weighed_as_written(found, around)
+    if as_written is None:
+        return UNKNOWN
+    right = AS_WRITTEN + as_written.log_likelihood
+    greatest = max(right, UNKNOWN)
+    return greatest + log(exp(right - greatest) + exp(UNKNOWN - greatest))
+
+
+def _without_meaning(
+    found: Judgement, around: LinkSurroundings, causes: Sequence[Cause]
+) -> Iterator[Cause]:
+    """Yield what leaves no trace of the numbers that were meant, as likely as the likeliest cause.
+
+    Numbers that may be right are no more likely to be so than to be without meaning.
+    """
+    body = found.body
+    log_weight = max((cause.log_likelihood for cause in causes), default=0.0)
+    log_weight = max(log_weight, weight_of_rest(found, around))
+    slips: list[tuple[Slip, tuple[str, ...]]] = []
+    if found.is_impossible:
+        slips += [(Slip.COPY, copy) for copy in around.copies[:1]]
+    for moments, where in ((body.moments, ""), (shifted(body, -1.0).moments, " about the CoM")):
+        if is_round(moments):
+            slips.append((Slip.PLACEHOLDER, (f"{moments[0]:.1g}{where}",)))
+            break
+        # Of an impossible body equal moments about the CoM are as likely: a ball on a rod.
+        if is_about_one_number(moments) and not found.is_impossible:
+            slips.append((Slip.PLACEHOLDER, (f"about {moments[0]:.3g}{where}",)))
+            break
+    for slip, names in slips:
+        h = Hypothesis((slip,), body, found.half, TABLE[slip].weight, names)
+        shape = MassShape(second_moments_about_com(body), body.moments, found.second_moments)
+        yield Cause(h, shape, (), log_weight, log_weight)
+
+
+def ranked(causes: Sequence[Cause], others: Mapping[Kind, float], rest: float) -> list[Cause]:
+    """Return the causes with their probabilities, the most likely first, without negligible ones.
+
+    Args:
+        causes: Causes that explain a link.
+        others: Evidence of the other links for each kind, as `said_by` returns it.
+        rest: Logarithm of the weight of all else.
+    """
+    if not causes:
+        return []
+    shared = _shared(causes, others)
+    greatest = max(rest, *(cause.log_likelihood for cause in causes))
+    weights = [exp(c.log_likelihood - greatest) * shared[c.hypothesis.kind] for c in causes]
+    total = sum(weights) + exp(rest - greatest)
+    likely = (
+        cause._replace(probability=weight / total)
+        for cause, weight in zip(causes, weights, strict=True)
+    )
+    kept = sorted(likely, key=lambda cause: -cause.probability)[:_MOST]
+    return [c for c in kept if c.probability >= _NEGLIGIBLE * kept[0].probability]
+
+
+def _merged(causes: Sequence[Cause]) -> list[Cause]:
+    """Return the causes with those that mean the same numbers taken together."""
+    kept: list[Cause] = []
+    for cause in sorted(causes, key=lambda c: -log(c.hypothesis.weight) - c.log_likelihood):
+        if not any(_are_equal(cause.hypothesis.body, k.hypothesis.body) for k in kept):
+            kept.append(cause)
+    return kept
+
+
+def _are_equal(one: MassDistribution, other: MassDistribution) -> bool:
+    if one[:2] != other[:2]:
+        return False
+    size = max(map(abs, (*one.moments, *other.moments)))
+    return all(
+        isclose(a, b, abs_tol=1e-9 * size) for a, b in zip(one.moments, other.moments, strict=True)
+    )
+
+
+def said_by(causes: Sequence[Cause]) -> dict[Kind, float]:
+    """Return how much more likely than any rare slip each kind makes a link, as a logarithm.
+
+    What its counterparts say is not said again: the other links have the same ones.
+    """
+    best = max((cause.log_alone for cause in causes), default=0.0)
+    logs = {
+        kind: cause.log_alone - best - log(_UNLIKELY)
+        for cause in causes
+        for kind in cause.hypothesis.kinds
+    }
+    return {kind: value for kind, value in logs.items() if value > 0.0}
+
+
+def _shared(causes: Sequence[Cause], others: Mapping[Kind, float]) -> dict[Kind, float]:
+    """Return how common each kind of mistake is here, seeing the other links."""
+    weights = {cause.hypothesis.kind: cause.hypothesis.weight for cause in causes}
+    if not others:
+        return weights
+    logs = {kind: others.get(kind, 0.0) for kind in weights}
+    greatest = max(logs.values())
+    said = {kind: weights[kind] * exp(value - greatest) for kind, value in logs.items()}
+    whole, share = sum(weights.values()), sum(said.values())
+    return {
+        kind: (1.0 - _SHARED) * weight + _SHARED * whole * said[kind] / share
+        for kind, weight in weights.items()
+    }
