@@ -266,13 +266,13 @@ def test_where_the_twins_are_impossible_too_they_still_tell_the_slip() -> None:
 
 
 def test_what_an_inertia_tells_itself_is_not_told_again_by_its_twins() -> None:
-    """They are impossible, too, so that they offer nothing; the body has the same slip."""
+    """They are impossible, too, so that only they tell what was done; it is told once."""
     impossible = section(2.0, "0.013, 0.001, 0.057", 0.0956, 0.1012, 0.0006, 0.0, 0.011)
     by_rows = section(2.0, "0.013, 0.001, 0.057", 0.0956, 0.0, 0.011, 0.1012, 0.0, 0.0006)
     legs = dict.fromkeys(("LF", "RF", "LH"), impossible)
     findings = analyse(legs_with(**legs, RH=by_rows)).findings
     causes = [f.code for f in findings if "in the order xx xy xz yy yz zz" in f.message]
-    assert causes == ["KD307"]
+    assert causes == ["KD509"]
 
 
 def test_legs_across_are_no_other_part() -> None:

@@ -179,8 +179,8 @@ def test_of_several_causes_the_first_tells_and_none_is_mended(
 def test_what_may_be_right_as_written_is_not_told(told: Told) -> None:
     assert told(section(NEGATED)) == []
     assert told(section(NEGATED), MASS, probability=0.19) == []
-    light = "0.0284 0.0204 0.0104 0.0004 0.0006 0.0012"
-    assert told(section(light, mass="0.002"), UNIT, probability=0.49) == []
+    light = section("0.0200 0.0210 0.0220 0.0 0.0 0.0", "0.0, 0.0, 0.0", "0.5")
+    assert told(light, UNIT, probability=0.49) == []
 
 
 def test_beside_a_parameter_nothing_is_rewritten(told: Told) -> None:

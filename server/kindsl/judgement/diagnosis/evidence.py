@@ -36,6 +36,8 @@ _LEAST_APART = 0.02
 _ELONGATED = 2.5
 # In kg/m³: of plastic and light metal, hollow as links are.
 _USUAL_DENSITY = 1500.0
+# In m: a CoM within it is at the origin.
+_NEXT_TO_ORIGIN = 1e-4
 # What is nothing of a length, a mass or a moment.
 _NOTHING = 1e-30
 
@@ -126,6 +128,8 @@ def quantities_of(
     if other_mass > 0.0:
         yield "mass", log(body.mass / other_mass)
     distance, gyration = hypot(*body.com), sqrt((a + b + c) / body.mass)
+    if distance < _NEXT_TO_ORIGIN:
+        distance = 0.0
     yield "gyration", log(gyration)
     if distance:
         yield "distance", log(distance)

@@ -33,7 +33,7 @@ _RARE = 2.5e-5
 # A second slip is looked for beside the units of CAD programs only.
 _GREATEST_OF_PAIR = -4
 _MASSES = ((-3, "g", 1.0), (-1, "", 0.1), (1, "", 0.1))
-_LENGTHS = ((1e-3, "mm", 1.0), (1e-2, "cm", 0.5), (0.0254, "in", 0.5))
+_LENGTHS = ((1e-3, "mm", 1.0), (1e-2, "cm", 0.5), (0.0254, "in", 0.1))
 _LOG_TEN = log(10.0)
 # Where the six moments stand in the rows of half a matrix, as in URDF, and with axes turned round.
 _ROWS = (0, 3, 5, 1, 2, 4)

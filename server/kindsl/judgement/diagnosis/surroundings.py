@@ -22,6 +22,7 @@ from kindsl.robots.limbs.mounts import REFLECTIONS
 from kindsl.robots.limbs.names import label_of, other_side
 from kindsl.robots.limbs.twin_frames import twin_frames
 from kindsl.robots.limbs.weighing import seen_by
+from kindsl.robots.mechanism.body_verdicts import GREATEST_LENGTH
 
 _Inertia = tuple[Link, MassDistribution]
 _FRAMES = Fact[tuple[object, dict[tuple[str, str], list[Rotation]]]]("frames of twins, by names")
@@ -134,7 +135,7 @@ def _points(model: Model, values: Mapping[str, float], link: Link) -> tuple[Vect
     poses += [edge.joint.pose for edge in edges if edge.joint is not None]
     placed = (written_pose(pose, values) for pose in poses)
     points = (place.translation for place in placed if place is not None)
-    return tuple(point for point in points if hypot(*point) > _NEAR)
+    return tuple(point for point in points if _NEAR < hypot(*point) < GREATEST_LENGTH)
 
 
 def farthest_end(model: Model, values: Mapping[str, float], link: Link) -> Vector3 | None:

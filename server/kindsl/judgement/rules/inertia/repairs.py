@@ -32,8 +32,11 @@ from kindsl.language.text.quantities import with_unit
 from kindsl.mechanics.rigid.body import MassDistribution, eigensystem, second_moments_about_com
 from kindsl.robots.mechanism.body_verdicts import density_of
 
-# A fix is offered from here on, a cause told; that of numbers that no body has from the last.
+# A fix is offered from here on, a cause told; that of numbers that no
+# matter has from the last.
 _SURE, _LIKELY, _POSSIBLE = 0.9, 0.5, 0.2
+# The lightest and the densest matter, kg/m³.
+_AIR, _OSMIUM = 1.2, 22_600.0
 _MOST_RELATED = 20
 _LEAST_SHARED = 3
 _EVIDENCE = frozenset(("KD311",))
@@ -74,7 +77,8 @@ def _told(diagnosis: Diagnosis, context: Context) -> _Told | None:
 
 def _is_told(found: Judgement, causes: Sequence[Cause]) -> bool:
     """Return whether numbers are likely to be wrong in a way that is known."""
-    if found.is_impossible:
+    density = density_of(found.body.mass, found.second_moments)
+    if found.is_impossible or not _AIR < density < _OSMIUM:
         return causes[0].probability >= _POSSIBLE
     return sum(cause.probability for cause in causes) >= _LIKELY
 
@@ -116,6 +120,7 @@ def _finding(diagnosis: Diagnosis, at: str, context: Context) -> Finding:
         fix,
         Severity.INFORMATION if found.is_impossible else Severity.WARNING,
         explains=_EVIDENCE,
+        probability=causes[0].probability,
     )
 
 

@@ -11,6 +11,7 @@ from kindsl.language.text.quantities import with_unit
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 # From which probability on a cause is told without doubt, and as the one that is likely.
 _SURE, _LIKELY = 0.9, 0.5
+_LENGTHS = {"in": "inches"}
 _WITHOUT_MEANING = (Slip.PLACEHOLDER, Slip.COPY)
 _CLAUSES = {
     Slip.REFERENCE: "the moments were taken about the CoM rather than the frame origin",
@@ -104,7 +105,7 @@ def _slip(slip: Slip, h: Hypothesis) -> str:
         return f"{what} in {h.unit}" if h.unit else f"{what} {_times(h.power)}"
     if slip is Slip.COPY:
         return f"has the {h.names[1]} of '{h.names[0]}', which is another part"
-    return _CLAUSES[slip].format(*h.names, unit=h.unit)
+    return _CLAUSES[slip].format(*h.names, unit=_LENGTHS.get(h.unit, h.unit))
 
 
 def _step(slip: Slip, h: Hypothesis) -> str:
