@@ -48,12 +48,12 @@ from kindsl.judgement.diagnosis.surroundings import (
     surroundings,
 )
 from kindsl.judgement.diagnosis.suspects import suspects_of
-from kindsl.judgement.diagnosis.tables import Table
+from kindsl.judgement.diagnosis.tables import LikelihoodTable
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import Vector3
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
-Tables = Mapping[str, Table]
+Tables = Mapping[str, LikelihoodTable]
 ROOT = Path(__file__).resolve().parents[1]
 FILE = ROOT / "server" / "kindsl" / "judgement" / "diagnosis" / "fitted.py"
 # From, to and by which steps each quantity is counted.
@@ -114,7 +114,7 @@ def weights_of(seen: Sequence[Seen]) -> list[float]:
     return [min(1.0, MOST_OF_A_FAMILY / numbers[each.family]) for each in seen]
 
 
-def tables(seen: Sequence[Seen]) -> dict[str, Table]:
+def tables(seen: Sequence[Seen]) -> dict[str, LikelihoodTable]:
     counted: dict[str, list[tuple[float, float]]] = defaultdict(list)
     for each, weight in zip(seen, weights_of(seen), strict=True):
         for name, value in quantities_of(*each[1:]):
@@ -122,7 +122,9 @@ def tables(seen: Sequence[Seen]) -> dict[str, Table]:
     return {name: table(*limits, counted[name]) for name, limits in RANGES.items()}
 
 
-def table(low: float, high: float, step: float, counted: Sequence[tuple[float, float]]) -> Table:
+def table(
+    low: float, high: float, step: float, counted: Sequence[tuple[float, float]]
+) -> LikelihoodTable:
     """Return the ratio of the density counted and the uniform one at each step."""
     places = [low + i * step for i in range(round((high - low) / step) + 1)]
     sums = [
@@ -131,7 +133,7 @@ def table(low: float, high: float, step: float, counted: Sequence[tuple[float, f
     ]
     whole = sum(sums) or 1.0
     shares = [(1.0 - UNSEEN) * each / whole + UNSEEN / len(places) for each in sums]
-    return Table(low, step, tuple(round(log(share * len(places)), 2) for share in shares))
+    return LikelihoodTable(low, step, tuple(round(log(share * len(places)), 2) for share in shares))
 
 
 def lies(seen: Sequence[Seen]) -> tuple[float, ...]:
@@ -296,12 +298,12 @@ def text_of(
 ) -> str:
     lines = [
         '"""Written by `benchmarks/fit_judge.py`, which says of what and how."""\n',
-        "from kindsl.judgement.diagnosis.tables import Table\n",
+        "from kindsl.judgement.diagnosis.tables import LikelihoodTable\n",
         "TABLES = {",
     ]
     for factor, (name, each) in zip(factors, known.items(), strict=False):
         values = ", ".join(f"{factor * value:.2f}" for value in each.values)
-        lines.append(f'    "{name}": Table({each.low}, {each.step}, ({values})),')
+        lines.append(f'    "{name}": LikelihoodTable({each.low}, {each.step}, ({values})),')
     trust, expected, mirrored = factors[len(known) :]
     lines += ["}", "# Along the axes, turned about one, tilted a little, anyhow."]
     lines.append(f"LIES = ({', '.join(map(str, shares))})")

@@ -18,7 +18,7 @@ from kindsl.judgement.diagnosis.evidence import (
     ways_to_lie,
 )
 from kindsl.judgement.diagnosis.fitted import LIES, TABLES, TRUST
-from kindsl.judgement.diagnosis.tables import Table
+from kindsl.judgement.diagnosis.tables import LikelihoodTable
 from kindsl.mechanics.rigid.body import (
     MassDistribution,
     Symmetric,
@@ -157,7 +157,7 @@ def test_any_moments_are_of_their_size(moments: Symmetric, expected: float) -> N
 def test_a_table_is_read_between_its_steps_and_falls_outside(
     quantity: float, expected: float
 ) -> None:
-    assert Table(1.0, 0.5, (3.0, 5.0, -1.0)).at(quantity) == pytest.approx(expected)
+    assert LikelihoodTable(1.0, 0.5, (3.0, 5.0, -1.0)).at(quantity) == pytest.approx(expected)
 
 
 def mixed(aligned: float, turned: float, tilted: float, anyhow: float) -> float:

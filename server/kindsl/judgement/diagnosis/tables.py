@@ -6,7 +6,7 @@ from typing import NamedTuple
 _FALL = 1.0
 
 
-class Table(NamedTuple):
+class LikelihoodTable(NamedTuple):
     """How much likelier a quantity is of what was published than anything in the table's range.
 
     Attributes:
