@@ -7,6 +7,8 @@ from tests.support.mutants import messages
 from tests.support.syntax_checks import assert_lossless
 
 from kindsl.language.syntax.document import parse
+from kindsl.language.syntax.mending import touched_nodes
+from kindsl.language.syntax.tree import Node, Token
 
 NOISE = random.Random(1).randbytes(300_000)
 LARGE = {
@@ -40,6 +42,26 @@ def test_a_deep_expression_is_flat() -> None:
     (inertia,) = link.nodes("inertia")
     (mass,) = inertia.nodes("mass")
     assert [node.kind for node in mass.nodes("unsupported")] == ["unsupported"]
+
+
+class Asked(Node):
+    """A node that counts how often any is asked where it begins."""
+
+    times = 0
+
+    @property
+    def start(self) -> int:
+        Asked.times += 1
+        return super().start
+
+
+def test_where_a_deep_expression_begins_is_asked_once() -> None:
+    node: Node | Token = Token("NUMBER", "1.0", 0, 0, 3)
+    for _ in range(100):
+        node = Asked("sum", [node])
+    assert isinstance(node, Node)
+    assert len(touched_nodes([node], [Token("NUMBER", "1.0", 1, 1, 2)])) == 100
+    assert Asked.times == 1
 
 
 def test_many_children_are_no_mistake() -> None:

@@ -135,20 +135,24 @@ def touched_nodes(nodes: Sequence[Node], skipped: Sequence[Token]) -> frozenset[
     touched: set[int] = set()
     places = sorted(token.start for token in skipped)
     around: dict[int, int] = {}
-    pending = list(nodes)
+    pending = [(node, node.start, node.end) for node in nodes]
     while pending:
-        node = pending.pop()
-        index = bisect_left(places, node.start)
-        is_cut = index < len(places) and places[index] < node.end
+        node, start, end = pending.pop()
+        index = bisect_left(places, start)
+        is_cut = index < len(places) and places[index] < end
         tokens = (child for child in node.children if isinstance(child, Token))
         if is_cut or any(map(is_repaired, tokens)):
             one: int | None = id(node)
             while one is not None and one not in touched:
                 touched.add(one)
                 one = around.get(one)
-        inner = [child for child in node.children if isinstance(child, Node)]
-        around.update((id(child), id(node)) for child in inner)
-        pending += inner
+        first, last = node.children[0], node.children[-1]
+        for child in node.children:
+            if isinstance(child, Node):
+                around[id(child)] = id(node)
+                # Asked of each, the ends of a deep sum would be looked for in all its depth.
+                begins = start if child is first else child.start
+                pending.append((child, begins, end if child is last else child.end))
     return frozenset(touched)
 
 
