@@ -67,7 +67,8 @@ def _of_copies(model: Model, context: Context) -> Iterator[Finding]:
 
     One number that keeps it from being mirrored is told better.
     """
-    slips = {place.link for each in limb_slips(model, context).verdicts for place in each.places}
+    verdicts = (v for v in limb_slips(model, context).verdicts if not v.is_convicted)
+    slips = {place.link for each in verdicts for place in each.places}
     for pair in copied_limbs(model, context):
         left, right = (joint_of(model, body.name) for body in (pair.left, pair.right))
         is_told = not slips.isdisjoint(chain(_names(pair.left), _names(pair.right)))
