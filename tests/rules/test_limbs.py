@@ -331,15 +331,24 @@ def test_signs_alone_may_also_be_those_of_a_turned_frame() -> None:
 
 
 def test_a_com_behind_its_joint_is_told_once() -> None:
-    """It is not what its twins have, either, which KD509 leaves to KD511."""
+    """It is not what its twins have, either: KD509 knows which number is meant."""
     text = four_legs()
     for leg in ("LF", "RF", "LH", "RH"):
         at = text.index("inertia_params", text.index(f"link {leg}_thigh"))
         end = text.index("}", at) + 1
         com = "-0.17, 0.0, 0.0" if leg == "RH" else "0.17, 0.0, 0.0"
         text = text[:at] + section(2.0, com, 0.006, 0.0807, 0.0807) + text[end:]
-    told_of_one = [f.code for f in analyse(text).findings if f.code in (*CODES, "KD312", "KD511")]
-    assert told_of_one == ["KD511"]
+    of_coms = [f for f in analyse(text).findings if f.code in (*CODES, "KD312", "KD511")]
+    assert [f.code for f in of_coms] == ["KD509"]
+    assert of_coms[0].fix is not None
+    assert of_coms[0].fix.title == "Set CoM of 'RH_thigh' to (0.17, 0.0, 0.0)"
+
+
+def test_the_sign_of_a_great_product_is_told_without_those_of_small_ones() -> None:
+    """Without all three signs the moments would be nearly those of the twins, too."""
+    hip = section(2.0, "0.02, 0.01, 0.05", 0.031, 0.033, 0.037, 0.003, 0.00001, 0.00002)
+    (finding,) = found("KD509", legs_with(LF=hip, RF=hip, LH=hip, RH=hip.replace("Ixy=", "Ixy=-")))
+    assert finding.message.endswith("they would be theirs if the sign of Ixy were changed")
 
 
 def test_a_shape_is_judged_again_only_where_it_has_changed(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -232,8 +232,13 @@ class Analysis:
 
             found = without_silenced(found, self.syntax, self._codes(run), self._resolve)
         explained = {(d.start, code) for d in found for code in d.explains}
+        mended = {(d.start, code) for d in found if d.fix or d.choices for code in d.explains}
         if explained:
-            found = [d for d in found if (d.start, d.code) not in explained or d.fix or d.choices]
+            found = [
+                d
+                for d in found
+                if (d.start, d.code) not in (explained if not (d.fix or d.choices) else mended)
+            ]
         return sorted(found, key=lambda d: (d.start, d.end, d.code, d.message))
 
     def _codes(self, run: CheckRun) -> list[str]:

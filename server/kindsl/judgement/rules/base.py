@@ -70,7 +70,8 @@ class Finding(NamedTuple):
         choices: Edits that fix it where several things may be meant; then there is no `fix`.
         severity: Where it differs from the rule's.
         tag: How to draw it.
-        explains: Codes of findings at the same place that it makes needless, but for their fixes.
+        explains: Codes of findings at the same place that it makes needless, but for their fixes
+            where it has none.
         subject: The thing that it is about, if not the one in whose text `at` lies.
         probability: Of the cause that the message names, where one was weighed against others.
     """

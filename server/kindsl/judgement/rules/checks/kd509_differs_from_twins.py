@@ -35,7 +35,6 @@ from kindsl.judgement.diagnosis.judgements import TEN, is_impossible, is_round
 from kindsl.judgement.rules.base import Example, Finding, Fix, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import four_legs
-from kindsl.judgement.rules.inertia.shapes import is_told_of
 from kindsl.judgement.rules.inertia.told_causes import told_causes
 from kindsl.judgement.rules.limb_places import OF_A_LINK, PARTS, located, numbers_at, place_at, told
 from kindsl.judgement.rules.limb_verdicts import limb_slips
@@ -50,6 +49,8 @@ from kindsl.robots.limbs.verdicts import LimbVerdict
 from kindsl.robots.mechanism.link_inertia import link_inertia, written_inertia
 
 _MOST_NAMED = 2
+# Of where a CoM lies, which the twins tell with the number that is meant.
+_OF_A_COM = frozenset(("KD309", "KD511"))
 _THEIRS = "would be theirs"
 
 
@@ -67,7 +68,8 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
             others = [Related(located(model, p), f"or {told(p)}") for p in verdict.places[1:]]
             twins = [place_at(model, twin, place.what) for twin in verdict.twins]
             others += [Related(located(model, p), told(p)) for p in twins]
-            yield Finding(located(model, place), message, tuple(others), fix)
+            explains = _OF_A_COM if place.what == "com" else frozenset()
+            yield Finding(located(model, place), message, tuple(others), fix, explains=explains)
 
 
 def _message(model: Model, context: Context, verdict: LimbVerdict) -> tuple[str, Fix | None]:
@@ -163,9 +165,8 @@ def _as_written(body: Link, meant: MassDistribution, context: Context) -> MassDi
 def _is_told_better(model: Model, context: Context, verdict: LimbVerdict) -> bool:
     """Return whether a cause is looked for that makes a body possible, as its twins are."""
     body = model.body_named[verdict.places[0].link]
-    return is_told_of(body, model, context) and not (
-        is_impossible(body, context.values) and _are_impossible(model, context, verdict.twins)
-    )
+    is_told = is_impossible(body, context.values)
+    return is_told and not _are_impossible(model, context, verdict.twins)
 
 
 def _is_cause_told(model: Model, context: Context, verdict: LimbVerdict) -> bool:

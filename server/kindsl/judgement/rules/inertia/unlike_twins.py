@@ -8,9 +8,12 @@ from kindsl.judgement.rules.inertia.told import clause
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
 from kindsl.mechanics.rigid.body import MassDistribution
+from kindsl.robots.limbs.comparison import Tolerance
 from kindsl.robots.limbs.weighing import differing
 
 _MOST = 3
+# Of numbers that are equal but for the arithmetic that brought them into one frame.
+_EXACTLY = Tolerance(1e-9, 1e-9, 1e-9)
 
 
 def copied_from(model: Model, link: Link, twins: Container[str]) -> str:
@@ -27,13 +30,15 @@ def without(slips: Sequence[Hypothesis], said: str) -> list[str]:
 def slips_of(own: MassDistribution, meant: Iterable[MassDistribution]) -> list[Hypothesis]:
     """Return the slips without which a body is one of those meant, the commonest first.
 
-    A unit beside a shift would leave nothing of the moments as they are written.
+    A unit beside a shift would leave nothing of the moments as they are written. Where some slips
+    leave exactly what is meant, others that come near it are none.
     """
     likely = [each for each in set(meant) if each.mass * own.mass > 0.0 and may_be_image(own, each)]
-    fitting = (
+    fitting = [
         h
         for h in (hypotheses(own, own) if likely else ())
         if (Slip.SCALE not in h.slips or (h.unit and len(h.slips) == 1))
         and any(not differing(h.body, m) for m in likely)
-    )
-    return sorted(fitting, key=lambda h: -h.weight)[:_MOST]
+    ]
+    exact = [h for h in fitting if any(not differing(h.body, m, _EXACTLY) for m in likely)]
+    return sorted(exact or fitting, key=lambda h: -h.weight)[:_MOST]
