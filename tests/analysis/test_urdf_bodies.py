@@ -207,3 +207,28 @@ def test_the_density_of_what_no_joint_moves_is_a_hint() -> None:
 def test_a_moving_link_of_no_mass_is_told_once() -> None:
     text = robot(link("a", mass="0"), joint("j", "base", "a", "0 0 1"))
     assert [code for code, _ in found(text)] == ["KD304"]
+
+
+THIGH = 'ixx="{}" ixy="{}0.000129" ixz="-0.002344" iyy="0.046023" iyz="{}0.006033" izz="0.008696"'
+
+
+@pytest.mark.parametrize(
+    ("mass", "ixx", "told"),
+    [
+        ("3.934", "0.044459", []),
+        ("3934", "0.044459", [("KD314", "the mass were in g")]),
+        ("3.934", "0.44459", [("KD308", "ixx were divided by 10")]),
+    ],
+)
+def test_a_slip_is_told_by_the_mirror_image(
+    mass: str, ixx: str, told: list[tuple[str, str]]
+) -> None:
+    left = link("left", "0 -0.0287 -0.0542", THIGH.format(ixx, "", ""), mass)
+    right = link("right", "0 0.0287 -0.0542", THIGH.format("0.044459", "-", "-"), "3.934")
+    shoulders = joint("a", "base", "left", "0 0.2 0"), joint("b", "base", "right", "0 -0.2 0")
+    text = robot(left, right, *shoulders)
+    causes = [f for f in analyse(text).findings if f.code in ("KD307", "KD308", "KD314")]
+    assert [f.code for f in causes] == [code for code, _ in told]
+    for finding, (_, words) in zip(causes, told, strict=True):
+        assert f"would be consistent if {words} (" in finding.message
+        assert finding.probability is not None and finding.probability >= 0.9

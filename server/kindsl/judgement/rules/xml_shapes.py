@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from kindsl.judgement.diagnosis.judgements import IMPOSSIBLE, Verdict, judgements
 from kindsl.judgement.diagnosis.suspects import suspects_of
-from kindsl.judgement.rules.base import Finding, Related
+from kindsl.judgement.rules.base import Finding, Related, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.inertia.mirror_images import mirror_difference
 from kindsl.judgement.rules.xml_bodies import XmlBody
@@ -26,7 +26,9 @@ from kindsl.robots.mechanism.body_verdicts import body_verdicts
 _NEARLY = Tolerance(5e-4, 0.05, 0.05)
 _MOMENT = re.compile(r"\bI([xyz])([xyz]?)\b(?=(?:[^']*'[^']*')*[^']*$)")
 _SHAPES = ("KD309", "KD313", "KD511")
-_CAUSES = ("KD307",)
+_CAUSES = ("KD307", "KD308", "KD314")
+# From which probability on a cause is told, signs of an impossible body apart: as a fix is.
+_SURE = 0.9
 
 Found = Iterator[tuple[str, Finding]]
 LimbsFound = Iterator[tuple[str, Finding, tuple[Link, ...]]]
@@ -42,7 +44,8 @@ def body_findings(model: Model, bodies: Sequence[XmlBody], context: Context) -> 
     """
     odd = _odd(model, context)
     for code, cause in _causes(model, context):
-        if code in _CAUSES:
+        is_sign_of_impossible = code == "KD307" and cause.severity is Severity.INFORMATION
+        if code in _CAUSES and (is_sign_of_impossible or (cause.probability or 0.0) >= _SURE):
             yield code, cause._replace(message=in_words_of_xml(cause.message))
     for body in bodies:
         if body.moves and not any(part.link in odd for part in body.parts):
@@ -58,14 +61,14 @@ def in_words_of_xml(message: str) -> str:
 
 
 def _causes(model: Model, context: Context) -> Iterable[tuple[str, Finding]]:
-    """Return what explains impossible inertias, with the code of its rule."""
-    impossible = [each for each in suspects_of(model, context.values) if each.is_impossible]
-    if not impossible:
+    """Return what explains inertias of no body or no matter, with the code of its rule."""
+    suspects = suspects_of(model, context.values)
+    if not suspects:
         return ()
     # Imported for these only, since it delays the linter's start.
     from kindsl.judgement.rules.inertia.repairs import findings
 
-    return findings(impossible, model, context)
+    return findings(suspects, model, context)
 
 
 def _limb_findings(bodies: Sequence[XmlBody], odd: set[Link]) -> LimbsFound:

@@ -12,6 +12,7 @@ from kindsl.judgement.diagnosis.judge import Cause, Diagnosis, diagnoses
 from kindsl.judgement.diagnosis.judgements import (
     IMPOSSIBLE,
     Judgement,
+    Verdict,
     at_values,
     can_be_of_matter,
     is_moving,
@@ -76,11 +77,25 @@ def _told(diagnosis: Diagnosis, context: Context) -> _Told | None:
 
 
 def _is_told(found: Judgement, causes: Sequence[Cause]) -> bool:
-    """Return whether numbers are likely to be wrong in a way that is known."""
+    """Return whether numbers are likely to be wrong in a way that leaves a body of matter."""
+    first = causes[0]
+    if not _leaves_matter(first):
+        return False
     density = density_of(found.body.mass, found.second_moments)
     if found.is_impossible or not _AIR < density < _OSMIUM:
-        return causes[0].probability >= _POSSIBLE
+        return first.probability >= _POSSIBLE
     return sum(cause.probability for cause in causes) >= _LIKELY
+
+
+def _leaves_matter(cause: Cause) -> bool:
+    """Return whether numbers that were meant, where they are known, are of some material.
+
+    Points, and rods without width, have no density to go by.
+    """
+    h, pairs = cause.hypothesis, cause.shape.pairs
+    is_known = h.slips[0] not in (Slip.PLACEHOLDER, Slip.COPY)
+    is_body = verdict_of(h.body, h.half, pairs) is Verdict.POSSIBLE
+    return not (is_known and is_body) or can_be_of_matter(h.body, h.half, pairs)
 
 
 def _shared(explained: Sequence[Diagnosis], told: Sequence[_Told], model: Model) -> _Told | None:
