@@ -170,7 +170,7 @@ from kindsl.products.codegen.language import Language
 from kindsl.mechanics.dynamics.generation.emitters.prefix import prefix_notation
 
 
-def _files(library, reference, parameters):
+def _files(library, reference):
     lines = [
         f"(define {function.name}.{result.name} {prefix_notation(library.robot.graph, entry)})\\n"
         for function in library.all_functions
