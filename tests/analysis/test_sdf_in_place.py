@@ -75,13 +75,14 @@ def test_findings_have_their_lines(old: str, new: str, code: str, line: int) -> 
 
 def test_comments_silence_findings() -> None:
     bad = ARM.replace("<iyy>0.009", "<iyy>0.09")
-    assert told(bad.replace("the lower one", "kindsl: ignore[KD302] a dummy")) == []
+    assert told(bad.replace("the lower one", "kindsl: ignore[KD302, KD308] a dummy")) == []
 
 
 def test_links_of_inner_models_have_their_names() -> None:
     text = ARM.replace("<izz>0.001", "<izz>0.01")
-    (finding,) = analyse(text).findings
+    finding, cause = analyse(text).findings
     assert finding.message.startswith("inertia of 'hand::palm' violates")
+    assert "if izz were divided by 10" in cause.message
 
 
 def test_default_moments_are_a_placeholder() -> None:

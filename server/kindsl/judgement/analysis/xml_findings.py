@@ -59,9 +59,12 @@ def xml_findings(
     light, at_rest = _light_parts(bodies), _parts_at_rest(bodies)
     massless = {id(link.island) for link in _massless(bodies)} if _MISSING in rules else set()
     copied = {id(finding.at.island) for rule, finding in found if rule.code == _COPIED}
+    explained = {(id(f.at.island), code) for _, f in (*enabled, *found) for code in f.explains}
     told = []
     for rule, finding in (*enabled, *found):
         island, is_of_part = id(finding.at.island), rule.code in _TOLD_OF_PARTS
+        if (island, rule.code) in explained:
+            continue
         if is_of_part and rule.code != _COPIED and island in copied:
             continue
         if rule.code == _NO_MASS and island in massless:

@@ -166,9 +166,9 @@ def is_round(moments: Symmetric) -> bool:
 
 
 def is_about_one_number(moments: Symmetric) -> bool:
-    """Return whether three moments differ by less than 5 %, without products."""
+    """Return whether three moments, below 1 kg·m², differ by less than 5 %, without products."""
     small, large = min(moments[:3]), max(moments[:3])
-    return 0.95 * large < small and not any(moments[3:])
+    return 0.95 * large < small <= 1.0 and not any(moments[3:])
 
 
 def is_plain(inertia: Inertia) -> bool:

@@ -77,9 +77,9 @@ def _told(diagnosis: Diagnosis, context: Context) -> _Told | None:
 
 
 def _is_told(found: Judgement, causes: Sequence[Cause]) -> bool:
-    """Return whether numbers are likely to be wrong in a way that leaves a body of matter."""
+    """Return whether numbers are likely to be wrong in a way that is known."""
     first = causes[0]
-    if not _leaves_matter(first):
+    if not _is_supported(first):
         return False
     density = density_of(found.body.mass, found.second_moments)
     if found.is_impossible or not _AIR < density < _OSMIUM:
@@ -87,15 +87,16 @@ def _is_told(found: Judgement, causes: Sequence[Cause]) -> bool:
     return sum(cause.probability for cause in causes) >= _LIKELY
 
 
-def _leaves_matter(cause: Cause) -> bool:
-    """Return whether numbers that were meant, where they are known, are of some material.
+def _is_supported(cause: Cause) -> bool:
+    """Return whether the numbers that were meant are of some material, or else like others here.
 
     Points, and rods without width, have no density to go by.
     """
     h, pairs = cause.hypothesis, cause.shape.pairs
-    is_known = h.slips[0] not in (Slip.PLACEHOLDER, Slip.COPY)
+    if h.slips[0] in (Slip.PLACEHOLDER, Slip.COPY) or cause.reasons:
+        return True
     is_body = verdict_of(h.body, h.half, pairs) is Verdict.POSSIBLE
-    return not (is_known and is_body) or can_be_of_matter(h.body, h.half, pairs)
+    return not is_body or can_be_of_matter(h.body, h.half, pairs)
 
 
 def _shared(explained: Sequence[Diagnosis], told: Sequence[_Told], model: Model) -> _Told | None:
