@@ -9,25 +9,15 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from kindsl.language.semantics.declarations import (
-    Declarations,
-    FixedAxes,
-    Frame,
-    Inertia,
-    Joint,
-    Link,
-    Pose,
-    Vector,
-)
+from kindsl.language.semantics.declarations import FixedAxes, Inertia, Joint, Pose, Vector
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.places import Name, Place
-from kindsl.language.semantics.sections import JointFrame
 from kindsl.language.syntax.document import SyntaxDocument
-from kindsl.language.syntax.tree import Node
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.rigid.pose import IDENTITY, fixed_axis_angles
 from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.rigid_links import JOINT_KINDS, TENSOR
+from kindsl.robots.interchange.robot_island import RobotIsland
 from kindsl.robots.interchange.sdf.elements import SdfError, is_true, pose_of, text_of
 from kindsl.robots.interchange.sdf.frame_graph import WORLD, FrameGraph
 from kindsl.robots.interchange.sdf.nesting import flatten
@@ -36,7 +26,6 @@ from kindsl.robots.interchange.xml_document import (
     Connection,
     Flaw,
     XmlDocument,
-    XmlIsland,
     XmlPiece,
     rest_of_line,
     unreadable,
@@ -48,52 +37,17 @@ _TAG_OR_COMMENT = re.compile(r"""<!--.*?-->|<(?:[^"'>]|"[^"]*"|'[^']*')*>""", re
 _DEFAULT = "1.0"
 
 
-class SdfIsland(XmlIsland):
+class SdfIsland(RobotIsland):
     """A link, joint or frame of an SDF, or what is around them."""
 
-    __slots__ = ("_declared", "prefix")
+    __slots__ = ()
 
     has_attributes = False
 
-    def __init__(self, text: str, element: XmlElement | None, prefix: str = "") -> None:
-        self.prefix = prefix
-        self._declared = Declarations(None, (), (), (), ())
-        super().__init__(text, element)
-
-    def declared(self) -> Declarations:
-        """Return the link or joint."""
-        return self._declared
-
-    def lowered(self, element: XmlElement) -> Iterator[Node]:
-        """Yield the block of a link or joint."""
-        if element.tag == "link":
-            link = self._link(element)
-            self._declared = Declarations(None, (), (link,), (), (link,))
-            yield link.node
-        elif element.tag == "joint":
-            joint = self._joint(element)
-            self._declared = Declarations(None, (), (), (joint,), (joint,))
-            yield joint.node
-
-    def _name(self, element: XmlElement) -> Name:
-        at = self.place(element, "name")
-        return Name.at(f"{self.prefix}{element.get('name') or ''}", self, at.start, at.end)
-
-    def _link(self, element: XmlElement) -> Link:
-        link = Link(self.block("link", element), self, self._name(element), "")
-        link.id, link.id_place, link.inertia, link.children, link.frames = None, None, None, (), ()
-        inertial: Any = element.find("inertial")
-        if inertial is None or (inertial.get("auto") or "").lower() in ("1", "true"):
-            return link
-        inertia = link.inertia = self._inertia(inertial, link.name)
-        link.node.children.insert(1, inertia.node)
-        inertia.frame = Name.at("", self, inertia.start, inertia.start)
-        frame = Frame(inertia.node, self, inertia.frame, link.name)
-        frame.translation, frame.rotation = self._pose(inertial)
-        link.frames = (frame,)
-        return link
-
-    def _inertia(self, inertial: XmlElement, owner: str) -> Inertia:
+    def inertia_in(self, inertial: XmlElement, owner: str) -> Inertia | None:
+        """Return an inertia, None where the simulator computes it."""
+        if (inertial.get("auto") or "").lower() in ("1", "true"):
+            return None
         inertia = Inertia(self.block("inertia", inertial), self, Name(""), owner)
         tensor = inertial.find("inertia")
         inertia.moments = {}
@@ -117,15 +71,7 @@ class SdfIsland(XmlIsland):
             return self.zeros(at, 1)[0]
         return self.constants(at, (_DEFAULT,))[0]
 
-    def _joint(self, element: XmlElement) -> Joint:
-        joint = Joint(self.block("joint", element), self, self._name(element), "")
-        joint.kind = "prismatic" if element.get("type") == "prismatic" else "revolute"
-        joint.id, joint.id_place = None, None
-        joint.frame = JointFrame(joint.node, self, Name(""), joint.name)
-        joint.frame.translation, joint.frame.rotation = self._pose(element)
-        return joint
-
-    def _pose(self, parent: Any) -> Pose:
+    def pose_in(self, parent: Any) -> Pose:
         """Return the pose that an element gives in its `<pose>`, whatever that is relative to."""
         pose = parent.find("pose")
         at = parent if pose is None else pose
@@ -159,15 +105,7 @@ def sdf_document(text: str, former: SyntaxDocument | None = None) -> XmlDocument
 
 
 def _of_elements(text: str, root: Any, former: SyntaxDocument | None) -> XmlDocument:
-    known: dict[tuple[str, bool, str], list[SdfIsland]] = {}
-    for island in former.islands if former is not None else ():
-        if isinstance(island, SdfIsland):
-            key = island.text, island.element is not None, island.prefix
-            known.setdefault(key, []).append(island)
-    islands: list[SdfIsland] = []
-    for piece, prefix in list(_pieces(text, root)):
-        same = known.get((piece.text, piece.element is not None, prefix))
-        islands.append(same.pop(0) if same else SdfIsland(piece.text, piece.placed(), prefix))
+    islands = SdfIsland.made_of(list(_pieces(text, root)), former)
     document = XmlDocument(islands, former.versions if former is not None else None)
     flaws: list[Flaw] = []
     if root.tag != "sdf":

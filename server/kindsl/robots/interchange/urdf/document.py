@@ -7,31 +7,20 @@ mass is the origin. Products have the opposite sign there.
 from collections.abc import Iterator
 from typing import Any
 
-from kindsl.language.semantics.declarations import (
-    Declarations,
-    FixedAxes,
-    Frame,
-    Inertia,
-    Joint,
-    Link,
-    Pose,
-    Vector,
-)
+from kindsl.language.semantics.declarations import FixedAxes, Inertia, Pose, Vector
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.numbers import written_pose
 from kindsl.language.semantics.places import Name, Place
-from kindsl.language.semantics.sections import JointFrame
 from kindsl.language.syntax.document import SyntaxDocument
-from kindsl.language.syntax.tree import Node
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.rigid.pose import IDENTITY
 from kindsl.robots.interchange.rigid_links import JOINT_KINDS, TENSOR
+from kindsl.robots.interchange.robot_island import RobotIsland
 from kindsl.robots.interchange.urdf.checking import WORLD, UrdfDefect, defects, end_of, root_links
 from kindsl.robots.interchange.xml_document import (
     Connection,
     Flaw,
     XmlDocument,
-    XmlIsland,
     pieces,
     refused,
     unreadable,
@@ -44,42 +33,12 @@ _USUAL_AXIS = (1.0, 0.0, 0.0)
 _ORIGIN = {"xyz": Vector, "rpy": FixedAxes}
 
 
-class UrdfIsland(XmlIsland):
+class UrdfIsland(RobotIsland):
     """A link or joint of a URDF, or anything else in it."""
 
-    __slots__ = ("_declared",)
+    __slots__ = ()
 
-    def declared(self) -> Declarations:
-        """Return the link or joint."""
-        found: Declarations = getattr(self, "_declared", Declarations(None, (), (), (), ()))
-        return found
-
-    def lowered(self, element: XmlElement) -> Iterator[Node]:
-        """Yield the block of a link or joint."""
-        if element.tag == "link":
-            link = self._link(element)
-            self._declared = Declarations(None, (), (link,), (), (link,))
-            yield link.node
-        elif element.tag == "joint":
-            joint = self._joint(element)
-            self._declared = Declarations(None, (), (), (joint,), (joint,))
-            yield joint.node
-
-    def _link(self, element: XmlElement) -> Link:
-        link = Link(self.block("link", element), self, self.name(element, "name"), "")
-        link.id, link.id_place, link.inertia, link.children, link.frames = None, None, None, (), ()
-        inertial: Any = element.find("inertial")
-        inertia = None if inertial is None else self._inertia(inertial, link.name)
-        if inertia is not None:
-            link.inertia = inertia
-            link.node.children.insert(1, inertia.node)
-            inertia.frame = Name.at("", self, inertia.start, inertia.start)
-            frame = Frame(inertia.node, self, inertia.frame, link.name)
-            frame.translation, frame.rotation = self._pose(inertial)
-            link.frames = (frame,)
-        return link
-
-    def _inertia(self, inertial: XmlElement, owner: str) -> Inertia | None:
+    def inertia_in(self, inertial: XmlElement, owner: str) -> Inertia | None:
         """Return an inertia; none for one of nothing, as frames without mass have it."""
         weight, tensor = inertial.find("mass"), inertial.find("inertia")
         values = [] if weight is None else self.numbers(weight, "value")
@@ -100,14 +59,6 @@ class UrdfIsland(XmlIsland):
         inertia.com, inertia.moments = Vector(inertia.node, self, (x, y, z)), moments
         return inertia
 
-    def _joint(self, element: XmlElement) -> Joint:
-        joint = Joint(self.block("joint", element), self, self.name(element, "name"), "")
-        joint.kind = "prismatic" if element.get("type") == "prismatic" else "revolute"
-        joint.id, joint.id_place = None, None
-        joint.frame = JointFrame(joint.node, self, Name(""), joint.name)
-        joint.frame.translation, joint.frame.rotation = self._pose(element)
-        return joint
-
     def connection(self) -> Connection | None:
         """Return the joint with its links, None of anything else."""
         element, joints = self.element, self.declared().joints
@@ -121,7 +72,7 @@ class UrdfIsland(XmlIsland):
         axis, pose = (x, y, z) if has_axis else None, written_pose(joints[0].pose, {})
         return Connection(joints[0], *ends, kind == "fixed", axis, pose or IDENTITY)
 
-    def _pose(self, parent: XmlElement) -> Pose:
+    def pose_in(self, parent: XmlElement) -> Pose:
         """Return the pose in an element's `<origin>`; no turn where it is a quaternion."""
         origin: Any = parent.find("origin")
         vectors = []
@@ -161,14 +112,7 @@ def _of_xacro(text: str, root: XmlElement) -> XmlDocument | None:
 
 
 def _of_elements(text: str, root: XmlElement, former: SyntaxDocument | None) -> XmlDocument:
-    known: dict[tuple[str, bool], list[UrdfIsland]] = {}
-    for island in former.islands if former is not None else ():
-        if isinstance(island, UrdfIsland):
-            known.setdefault((island.text, island.element is not None), []).append(island)
-    islands = []
-    for piece in pieces(text, root):
-        same = known.get((piece.text, piece.element is not None))
-        islands.append(same.pop(0) if same else UrdfIsland(piece.text, piece.placed()))
+    islands = UrdfIsland.made_of(((piece, "") for piece in pieces(text, root)), former)
     document = XmlDocument(islands, former.versions if former is not None else None)
     document.flaws = tuple(_flaws(root, islands))
     document.connections = tuple(filter(None, (island.connection() for island in islands)))

@@ -1,0 +1,96 @@
+"""An element of a robot in XML, of which a link or joint is made, whatever the format."""
+
+from abc import abstractmethod
+from collections.abc import Iterable, Iterator
+from typing import Any, Self
+
+from kindsl.language.semantics.declarations import Declarations, Frame, Inertia, Joint, Link, Pose
+from kindsl.language.semantics.places import Name
+from kindsl.language.semantics.sections import JointFrame
+from kindsl.language.syntax.document import SyntaxDocument
+from kindsl.language.syntax.tree import Node
+from kindsl.robots.interchange.xml_document import XmlIsland, XmlPiece
+from kindsl.robots.interchange.xml_reading import XmlElement
+
+
+class RobotIsland(XmlIsland):
+    """A link or joint of a robot in XML, or what is around them.
+
+    The frame of an `<inertial>` becomes a frame of its link, in which the centre of mass is the
+    origin.
+
+    Attributes:
+        prefix: What stands before its name in the document.
+    """
+
+    __slots__ = ("_declared", "prefix")
+
+    def __init__(self, text: str, element: XmlElement | None, prefix: str = "") -> None:
+        self.prefix = prefix
+        self._declared = Declarations(None, (), (), (), ())
+        super().__init__(text, element)
+
+    @classmethod
+    def made_of(
+        cls, pieces: Iterable[tuple[XmlPiece, str]], former: SyntaxDocument | None
+    ) -> list[Self]:
+        """Return an island of each piece and prefix, those of an earlier version where equal."""
+        known: dict[tuple[str, bool, str], list[Self]] = {}
+        for island in former.islands if former is not None else ():
+            if isinstance(island, cls):
+                key = island.text, island.element is not None, island.prefix
+                known.setdefault(key, []).append(island)
+        islands = []
+        for piece, prefix in pieces:
+            same = known.get((piece.text, piece.element is not None, prefix))
+            islands.append(same.pop(0) if same else cls(piece.text, piece.placed(), prefix))
+        return islands
+
+    def declared(self) -> Declarations:
+        """Return the link or joint."""
+        return self._declared
+
+    def lowered(self, element: XmlElement) -> Iterator[Node]:
+        """Yield the block of a link or joint."""
+        if element.tag == "link":
+            link = self._link(element)
+            self._declared = Declarations(None, (), (link,), (), (link,))
+            yield link.node
+        elif element.tag == "joint":
+            joint = self._joint(element)
+            self._declared = Declarations(None, (), (), (joint,), (joint,))
+            yield joint.node
+
+    @abstractmethod
+    def inertia_in(self, inertial: XmlElement, owner: str) -> Inertia | None:
+        """Return the inertia of an `<inertial>`, None where it is left to others."""
+
+    @abstractmethod
+    def pose_in(self, parent: XmlElement) -> Pose:
+        """Return the pose that an element gives, whatever that is relative to."""
+
+    def _name(self, element: XmlElement) -> Name:
+        at = self.place(element, "name")
+        return Name.at(f"{self.prefix}{element.get('name') or ''}", self, at.start, at.end)
+
+    def _link(self, element: XmlElement) -> Link:
+        link = Link(self.block("link", element), self, self._name(element), "")
+        link.id, link.id_place, link.inertia, link.children, link.frames = None, None, None, (), ()
+        inertial: Any = element.find("inertial")
+        inertia = None if inertial is None else self.inertia_in(inertial, link.name)
+        if inertia is not None:
+            link.inertia = inertia
+            link.node.children.insert(1, inertia.node)
+            inertia.frame = Name.at("", self, inertia.start, inertia.start)
+            frame = Frame(inertia.node, self, inertia.frame, link.name)
+            frame.translation, frame.rotation = self.pose_in(inertial)
+            link.frames = (frame,)
+        return link
+
+    def _joint(self, element: XmlElement) -> Joint:
+        joint = Joint(self.block("joint", element), self, self._name(element), "")
+        joint.kind = "prismatic" if element.get("type") == "prismatic" else "revolute"
+        joint.id, joint.id_place = None, None
+        joint.frame = JointFrame(joint.node, self, Name(""), joint.name)
+        joint.frame.translation, joint.frame.rotation = self.pose_in(element)
+        return joint
