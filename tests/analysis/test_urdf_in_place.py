@@ -250,3 +250,23 @@ def test_the_linter_takes_a_urdf_at_its_name(
     assert found["code"] == "KD001" and (
         "XML" in found["message"] or "<robots>" in found["message"]
     )
+
+
+@pytest.mark.parametrize(
+    ("moment", "severity"), [("1E-06", "hint"), ("2E-06", "warning"), ("3E-06", "error")]
+)
+def test_a_plain_zero_is_as_exact_as_the_moments_beside_it(moment: str, severity: str) -> None:
+    """Two moments of 4E-07 are 0 and 0 where six decimals are kept."""
+    tensor = f'ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="{moment}"'
+    text = robot(link("tip", tensor, "0.005"), joint("finger", "base", "tip"))
+    assert ("KD302", severity) in [(code, how) for code, how, _ in told(text)]
+
+
+def test_a_finding_on_many_links_names_a_few() -> None:
+    names = "abcdefgh"
+    flat = TENSOR.replace('"0.0', '"9.0')
+    links = [link(name, flat, "0.1") for name in names]
+    text = robot(*links, *(joint(f"j{name}", "base", name) for name in names))
+    (found,) = (each for each in analyse(text).findings if each.code == "KD311")
+    assert "7 more links have an implausible density" in found.message
+    assert len(found.related) == 3

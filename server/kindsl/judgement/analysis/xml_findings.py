@@ -9,7 +9,7 @@ from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.registry import rules_with
 from kindsl.judgement.rules.xml_bodies import XmlBody, xml_bodies
-from kindsl.judgement.rules.xml_elements import OF_PARTS
+from kindsl.judgement.rules.xml_elements import A_FEW, OF_PARTS
 from kindsl.judgement.rules.xml_shapes import body_findings
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.lowering import declarations
@@ -26,9 +26,6 @@ _NO_MASS = "KD303"
 _TOLD_OF_PARTS = OF_PARTS | {_COPIED, "KD307"}
 # A part of so small a share of its body's mass hardly matters to how the body moves.
 _NEGLIGIBLE = 0.01
-# As many are read one by one; of more the worst speaks for all.
-_MOST_DENSITIES = 3
-_MOST_RELATED = 20
 _WATER = 1000.0  # kg/m³
 
 
@@ -77,7 +74,7 @@ def xml_findings(
 
 
 def _folded(found: Sequence[tuple[Rule, Finding]]) -> Iterator[tuple[Rule, Finding]]:
-    """Yield findings, many densities of a file as one: that of the least plausible."""
+    """Yield findings, more than a few densities of a file as one: that of the least plausible."""
     folds: dict[object, list[tuple[Rule, Finding]]] = {}
     for number, (rule, finding) in enumerate(found):
         # One beside a comment may be silenced by it.
@@ -85,11 +82,11 @@ def _folded(found: Sequence[tuple[Rule, Finding]]) -> Iterator[tuple[Rule, Findi
         key = finding.severity if is_dense else number
         folds.setdefault(key, []).append((rule, finding))
     for fold in folds.values():
-        if len(fold) <= _MOST_DENSITIES:
+        if len(fold) <= A_FEW:
             yield from fold
             continue
         (rule, worst), *others = sorted(fold, key=lambda each: -_oddity(each[1]))
-        related = (Related(finding.at, finding.message) for _, finding in others[:_MOST_RELATED])
+        related = (Related(finding.at, finding.message) for _, finding in others[:A_FEW])
         message = f"{worst.message}; {len(others)} more links have an implausible density"
         yield rule, worst._replace(message=message, related=tuple(related))
 
@@ -172,5 +169,5 @@ def _more(links: list[Link]) -> str:
 
 
 def _of_all(links: list[Link], at: Located, message: str) -> Finding:
-    others = links[1 : _MOST_RELATED + 1]
+    others = links[1 : A_FEW + 1]
     return Finding(at, message, tuple(Related(link.name, f"link '{link.name}'") for link in others))

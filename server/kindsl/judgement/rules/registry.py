@@ -16,8 +16,9 @@ _IN_XML = """
 ## In a URDF
 `Ix` is `ixx` there, `Iy` and `Iz` likewise; `Ixy` is `ixy` with the opposite sign. They are about
 the centre of mass, which is the `<origin>` of the `<inertial>`, and along its axes. A zero without
-a point is exact. Links that are fixed together are one body. Nothing is fixed by itself; a comment
-`<!-- kindsl: ignore[CODE] why -->` in an element, or before it, silences the rule there."""
+a point is exact, that of a moment as the moments beside it are. Links that are fixed together are
+one body. Nothing is fixed by itself; a comment `<!-- kindsl: ignore[CODE] why -->` in an element,
+or before it, silences the rule there."""
 
 
 @cache

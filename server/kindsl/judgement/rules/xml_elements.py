@@ -21,6 +21,8 @@ OF_BOTH = OF_PARTS | {
     "KD304", "KD307", "KD309", "KD310", "KD312", "KD313", "KD509", "KD510", "KD511",
 }  # fmt: skip
 CONCERN_XML = OF_PARTS | OF_XML | {"KD501"}
+# As many places of one finding are read one by one; of more its sentence gives the number.
+A_FEW = 3
 _LIMITED = ("revolute", "prismatic")
 
 

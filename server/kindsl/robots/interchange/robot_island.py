@@ -2,14 +2,17 @@
 
 from abc import abstractmethod
 from collections.abc import Iterable, Iterator
+from math import log10
 from typing import Any, Self
 
 from kindsl.language.semantics.declarations import Declarations, Frame, Inertia, Joint, Link, Pose
+from kindsl.language.semantics.expressions import half_unit
 from kindsl.language.semantics.places import Name
 from kindsl.language.semantics.sections import JointFrame
 from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.language.syntax.tree import Node
-from kindsl.robots.interchange.xml_document import XmlIsland, XmlPiece
+from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.robots.interchange.xml_document import EXACT_ZERO, XmlIsland, XmlPiece
 from kindsl.robots.interchange.xml_reading import XmlElement
 
 
@@ -79,6 +82,7 @@ class RobotIsland(XmlIsland):
         inertial: Any = element.find("inertial")
         inertia = None if inertial is None else self.inertia_in(inertial, link.name)
         if inertia is not None:
+            self._loosen_zeros(inertia)
             link.inertia = inertia
             link.node.children.insert(1, inertia.node)
             inertia.frame = Name.at("", self, inertia.start, inertia.start)
@@ -86,6 +90,15 @@ class RobotIsland(XmlIsland):
             frame.translation, frame.rotation = self.pose_in(inertial)
             link.frames = (frame,)
         return link
+
+    def _loosen_zeros(self, inertia: Inertia) -> None:
+        """Make plain zeros of moments as exact as the others: no body has none about one axis."""
+        written = [half_unit(value.text) for value in inertia.moments.values() if value.literal]
+        zero = f"0.{'0' * round(-log10(2.0 * min(written, default=1.0)))}"
+        for name in MOMENTS[:3]:
+            value = inertia.moments.get(name)
+            if value is not None and value.text == EXACT_ZERO:
+                inertia.moments[name] = self.number(zero, value.start, value.end)
 
     def _joint(self, element: XmlElement) -> Joint:
         joint = Joint(self.block("joint", element), self, self._name(element), "")

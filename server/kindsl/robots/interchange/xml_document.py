@@ -28,7 +28,7 @@ _WORD = re.compile(r"\S+")
 _LINE_END = re.compile(r"\r\n?|\n")
 _CHUNK = 96
 # A zero without a point is exact: as a decimal it has more digits than any number beside it.
-_EXACT_ZERO = "0.000000000000000"
+EXACT_ZERO = "0.000000000000000"
 
 
 class Connection(NamedTuple):
@@ -141,7 +141,7 @@ class XmlIsland(OtherIsland):
         if span is None or any(finite_number(w) is None for w in (element.get(name) or "").split()):
             return []
         return [
-            self._number(_with_sign(_as_decimal(word[0]), sign), word.start(), word.end())
+            self.number(_with_sign(_as_decimal(word[0]), sign), word.start(), word.end())
             for word in _WORD.finditer(self.text, *span)
         ]
 
@@ -160,18 +160,18 @@ class XmlIsland(OtherIsland):
         if len(element) or "<" in self.text[start:end]:
             return []
         return [
-            self._number(_with_sign(_as_decimal(word[0]), sign), word.start(), word.end())
+            self.number(_with_sign(_as_decimal(word[0]), sign), word.start(), word.end())
             for word in words
         ]
 
     def constants(self, at: Any, texts: Iterable[str]) -> list[Expression]:
         """Return numbers that an element means without having them written so."""
         start, end = self.tag(at)
-        return [self._number(text, start, end) for text in texts]
+        return [self.number(text, start, end) for text in texts]
 
     def zeros(self, at: Any, count: int) -> list[Expression]:
         """Return numbers that are zero because an element does not say otherwise."""
-        return self.constants(at, [_EXACT_ZERO] * count)
+        return self.constants(at, [EXACT_ZERO] * count)
 
     def block(self, kind: str, element: XmlElement) -> Node:
         """Return the block of an element: its tag, and its end."""
@@ -180,7 +180,8 @@ class XmlIsland(OtherIsland):
         stop = self.end(element)
         return Node(kind, [tag, Token("END", "", end, stop, stop)])
 
-    def _number(self, text: str, start: int, end: int) -> Expression:
+    def number(self, text: str, start: int, end: int) -> Expression:
+        """Return a number as it is meant, from where it begins in the island to where it ends."""
         return Expression(Node("number", [Token("FLOAT", text, start, start, end)]), self)
 
 
@@ -276,11 +277,10 @@ def refused(text: str, code: str, message: str, start: int, end: int) -> XmlDocu
 
 
 def _as_decimal(word: str) -> str:
-    """Return a number with a point, which says how exact it is: a plain zero is exactly zero."""
-    if not float(word):
-        return word if "." in word else _EXACT_ZERO
-    mantissa, e, exponent = word.lower().partition("e")
-    return word if "." in word else f"{mantissa}.0{e}{exponent}"
+    """Return a number with the digits that say how exact it is: a plain zero is exactly zero."""
+    if "." in word or "e" in word.lower():
+        return word
+    return f"{word}.0" if float(word) else EXACT_ZERO
 
 
 def _with_sign(word: str, sign: int) -> str:

@@ -20,10 +20,8 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.xml_elements import limited_joints, urdf_arm
+from kindsl.judgement.rules.xml_elements import A_FEW, limited_joints, urdf_arm
 from kindsl.language.semantics.model import Model
-
-_MOST_RELATED = 20
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
@@ -34,9 +32,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         more = f" and {len(others)} more" if others else ""
         verb = "have" if others else "has"
         message = f"{first.kind} joint '{first.name}'{more} {verb} no limits"
-        related = [
-            Related(joint.at(""), f"joint '{joint.name}'") for joint in others[:_MOST_RELATED]
-        ]
+        related = [Related(joint.at(""), f"joint '{joint.name}'") for joint in others[:A_FEW]]
         yield Finding(first.at(""), message, tuple(related))
 
 

@@ -17,11 +17,16 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.xml_elements import LimitedJoint, limited_joints, number, urdf_arm
+from kindsl.judgement.rules.xml_elements import (
+    A_FEW,
+    LimitedJoint,
+    limited_joints,
+    number,
+    urdf_arm,
+)
 from kindsl.language.semantics.model import Model
 
 _NAMES = ("effort", "velocity")
-_MOST_RELATED = 20
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
@@ -34,8 +39,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         if not more and len(names) == 1:
             message = f"greatest {names[0]} of joint '{first.name}' is 0"
         related = [
-            Related(joint.at(zeros[0]), f"joint '{joint.name}'")
-            for joint, zeros in others[:_MOST_RELATED]
+            Related(joint.at(zeros[0]), f"joint '{joint.name}'") for joint, zeros in others[:A_FEW]
         ]
         yield Finding(first.at(names[0]), message, tuple(related))
 
