@@ -113,7 +113,7 @@ def test_a_core_is_as_large_on_the_sheet_as_it_is() -> None:
     skeleton = skeleton_of(ARM)
     camera = Camera(100.0, (0.0, 0.5))
     solid = link_solids(skeleton, extent(skeleton))[1]
-    pose = skeleton.zero_poses()[1]
+    pose = skeleton.zero_poses[1]
     assert solid.core is not None
     shapes = robot_drawing(skeleton, camera, {"upper": "000001"}).shapes
     (x, y) = camera.spot(pose.point(solid.core.center))
@@ -136,7 +136,7 @@ def test_a_bone_is_as_thick_all_around_as_it_is() -> None:
     skeleton = skeleton_of(ARM)
     camera = Camera(100.0, (0.0, 0.5))
     radius = 100.0 * link_solids(skeleton, extent(skeleton))[0].bone
-    lone, *_ = body_shapes(skeleton, skeleton.zero_poses(), camera, {}, is_solid=False)
+    lone, *_ = body_shapes(skeleton, skeleton.zero_poses, camera, {}, is_solid=False)
     (bone,) = lone.shapes
     assert isinstance(bone, Polygon)
     xs, ys = zip(*bone.corners, strict=True)
@@ -147,7 +147,7 @@ def test_a_bone_is_as_thick_all_around_as_it_is() -> None:
 
 def test_a_bone_is_as_deep_as_its_middle_but_in_front_of_nothing_that_holds_it() -> None:
     skeleton = skeleton_of(ARM)
-    poses, camera = skeleton.zero_poses(), Camera(100.0, (0.0, 0.5))
+    poses, camera = skeleton.zero_poses, Camera(100.0, (0.0, 0.5))
     solids = link_solids(skeleton, extent(skeleton))
     for is_solid in (False, True):
         found = list(body_shapes(skeleton, poses, camera, {}, is_solid=is_solid))
@@ -161,7 +161,7 @@ def test_a_bone_is_as_deep_as_its_middle_but_in_front_of_nothing_that_holds_it()
 def test_a_drum_is_as_deep_as_its_front() -> None:
     skeleton = skeleton_of(ARM)
     solids, camera = link_solids(skeleton, extent(skeleton)), Camera(100.0, (0.0, 0.5))
-    found = list(body_shapes(skeleton, skeleton.zero_poses(), camera, {}, is_solid=False))
+    found = list(body_shapes(skeleton, skeleton.zero_poses, camera, {}, is_solid=False))
     places = [(0.0, 0.0, 0.5), (0.4, 0.0, 0.5)]
     assert [thing.depth for thing in found[-2:]] == pytest.approx(
         [depth(place) + solid.drum for place, solid in zip(places, solids[1:], strict=True)]
@@ -239,7 +239,7 @@ def upper_as(look: str) -> list[Deep]:
     skeleton = skeleton.with_masses((skeleton.masses[0], body, *skeleton.masses[2:]))
     (upper,) = link_solids(skeleton, extent(skeleton))[1:2]
     assert upper.is_oversized if look == "oversized" else upper.look == look
-    poses, camera = skeleton.zero_poses(), Camera(100.0, (0.0, 0.5))
+    poses, camera = skeleton.zero_poses, Camera(100.0, (0.0, 0.5))
     farthest = max(hypot(*point) for point in points_of(skeleton))
     assert farthest < 1.5 * hypot(0.4, 0.8)
     return list(body_shapes(skeleton, poses, camera, {}, is_solid=True))[1:]

@@ -148,7 +148,7 @@ def test_a_sound_body_well_below_the_ground_is_of_glass(below, radius):
     skeleton = skeleton_of(QUADRUPED)
     measures = extent(skeleton)
     name = "LF_shank"
-    pose = skeleton.zero_poses()[skeleton.body_names.index(name)]
+    pose = skeleton.zero_poses[skeleton.body_names.index(name)]
     lowest = measures.ground - below * SUNK * measures.size
     center = pose.inverse().point((0.1, 0.2, lowest + radius))
     body = ball(radius, center)

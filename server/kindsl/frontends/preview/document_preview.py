@@ -51,11 +51,15 @@ class ShownVersion(NamedTuple):
         given: The values that it was made with.
         picture: Which bodies, and in what state.
         robot: Their messages, None without bodies.
+        parameters: The rows of the parameters.
+        poses: The poses of the configuration.
     """
 
     given: dict[str, float]
     picture: Picture
     robot: Messages | None
+    parameters: Messages
+    poses: Messages
 
 
 class DocumentPreview:
@@ -106,13 +110,17 @@ class DocumentPreview:
 
     def drawing(self, analysis: Analysis) -> ShownVersion:
         """Return the picture of a version; changes nothing, so any thread may ask."""
-        given = self._given(analysis)
-        drawn = picture(analysis.model, given, self._last_good)
-        robot = None
+        given, model, settings = self._given(analysis), analysis.model, analysis.settings
+        drawn = picture(model, given, self._last_good)
+        robot, guessed = None, drawn.guesses
         if drawn.skeleton is not None:
-            name, limits = str(analysis.model.name), analysis.settings.joints
-            robot = robot_messages(name, drawn.skeleton, drawn.guesses, limits, drawn.unknown)
-        return ShownVersion(given, drawn, robot)
+            name = str(model.name)
+            robot = robot_messages(name, drawn.skeleton, guessed, settings.joints, drawn.unknown)
+        rows = parameter_messages(model, settings.bindings, self._parameters, guessed.values)
+        poses = (
+            PoseMessage(path_of("poses", n), n, joints) for n, joints in settings.poses.items()
+        )
+        return ShownVersion(given, drawn, robot, rows, keyed(poses))
 
     def put(self, analysis: Analysis, drawing: ShownVersion | None = None) -> None:
         """Show a version, of which a drawing may have been made; earlier findings stay listed."""
@@ -120,6 +128,7 @@ class DocumentPreview:
         self._planned = None
         is_current = drawing is not None and drawing.given == self._given(analysis)
         self._put(analysis, drawing if drawing and is_current else self.drawing(analysis))
+        self._show_status(self.findings)
         self.revision += 1
         self._changed()
 
@@ -128,10 +137,10 @@ class DocumentPreview:
         """Values of parameters that were set in the page."""
         return self._parameters
 
-    def try_out(self, trial: Analysis) -> None:
-        """Show a text as it would be, drawn and checked; the version that is shown stays known."""
+    def try_out(self, trial: Analysis, findings: Sequence[Diagnostic]) -> None:
+        """Show a text as it would be with its findings; the version that is shown stays known."""
         self._put(trial, self.drawing(trial))
-        self._list(trial.check_without_twins(), trial.text)
+        self._list(findings, trial.text)
 
     def put_back(self) -> None:
         """Show the version that is known again, after something was tried out."""
@@ -191,7 +200,7 @@ class DocumentPreview:
         """Return the comparison and the meshes that are asked for; any thread may ask."""
         if self._shown is None:
             return None, None
-        analysis, (given, drawn, _) = self._shown
+        analysis, (given, drawn, *_) = self._shown
         skeleton = drawn.skeleton
         if skeleton is None or drawn.is_former:
             return None, None
@@ -296,21 +305,15 @@ class DocumentPreview:
         return self._mesh_source or twin_source(twins)
 
     def _put(self, analysis: Analysis, drawing: ShownVersion) -> None:
-        drawn, settings = drawing.picture, analysis.settings
-        if drawn.state is not PictureState.BROKEN:
-            self._last_good = drawn
+        if drawing.picture.state is not PictureState.BROKEN:
+            self._last_good = drawing.picture
         self._shown = analysis, drawing
-        self._show_status(self.findings)
         self._draw_ghost()
         self._offer()
         if drawing.robot is not None:
             self.channel.replace("robot", drawing.robot)
-        guessed = drawn.guesses.values
-        rows = parameter_messages(analysis.model, settings.bindings, self._parameters, guessed)
-        self.channel.replace("parameters", rows)
-        poses = settings.poses.items()
-        messages = (PoseMessage(path_of("poses", name), name, joints) for name, joints in poses)
-        self.channel.replace("poses", keyed(messages))
+        self.channel.replace("parameters", drawing.parameters)
+        self.channel.replace("poses", drawing.poses)
 
     def _list(self, findings: Sequence[Diagnostic], text: str) -> None:
         self._show_status(findings)

@@ -80,7 +80,7 @@ class Dragging:
         if isinstance(request, Plan):
             self._preview.show_plan(outcome.document)
         elif outcome.document is not None:
-            self._preview.try_out(outcome.document)
+            self._preview.try_out(outcome.document, outcome.findings)
         reason = await self._write_and_wait(writing) if writing is not None else ""
         if reason and isinstance(answer, DraggedMessage):
             self._preview.put_back()

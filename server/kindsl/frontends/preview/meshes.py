@@ -132,7 +132,7 @@ def _refused(
 ) -> Iterator[tuple[int, str]]:
     """Yield the other's bodies that get no mesh, and why: no match, or an axis elsewhere."""
     other = restated(ours, theirs, found)
-    size = max((sum(c * c for c in p.translation) ** 0.5 for p in ours.zero_poses()), default=1.0)
+    size = max((sum(c * c for c in p.translation) ** 0.5 for p in ours.zero_poses), default=1.0)
     our_body = {its: body for body, its in found.matching.theirs.items()}
     for its, joint in enumerate(theirs.joint_names, 1):
         body = our_body.get(its)

@@ -1,6 +1,6 @@
 """The outcome of a page's request, decided before anything is shown or written."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from kindsl.frontends.features.manipulation.additions import add_child, add_frame
@@ -13,6 +13,7 @@ from kindsl.frontends.features.manipulation.things import Thing
 from kindsl.frontends.preview.requests import Drag, Plan
 from kindsl.frontends.preview.steps import Steps, Writing
 from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.rules.base import Severity
 from kindsl.robots.scene.messages import DraggedMessage, PlanMessage, WrittenMessage
 
@@ -26,12 +27,14 @@ class Outcome(NamedTuple):
         answer: For the page, if all goes well; None if it needs none.
         writing: The text to write now; None if something is only shown, or nothing changes.
         document: The document as it would be, to be shown; None to show it as it is.
+        findings: What is found in that document.
         parameters: To be set in the preview only, by name.
     """
 
     answer: DraggedMessage | PlanMessage | WrittenMessage | None
     writing: Writing | None
     document: Analysis | None = None
+    findings: Sequence[Diagnostic] = ()
     parameters: Mapping[str, float] = {}
 
 
@@ -54,15 +57,17 @@ def drag_outcome(
     if isinstance(change, Refusal):
         return change
     tried = analysis.changed(change.edits, dict(change.bindings))
-    is_about_bodies = thing.kind != "joint" or change.bindings
-    warning = _newly_impossible(analysis, tried) if is_about_bodies else ""
     phase, is_written = request.phase, request.phase == "drop" and bool(change.edits)
+    is_about_bodies = bool(thing.kind != "joint" or change.bindings)
+    findings = tried.check_without_twins() if phase == "move" or is_about_bodies else ()
+    warning = _newly_impossible(analysis, findings) if is_about_bodies else ""
     answer = DraggedMessage(phase, component, change.text, change.value, "", is_written, warning)
     shown = dict(change.preview)
     if phase == "move":
-        return Outcome(answer, None, tried, shown)
+        return Outcome(answer, None, tried, findings, shown)
     writing = Writing(change.label, analysis.text, change.edits, change.bindings)
-    return Outcome(answer, writing if change.edits or change.bindings else None, None, shown)
+    is_change = change.edits or change.bindings
+    return Outcome(answer, writing if is_change else None, parameters=shown)
 
 
 def plan_outcome(analysis: Analysis, request: Plan, steps: Steps) -> Outcome | Refusal:
@@ -100,17 +105,12 @@ def plan_outcome(analysis: Analysis, request: Plan, steps: Steps) -> Outcome | R
     return Outcome(WrittenMessage(gesture, change.label, ""), change)
 
 
-def _newly_impossible(before: Analysis, after: Analysis) -> str:
+def _newly_impossible(before: Analysis, after: Iterable[Diagnostic]) -> str:
     """Return the message about the first body that becomes impossible; empty for none."""
-    known = _impossible_bodies(before)
-    new = (message for name, message in _impossible_bodies(after).items() if name not in known)
+    known = {finding.subject.name for finding in _impossible(before.check_without_twins())}
+    new = (f.message for f in _impossible(after) if f.subject.name not in known)
     return next(new, "")
 
 
-def _impossible_bodies(analysis: Analysis) -> dict[str, str]:
-    """Return the message about each impossible body, by its name."""
-    return {
-        finding.subject.name: finding.message
-        for finding in analysis.check_without_twins()
-        if finding.code in _IMPOSSIBLE and finding.severity is Severity.ERROR
-    }
+def _impossible(findings: Iterable[Diagnostic]) -> list[Diagnostic]:
+    return [f for f in findings if f.code in _IMPOSSIBLE and f.severity is Severity.ERROR]

@@ -202,3 +202,9 @@ def scaled(vector: Vector3, factor: float) -> Vector3:
 def cross(a: Vector3, b: Vector3) -> Vector3:
     """Return the vector product."""
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+def nearest_on_way(point: Vector3, end: Vector3) -> Vector3:
+    """Return the place between the origin and an end that is nearest to a point."""
+    share = min(max(dot(point, end) / dot(end, end), 0.0), 1.0) if any(end) else 0.0
+    return share * end[0], share * end[1], share * end[2]

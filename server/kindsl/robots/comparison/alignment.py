@@ -129,7 +129,7 @@ def aligned(
 
 def size_of(skeleton: Linkage) -> float:
     """Return the greatest distance of a joint from the base's origin at zero, metres."""
-    return max(dist(pose.translation, _ORIGIN) for pose in skeleton.zero_poses()) or 1.0
+    return max(dist(pose.translation, _ORIGIN) for pose in skeleton.zero_poses) or 1.0
 
 
 def _unlike_each_other(
@@ -161,7 +161,7 @@ def moved_by(value: float, slides: bool) -> RigidPose:
 
 def _whole(skeleton: Linkage) -> MassDistribution:
     first = 0 if skeleton.is_floating else 1
-    pairs = list(zip(skeleton.masses, skeleton.zero_poses(), strict=True))[first:]
+    pairs = list(zip(skeleton.masses, skeleton.zero_poses, strict=True))[first:]
     return lumped([seen_from(body, pose) for body, pose in pairs])
 
 
@@ -172,7 +172,7 @@ def _root_pair(ours: Linkage, theirs: Linkage, matching: MatchedJoints, size: fl
     vertical = () if ours.is_floating or theirs.is_floating else (_VERTICAL,)
 
     def features(robot: Linkage, side: int) -> Features:
-        poses = robot.zero_poses()
+        poses = robot.zero_poses
         bodies = [pair[side] for pair in pairs]
         lines = (axis_of(robot.joint_kinds[body - 1], poses[body]) for body in bodies)
         points = (poses[pair[side]].point(robot.masses[pair[side]].com) for pair in heavy)

@@ -172,7 +172,7 @@ def _frames(skeleton: Linkage) -> dict[str, RigidPose]:
 
 
 def _zero_poses(skeleton: Linkage) -> dict[str, RigidPose]:
-    poses = skeleton.zero_poses()
+    poses = skeleton.zero_poses
     of_frames = {frame.name: poses[frame.body].then(frame.pose) for frame in skeleton.frames}
     return {**dict(zip(skeleton.link_names, poses[1:], strict=True)), **of_frames}
 
@@ -191,7 +191,7 @@ def _unless_rounding(value: float) -> float:
 
 def _masses(old: Linkage, new: Linkage, bodies: Mapping[int, int]) -> Iterator[MassChange]:
     moving = bodies if old.is_floating or new.is_floating else [i for i in bodies if i]
-    poses = old.zero_poses(), new.zero_poses()
+    poses = old.zero_poses, new.zero_poses
     for body in moving:
         pair = old.masses[body], new.masses[bodies[body]]
         # Where a link's frame lies in the link is a convention.

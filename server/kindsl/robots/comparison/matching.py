@@ -129,7 +129,7 @@ def _view(skeleton: Linkage, frame: RigidPose) -> _ViewAtZero:
     children: list[list[int]] = [[] for _ in skeleton.body_names]
     for link, parent in skeleton.links():
         children[parent].append(link)
-    poses = [frame.then(pose) for pose in skeleton.zero_poses()]
+    poses = [frame.then(pose) for pose in skeleton.zero_poses]
     subtrees = [seen_from(m, pose) for m, pose in zip(skeleton.masses, poses, strict=True)]
     shapes = [""] * len(poses)
     for body in reversed(range(len(poses))):

@@ -28,8 +28,8 @@ def axis_differences(pair: Pair, body: int) -> Iterator[tuple[NumberDifference, 
     """
     ours, theirs, frames = pair.ours.skeleton, pair.theirs.skeleton, pair.alignment.frames
     carrier = ours.parents[body - 1]
-    placed = theirs.zero_poses()[theirs.parents[pair.matching.theirs[body] - 1]]
-    at_zero = ours.zero_poses()[carrier].inverse().then(frames[0]).then(placed)
+    placed = theirs.zero_poses[theirs.parents[pair.matching.theirs[body] - 1]]
+    at_zero = ours.zero_poses[carrier].inverse().then(frames[0]).then(placed)
     for parent in (frames[carrier], at_zero):
         found = _axis_difference(pair, body, parent)
         if found is not None:

@@ -29,7 +29,7 @@ from kindsl.mechanics.rigid.body import (
     is_clearly_positive,
     second_moments_about_com,
 )
-from kindsl.mechanics.rigid.pose import Vector3, dot
+from kindsl.mechanics.rigid.pose import Vector3, dot, nearest_on_way
 
 LEAST_DENSITY, GREATEST_DENSITY = 10.0, 30_000.0  # kg/m³: foam, and more than any metal
 GREATEST_LENGTH = 10.0  # m: beyond that units are wrong, and nothing is judged
@@ -168,7 +168,7 @@ def _place_verdict(
     com, radius = body.com, _gyration(body, second_moments)
     if max(map(abs, com)) > GREATEST_LENGTH:
         return None
-    apart = min(_distance_to_segment(com, point) for point in points if any(point))
+    apart = min(dist(com, nearest_on_way(com, point)) for point in points if any(point))
     its_length = f"{with_unit(length, 'm')} long"
     if apart > length + _GYRATIONS * radius:
         told = f"CoM of '{name}' lies {with_unit(apart, 'm')} from a link {its_length}"
@@ -272,10 +272,3 @@ def _is_plainly_stout(second_moments: Symmetric) -> bool:
 
 def _gyration(body: MassDistribution, second_moments: Symmetric) -> float:
     return sqrt(max(sum(second_moments[:3]), 0.0) / body.mass)
-
-
-def _distance_to_segment(point: Vector3, end: Vector3) -> float:
-    """Return the distance of a point from the segment between the origin and `end`, elsewhere."""
-    share = min(max(dot(point, end) / dot(end, end), 0.0), 1.0)
-    x, y, z = end
-    return dist(point, (share * x, share * y, share * z))

@@ -180,12 +180,13 @@ class Linkage:
         """Yield each link's body index and its parent's, parents first."""
         return enumerate(self.parents, start=1)
 
-    def zero_poses(self) -> list[RigidPose]:
-        """Return the poses of the bodies in the base's frame at zero."""
+    @cached_property
+    def zero_poses(self) -> tuple[RigidPose, ...]:
+        """The poses of the bodies in the base's frame at zero."""
         poses = [IDENTITY]
         for parent, placement in zip(self.parents, self.placements, strict=True):
             poses.append(poses[parent].then(placement))
-        return poses
+        return tuple(poses)
 
     def with_placements(self, placements: Iterable[RigidPose]) -> "Linkage":
         """Return the same robot with its joints elsewhere."""
@@ -230,18 +231,18 @@ def checked(linkage: Linkage) -> Linkage:
         ),
         (frame.name for frame in linkage.frames),
     )
-    for name, pose in zip(linkage.joint_names, linkage.placements, strict=True):
-        _check_finite(f"pose of joint '{name}'", pose.numbers)
-    for frame in linkage.frames:
-        _check_finite(f"pose of frame '{frame.name}'", frame.pose.numbers)
-    for name, body in zip(linkage.body_names, linkage.masses, strict=True):
-        _check_finite(f"inertia of '{name}'", (body.mass, *body.com, *body.moments))
+    numbers = {
+        **{
+            f"inertia of '{body.name}'": (m.mass, *m.com, *m.moments)
+            for body, m in zip(linkage.bodies, linkage.masses, strict=True)
+        },
+        **{f"pose of joint '{body.joint}'": body.placement.numbers for body in linkage.bodies[1:]},
+        **{f"pose of frame '{frame.name}'": frame.pose.numbers for frame in linkage.frames},
+    }
+    for quantity, found in numbers.items():
+        if not all(map(isfinite, found)):
+            raise ValueError(f"{quantity} holds a value that is not finite")
     return linkage
-
-
-def _check_finite(quantity: str, numbers: Sequence[float]) -> None:
-    if not all(map(isfinite, numbers)):
-        raise ValueError(f"{quantity} holds a value that is not finite")
 
 
 def _motion(kind: JointKind, value: float) -> RigidPose:

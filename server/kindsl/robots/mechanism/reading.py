@@ -7,7 +7,7 @@ is read as far as it is known: what is missing is zero, what is lost is left out
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from math import isfinite
 from types import MappingProxyType
-from typing import NamedTuple, NoReturn, Protocol
+from typing import NamedTuple, NoReturn
 
 from kindsl.language.semantics.declarations import Frame, Inertia, Joint, Link, Pose, Vector
 from kindsl.language.semantics.expressions import ConstantUse, Expression, is_undecided, symbols
@@ -95,15 +95,7 @@ def named_frames(bodies: Collection[Link]) -> Iterator[tuple[str, Link, Frame]]:
                 yield name, body, frame
 
 
-class _Reader(Protocol):
-    def pose(self, thing: Joint | Frame) -> RigidPose:
-        """Return the pose of a joint's frame in its predecessor's, or of a frame in its link's."""
-
-    def mass(self, link: Link) -> MassDistribution | None:
-        """Return a link's mass distribution about its frame."""
-
-
-def _built(model: Model, edges: Sequence[Edge], reader: _Reader) -> Linkage:
+def _built(model: Model, edges: Sequence[Edge], reader: "_Lenient | _Strict") -> Linkage:
     """Return the numbered bodies.
 
     Args:
@@ -113,19 +105,15 @@ def _built(model: Model, edges: Sequence[Edge], reader: _Reader) -> Linkage:
     """
     base = require_base(model)
     index = {base: 0} | {edge.link: i for i, edge in enumerate(edges, 1) if edge.link is not None}
-    frames: dict[Link, list[BodyPart]] = {}
-    for name, link, frame in named_frames(index):
-        frames.setdefault(link, []).append(BodyPart(name, reader.pose(frame), is_link=False))
-
-    def parts(link: Link) -> tuple[BodyPart, ...]:
-        return BodyPart(str(link.name), mass=reader.mass(link)), *frames.get(link, ())
-
-    bodies = [RigidBody(parts(base))]
+    parts = {link: [BodyPart(str(link.name), mass=reader.mass(link))] for link in index}
+    for name, body, frame in named_frames(index):
+        parts[body].append(BodyPart(name, reader.pose(frame), is_link=False))
+    bodies = [RigidBody(tuple(parts[base]))]
     for edge in edges:
-        joint = edge.joint
-        if edge.link is not None and joint is not None:
-            parent, pose = index[edge.predecessor], reader.pose(joint)
-            bodies.append(RigidBody(parts(edge.link), parent, str(joint.name), joint.kind, pose))
+        link, joint = edge.link, edge.joint
+        if link is not None and joint is not None:
+            where = index[edge.predecessor], str(joint.name), joint.kind, reader.pose(joint)
+            bodies.append(RigidBody(tuple(parts[link]), *where))
     try:
         return checked(Linkage(tuple(bodies), base.is_floating, model.name))
     except ValueError as error:

@@ -109,7 +109,8 @@ def body_mass(body: Link, values: Mapping[str, float]) -> Weight:
     """Return what a body adds to a total: a fixed base nothing, a negative mass a gap."""
     if body.is_base and not body.is_floating:
         return NO_MASS
-    mass = own_mass(body, values)
+    known = link_inertia(body, values)
+    mass = own_mass(body, values) if isinstance(known, Unknown) else known.mass
     if isinstance(mass, Unknown):
         return Weight(0.0, 1, mass)
     if mass < 0.0:

@@ -82,7 +82,7 @@ def _segments(skeleton: Linkage) -> tuple[tuple[Segment, ...], ...]:
 
 def _points(skeleton: Linkage, segments: tuple[tuple[Segment, ...], ...]) -> list[Vector3]:
     """Return where bodies begin and end at the zero configuration, in the base's frame."""
-    poses = skeleton.zero_poses()
+    poses = skeleton.zero_poses
     ends = [pose.point(s.end) for pose, own in zip(poses, segments, strict=True) for s in own]
     return [*(pose.translation for pose in poses), *ends]
 

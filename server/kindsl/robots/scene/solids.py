@@ -7,7 +7,7 @@ from statistics import median
 from typing import Annotated, Literal, NamedTuple, TypeAlias
 
 from kindsl.mechanics.rigid.body import NO_BODY, MassDistribution, principal_moments_about_com
-from kindsl.mechanics.rigid.pose import RigidPose, Vector3, dot, minus
+from kindsl.mechanics.rigid.pose import RigidPose, Vector3, dot, minus, nearest_on_way
 from kindsl.mechanics.rigid.solid import Solid, equivalent_solid
 from kindsl.robots.mechanism.body_verdicts import body_verdicts
 from kindsl.robots.mechanism.linkage import Linkage
@@ -208,24 +208,18 @@ def filling_radius(ends: Sequence[Vector3], volume: float) -> float:
 
 def _strut(core: Solid, ends: Sequence[Vector3]) -> tuple[Vector3, ...]:
     """Return the way from the nearest bone to the centre of mass, empty where they touch."""
-    places = [_nearest(core.center, end) for end in ends] or [(0.0, 0.0, 0.0)]
+    places = [nearest_on_way(core.center, end) for end in ends] or [(0.0, 0.0, 0.0)]
     place = min(places, key=lambda place: math.dist(place, core.center))
     way = minus(place, core.center)
     is_touched = dot(way, core.support(way)) >= dot(way, place)
     return () if is_touched else (place, core.center)
 
 
-def _nearest(point: Vector3, end: Vector3) -> Vector3:
-    """Return the place between the origin and an end that is nearest to a point."""
-    share = min(max(dot(point, end) / dot(end, end), 0.0), 1.0) if any(end) else 0.0
-    return share * end[0], share * end[1], share * end[2]
-
-
 def _joined(skeleton: Linkage, extent: Extent, alone: Sequence[LinkSolid]) -> list[LinkSolid]:
     """Return the bodies with what depends on their parents and on where they stand."""
     parents = (None, *skeleton.parents)
     joined: list[LinkSolid] = []
-    for own, parent, pose in zip(alone, parents, skeleton.zero_poses(), strict=True):
+    for own, parent, pose in zip(alone, parents, skeleton.zero_poses, strict=True):
         is_shaded = parent is not None and not joined[parent].is_shaded
         drum = _drum(own.bone, own.bone if parent is None else alone[parent].bone, extent.radius)
         look: Look = "glass" if own.look == "sound" and _sinks(own, pose, extent) else own.look

@@ -26,7 +26,7 @@ PRESETS = {
 
 def points_of(skeleton: Linkage) -> list[Vector3]:
     """Return what a picture must show, in the base's frame."""
-    poses = skeleton.zero_poses()
+    poses = skeleton.zero_poses
     ends = zip(poses, extent(skeleton).segments, strict=True)
     segments = [pose.point(piece.end) for pose, own in ends for piece in own]
     frames = [poses[f.body].point(f.pose.translation) for f in skeleton.frames]
@@ -50,7 +50,7 @@ def robot_drawing(
     """
     parts = PRESETS[preset]
     camera = camera or camera_for(points_of(skeleton))
-    poses = skeleton.zero_poses()
+    poses = skeleton.zero_poses
     deep = sorted(
         [
             *body_shapes(skeleton, poses, camera, colors, is_solid="solids" in parts),
