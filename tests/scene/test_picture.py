@@ -110,6 +110,14 @@ def test_a_pose_that_is_not_whole_stays_where_it_was(vector):
     assert drawn.message == "The pose of joint 'lift' is incomplete: drawn as far as known"
 
 
+def test_what_is_too_large_to_be_measured_is_not_drawn():
+    """The size of the robot would overflow."""
+    drawn = picture_of(ARM.replace("(0.4, 0.0, 0.0)", "(1e308, 1e308, 0.0)"))
+    assert drawn.skeleton is None
+    assert drawn.message.startswith("Pose of joint 'lift' holds a value that is beyond 1e100")
+    assert picture_of(ARM.replace("0.4, 0.0, 0.0", "1e90, 0.0, 0.0")).state is PictureState.LIVE
+
+
 def test_a_length_without_a_value_is_the_robots_typical_one():
     drawn = picture_of(PARAMETRIC_ARM)
     assert drawn.state is PictureState.GUESSED

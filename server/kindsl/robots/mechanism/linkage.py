@@ -12,6 +12,7 @@ from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
 from kindsl.mechanics.rigid.topology import Topology, check_topology
 
 _ROUNDING = 1e-14
+_GREATEST = 1e100  # so that no product of three overflows
 
 
 class BodyPart(NamedTuple):
@@ -216,7 +217,7 @@ class Linkage:
 
 
 def checked(linkage: Linkage) -> Linkage:
-    """Return a robot whose numbers are finite, and whose names of bodies and joints are unique.
+    """Return a robot whose numbers are usable, and whose names of bodies and joints are unique.
 
     Raises:
         ValueError: They are not, or a parent is not before its link.
@@ -240,8 +241,9 @@ def checked(linkage: Linkage) -> Linkage:
         **{f"pose of frame '{frame.name}'": frame.pose.numbers for frame in linkage.frames},
     }
     for quantity, found in numbers.items():
-        if not all(map(isfinite, found)):
-            raise ValueError(f"{quantity} holds a value that is not finite")
+        if not all(abs(number) < _GREATEST for number in found):
+            what = "beyond 1e100" if all(map(isfinite, found)) else "not finite"
+            raise ValueError(f"{quantity} holds a value that is {what}")
     return linkage
 
 
