@@ -27,7 +27,7 @@ def failing(*_: object) -> Iterator[Finding]:
 @pytest.fixture(params=["check_document", "check_island"])
 def faulty(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Rule:
     """A rule that fails, the first of all."""
-    rule = Rule("KD999", "faulty", Severity.ERROR, **{request.param: failing})
+    rule = Rule("kd999_faulty", Severity.ERROR, **{request.param: failing})
     monkeypatch.setattr(analyses, "checking_rules", lambda: (rule, *checking_rules()))
     monkeypatch.setattr(analyses, "running_rules", analyses.running_rules.__wrapped__)
     return rule

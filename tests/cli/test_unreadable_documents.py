@@ -275,7 +275,7 @@ def test_a_rule_that_fails_is_told_with_what_the_others_found(
         raise KeyError("oh")
         yield
 
-    rule = Rule("KD999", "faulty", Severity.ERROR, check_document=failing)
+    rule = Rule("kd999_faulty", Severity.ERROR, check_document=failing)
     monkeypatch.setattr(analysis, "checking_rules", lambda: (rule, *checking_rules()))
     monkeypatch.setattr(analysis, "running_rules", analysis.running_rules.__wrapped__)
     monkeypatch.delenv("KINDSL_TRACEBACK")

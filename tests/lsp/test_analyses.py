@@ -161,8 +161,8 @@ async def test_findings_under_way_are_abandoned_and_those_that_are_left_made_lat
         yield from ()
 
     reads = Aspect.STRUCTURE
-    rule = Rule("KD999", "slow", Severity.ERROR, check_document=slow, reads=reads)
-    later = Rule("KD999", "later", Severity.ERROR, check_document=slow)
+    rule = Rule("kd999_slow", Severity.ERROR, check_document=slow, reads=reads)
+    later = Rule("kd999_later", Severity.ERROR, check_document=slow)
     monkeypatch.setattr(analysis, "checking_rules", lambda: (rule, later))
     monkeypatch.setattr(analysis, "running_rules", analysis.running_rules.__wrapped__)
     waiting = asyncio.ensure_future(analyses.findings(shown))
@@ -185,7 +185,7 @@ async def test_a_rule_that_fails_is_logged(
         raise KeyError("oh")
         yield
 
-    rule = Rule("KD999", "faulty", Severity.ERROR, check_document=failing)
+    rule = Rule("kd999_faulty", Severity.ERROR, check_document=failing)
     shown = document("untitled:r", 1, TEXT, "utf-16")
     expected = (await analyses.of(shown)).findings
     monkeypatch.setattr(analysis, "checking_rules", lambda: (rule, *checking_rules()))

@@ -122,8 +122,7 @@ class Rule(NamedTuple):
     rules of the syntax have none: the parser finds them.
 
     Attributes:
-        code: `KD` and three digits, never reused.
-        name: The defect in a word or few, hyphenated.
+        module: Where it is, which is named after its code and its name.
         severity: Unless configured otherwise.
         check_document: See above.
         check_island: See above.
@@ -135,8 +134,7 @@ class Rule(NamedTuple):
         bad: The same, in which it finds something; with the fixed text where there is a fix.
     """
 
-    code: str
-    name: str
+    module: str
     severity: Severity
     check_document: DocumentCheck | None = None
     check_island: IslandCheck | None = None
@@ -146,3 +144,13 @@ class Rule(NamedTuple):
     is_default: bool = True
     good: tuple[str | Example, ...] = ()
     bad: tuple[str | Example, ...] = ()
+
+    @property
+    def code(self) -> str:
+        """`KD` and three digits, never reused."""
+        return self.module.rpartition(".")[2].partition("_")[0].upper()
+
+    @property
+    def name(self) -> str:
+        """The defect in a word or few, hyphenated."""
+        return self.module.rpartition(".")[2].partition("_")[2].replace("_", "-")

@@ -55,8 +55,7 @@ def rule_named(code: str) -> Rule | None:
 
 def page_of(rule: Rule) -> str:
     """Return the docs page of a rule: the docstring of its module, and what it says of XML."""
-    names = [name for name in _module_names() if name.startswith(f"{rule.code.lower()}_")]
-    page = (rule_module(names[0]).__doc__ or "").strip()
+    page = (import_module(rule.module).__doc__ or "").strip()
     return page + _IN_XML.replace("CODE", rule.code) if rule.code in OF_BOTH else page
 
 

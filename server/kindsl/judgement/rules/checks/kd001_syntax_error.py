@@ -25,8 +25,7 @@ from kindsl.judgement.rules.examples import link
 _LINK = link("upper", 1, "lower via elbow wrist via roll")
 
 RULE = Rule(
-    "KD001",
-    "syntax-error",
+    __name__,
     Severity.ERROR,
     good=(_LINK,),
     bad=(Example(link("upper", 1, "lower via elbow, wrist via roll"), fixed=_LINK),),

@@ -24,8 +24,7 @@ from kindsl.judgement.rules.examples import link
 _LINK = link("upper", 1, "lower via elbow")
 
 RULE = Rule(
-    "KD002",
-    "unclosed-block",
+    __name__,
     Severity.ERROR,
     good=(_LINK,),
     bad=(Example(link("upper", 1, "lower via elbow").removesuffix("}\n"), fixed=_LINK),),

@@ -24,8 +24,7 @@ from kindsl.judgement.rules.examples import link
 _LINK = link("upper", 1)
 
 RULE = Rule(
-    "KD003",
-    "unterminated-comment",
+    __name__,
     Severity.ERROR,
     good=("/* the first one */\n" + _LINK,),
     bad=(Example("/* the first one\n" + _LINK, fixed="/* the first one */\n" + _LINK),),

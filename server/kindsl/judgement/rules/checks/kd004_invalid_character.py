@@ -30,8 +30,7 @@ from kindsl.judgement.rules.examples import link
 _LINK = link("upper", 1)
 
 RULE = Rule(
-    "KD004",
-    "invalid-character",
+    __name__,
     Severity.ERROR,
     good=(_LINK,),
     bad=(

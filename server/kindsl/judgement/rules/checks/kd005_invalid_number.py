@@ -25,8 +25,7 @@ from kindsl.judgement.rules.examples import joint
 _ELBOW = joint("elbow", 1.0)
 
 RULE = Rule(
-    "KD005",
-    "invalid-number",
+    __name__,
     Severity.ERROR,
     good=(_ELBOW,),
     bad=(

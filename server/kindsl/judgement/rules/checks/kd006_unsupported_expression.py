@@ -21,8 +21,7 @@ from kindsl.judgement.rules.base import Example, Rule, Severity
 from kindsl.judgement.rules.examples import pitched_joint
 
 RULE = Rule(
-    "KD006",
-    "unsupported-expression",
+    __name__,
     Severity.ERROR,
     good=(pitched_joint("PI/4.0"),),
     bad=(

@@ -35,8 +35,7 @@ def _link(first: str, second: str) -> str:
 
 
 RULE = Rule(
-    "KD007",
-    "misplaced-section",
+    __name__,
     Severity.ERROR,
     good=(_link("mass", "CoM"),),
     bad=(Example(_link("CoM", "mass"), fixed=_link("mass", "CoM")),),

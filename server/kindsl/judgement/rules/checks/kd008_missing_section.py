@@ -22,8 +22,7 @@ from kindsl.judgement.rules.examples import link
 _LINK = link("upper", 1)
 
 RULE = Rule(
-    "KD008",
-    "missing-section",
+    __name__,
     Severity.ERROR,
     good=(_LINK,),
     bad=(

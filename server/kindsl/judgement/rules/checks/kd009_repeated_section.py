@@ -26,8 +26,7 @@ from kindsl.judgement.rules.examples import link
 _LINK = link("upper", 1)
 
 RULE = Rule(
-    "KD009",
-    "repeated-section",
+    __name__,
     Severity.ERROR,
     good=(_LINK,),
     bad=(

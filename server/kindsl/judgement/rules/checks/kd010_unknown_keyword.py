@@ -29,8 +29,7 @@ _SIX = "\n        ".join(f"{name} = {0.2 if len(name) < 3 else 0.0}" for name in
 _TODAY = link("upper", 1, inertia=f"{_HEAD}{_SIX}\n    }}")
 
 RULE = Rule(
-    "KD010",
-    "unknown-keyword",
+    __name__,
     Severity.ERROR,
     good=(_LINK,),
     bad=(

@@ -51,8 +51,7 @@ _REPORT = """
 _SPHERE = "    sphere(0.05, mass = 4.1)\n"
 
 RULE = Rule(
-    "KD011",
-    "mass-properties-report",
+    __name__,
     Severity.ERROR,
     good=(_LINK,),
     bad=(

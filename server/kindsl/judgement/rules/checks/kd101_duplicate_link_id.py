@@ -79,8 +79,7 @@ def _arm(second: int) -> str:
 
 
 RULE = Rule(
-    "KD101",
-    "duplicate-link-id",
+    __name__,
     Severity.ERROR,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

@@ -36,8 +36,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
 _BASE = "finger via left thumb via right"
 
 RULE = Rule(
-    "KD102",
-    "duplicate-link-name",
+    __name__,
     Severity.ERROR,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

@@ -34,8 +34,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
 _LINKS = link("arm", 1, "hand via wrist"), link("hand", 2)
 
 RULE = Rule(
-    "KD103",
-    "duplicate-joint-name",
+    __name__,
     Severity.ERROR,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

@@ -51,8 +51,7 @@ _EYES = """link head { id = 1 children {} frames {
 } }"""
 
 RULE = Rule(
-    "KD104",
-    "duplicate-frame-name",
+    __name__,
     Severity.ERROR,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

@@ -62,8 +62,7 @@ def _arm(base: str, more: str = "", joints: str = _JOINTS) -> str:
 
 
 RULE = Rule(
-    "KD105",
-    "undefined-link",
+    __name__,
     Severity.ERROR,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

@@ -55,8 +55,7 @@ r_joint elbow {
 """
 
 RULE = Rule(
-    "KD106",
-    "undefined-joint",
+    __name__,
     Severity.ERROR,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

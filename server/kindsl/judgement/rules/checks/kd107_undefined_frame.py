@@ -66,8 +66,7 @@ _LINK = """link upper {
 }"""
 
 RULE = Rule(
-    "KD107",
-    "undefined-frame",
+    __name__,
     Severity.ERROR,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

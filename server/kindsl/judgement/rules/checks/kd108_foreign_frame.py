@@ -59,8 +59,7 @@ def _arm(frame: str, other: str) -> str:
 
 
 RULE = Rule(
-    "KD108",
-    "foreign-frame",
+    __name__,
     Severity.ERROR,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

@@ -82,8 +82,7 @@ def _message(low: int, high: int, number: int, least: int) -> str:
 
 
 RULE = Rule(
-    "KD109",
-    "gap-in-ids",
+    __name__,
     Severity.ERROR,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

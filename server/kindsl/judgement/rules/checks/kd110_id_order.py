@@ -72,8 +72,7 @@ def _finding(parent: Link, child: Link, severity: Severity, fix: Fix | None) -> 
 
 
 RULE = Rule(
-    "KD110",
-    "id-order",
+    __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

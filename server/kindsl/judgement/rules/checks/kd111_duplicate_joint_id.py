@@ -45,8 +45,7 @@ def _arm(number: int) -> str:
 
 
 RULE = Rule(
-    "KD111",
-    "duplicate-joint-id",
+    __name__,
     Severity.INFORMATION,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

@@ -70,8 +70,7 @@ def _arm(joint: str) -> str:
 
 
 RULE = Rule(
-    "KD112",
-    "name-clash",
+    __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

@@ -58,8 +58,7 @@ _FRAMED = """link head {
 }"""
 
 RULE = Rule(
-    "KD113",
-    "reserved-name",
+    __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.SYMBOLS,

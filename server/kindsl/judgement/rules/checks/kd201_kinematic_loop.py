@@ -63,8 +63,7 @@ def _with_hand(last: str) -> str:
 
 
 RULE = Rule(
-    "KD201",
-    "kinematic-loop",
+    __name__,
     Severity.ERROR,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

@@ -45,8 +45,7 @@ def _linkage(right: str) -> str:
 
 
 RULE = Rule(
-    "KD202",
-    "multiple-parents",
+    __name__,
     Severity.ERROR,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

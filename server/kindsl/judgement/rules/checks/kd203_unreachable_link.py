@@ -47,8 +47,7 @@ def _carried(model: Model, body: Link) -> list[Link]:
 _ARM = link("upper", 1, "lower via elbow"), link("lower", 2)
 
 RULE = Rule(
-    "KD203",
-    "unreachable-link",
+    __name__,
     Severity.ERROR,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

@@ -35,8 +35,7 @@ def _arm(joints: str) -> str:
 
 
 RULE = Rule(
-    "KD204",
-    "unused-joint",
+    __name__,
     Severity.ERROR,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

@@ -46,8 +46,7 @@ def _hand(right: str) -> str:
 
 
 RULE = Rule(
-    "KD205",
-    "reused-joint",
+    __name__,
     Severity.ERROR,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

@@ -38,8 +38,7 @@ def _leg(children: str) -> str:
 
 
 RULE = Rule(
-    "KD206",
-    "base-as-child",
+    __name__,
     Severity.ERROR,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

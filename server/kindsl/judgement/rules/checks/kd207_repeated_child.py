@@ -66,8 +66,7 @@ def _arm(children: str) -> str:
 
 
 RULE = Rule(
-    "KD207",
-    "repeated-child",
+    __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

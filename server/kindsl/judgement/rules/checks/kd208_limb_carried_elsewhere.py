@@ -102,8 +102,7 @@ _HERE, _THERE = f"children {{ {_SHANK} }}", "children { LF_shank via LF_KFE }"
 _CROSSED = four_legs().replace(_HERE, "children { }").replace(_THERE, f"{_THERE[:-1]}{_SHANK} }}")
 
 RULE = Rule(
-    "KD208",
-    "limb-carried-elsewhere",
+    __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

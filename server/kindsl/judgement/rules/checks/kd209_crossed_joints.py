@@ -81,8 +81,7 @@ def _arm(second: str, third: str) -> str:
 
 
 RULE = Rule(
-    "KD209",
-    "crossed-joints",
+    __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

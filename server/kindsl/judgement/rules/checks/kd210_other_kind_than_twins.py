@@ -60,8 +60,7 @@ def _as_other(joint: Joint) -> Fix:
 
 
 RULE = Rule(
-    "KD210",
-    "other-kind-than-twins",
+    __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,

@@ -49,8 +49,7 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
 
 
 RULE = Rule(
-    "KD301",
-    "inertia-not-positive-definite",
+    __name__,
     Severity.ERROR,
     check_island=check_island,
     good=(link("upper", 1, inertia=inertia("2.0", "0.3", "0.2", "0.2", "0.002")),),

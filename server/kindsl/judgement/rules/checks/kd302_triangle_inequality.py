@@ -55,8 +55,7 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
 
 
 RULE = Rule(
-    "KD302",
-    "triangle-inequality",
+    __name__,
     Severity.ERROR,
     check_island=check_island,
     good=(link("plate", 1, inertia=inertia("1.8", "0.0", "0.0045", "0.0046", "0.0090")),),

@@ -69,8 +69,7 @@ def _ball(mass: str) -> str:
 
 
 RULE = Rule(
-    "KD303",
-    "non-positive-mass",
+    __name__,
     Severity.ERROR,
     check_island=check_island,
     good=(_ball("4.1"), _ball("m_ball")),

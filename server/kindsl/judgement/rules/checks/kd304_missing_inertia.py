@@ -58,8 +58,7 @@ _FLOATING = robot(link("leg", 1), base="leg via hip", joints="hip").replace(
 )
 
 RULE = Rule(
-    "KD304",
-    "missing-inertia",
+    __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

@@ -50,8 +50,7 @@ def _shape(found: Judgement) -> str:
 
 
 RULE = Rule(
-    "KD305",
-    "degenerate-inertia",
+    __name__,
     Severity.INFORMATION,
     check_island=check_island,
     good=(link("bar", 1, inertia=inertia("1.0", "0.5", "0.34", "0.34", "0.01")),),

@@ -57,8 +57,7 @@ def _upper(moment: str) -> str:
 
 
 RULE = Rule(
-    "KD306",
-    "inertia-about-com",
+    __name__,
     Severity.INFORMATION,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,

@@ -50,8 +50,7 @@ _LINK = link("upper", 1, inertia=_INERTIA)
 _RIGHT, _WRONG = ("0.04", "0.12", "0.06"), ("-0.04", "-0.12", "-0.06")
 
 RULE = Rule(
-    "KD307",
-    "inertia-signs",
+    __name__,
     Severity.INFORMATION,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,

@@ -48,8 +48,7 @@ _LINK = robot(
 _MOMENTS = ("0.0003", "0.0003", "0.00018")
 
 RULE = Rule(
-    "KD308",
-    "inertia-scale",
+    __name__,
     Severity.INFORMATION,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,

@@ -45,8 +45,7 @@ def _arm(com: str, moment: str) -> str:
 
 
 RULE = Rule(
-    "KD309",
-    "com-outside-link",
+    __name__,
     Severity.WARNING,
     check_body=check_body,
     good=(_arm("0.15", "0.037"), _arm("150.0", "27100.0")),

@@ -118,8 +118,7 @@ def _arm(third: str) -> str:
 
 
 RULE = Rule(
-    "KD310",
-    "placeholder-inertia",
+    __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,

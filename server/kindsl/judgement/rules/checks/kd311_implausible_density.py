@@ -41,8 +41,7 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
 
 
 RULE = Rule(
-    "KD311",
-    "implausible-density",
+    __name__,
     Severity.WARNING,
     check_island=check_island,
     good=(link("motor", 1, inertia=inertia("0.5", "0.0", "0.00015", "0.00015", "0.00009")),),

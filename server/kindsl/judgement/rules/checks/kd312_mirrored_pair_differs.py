@@ -153,8 +153,7 @@ def _pair(mass: str, product: str) -> str:
 
 
 RULE = Rule(
-    "KD312",
-    "mirrored-pair-differs",
+    __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,

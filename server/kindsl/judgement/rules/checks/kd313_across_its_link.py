@@ -86,8 +86,7 @@ def _along_x(com: str, *moments: str) -> str:
 
 
 RULE = Rule(
-    "KD313",
-    "across-its-link",
+    __name__,
     Severity.WARNING,
     check_body=check_body,
     good=(_arm("0.107", "0.107", "0.001"), _arm("0.10", "0.11", "0.02")),

@@ -48,8 +48,7 @@ _INERTIA = """inertia_params {
 _LINK = link("upper", 1, inertia=_INERTIA)
 
 RULE = Rule(
-    "KD314",
-    "mass-scale",
+    __name__,
     Severity.INFORMATION,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,

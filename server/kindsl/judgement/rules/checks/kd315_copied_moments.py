@@ -43,8 +43,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
 
 
 RULE = Rule(
-    "KD315",
-    "copied-moments",
+    __name__,
     Severity.WARNING,
     check_document=check_document,
     good=(urdf_link('ixx="0.01" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.02"'),),

@@ -62,8 +62,7 @@ def _default(parameter: Parameter) -> Fix:
 _JOINT = joint("elbow").replace("0.3", "length")
 
 RULE = Rule(
-    "KD401",
-    "unbound-parameter",
+    __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.SYMBOLS,

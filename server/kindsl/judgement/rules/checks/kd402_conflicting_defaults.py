@@ -40,8 +40,7 @@ def _joint(second: str) -> str:
 
 
 RULE = Rule(
-    "KD402",
-    "conflicting-defaults",
+    __name__,
     Severity.ERROR,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.SYMBOLS,

@@ -60,8 +60,7 @@ def _joint(angle: str) -> str:
 
 
 RULE = Rule(
-    "KD403",
-    "mixed-parameter-class",
+    __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.SYMBOLS,

@@ -50,4 +50,4 @@ def unused_bindings(
             yield UnusedBinding(name, f"no document {lacking} '{name}'{hint(meant)}")
 
 
-RULE = Rule("KD404", "unused-binding", Severity.WARNING)
+RULE = Rule(__name__, Severity.WARNING)

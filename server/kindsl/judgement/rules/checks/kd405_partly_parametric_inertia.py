@@ -71,8 +71,7 @@ def _parameters(value: Expression) -> list[ParameterUse]:
 
 
 RULE = Rule(
-    "KD405",
-    "partly-parametric-inertia",
+    __name__,
     Severity.WARNING,
     check_island=check_island,
     good=(

@@ -52,8 +52,7 @@ def _joint(third: str) -> str:
 
 
 RULE = Rule(
-    "KD406",
-    "undefined-constant",
+    __name__,
     Severity.ERROR,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.SYMBOLS,

@@ -37,8 +37,7 @@ def _joint(second: str) -> str:
 
 
 RULE = Rule(
-    "KD407",
-    "conflicting-constant",
+    __name__,
     Severity.ERROR,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.SYMBOLS,

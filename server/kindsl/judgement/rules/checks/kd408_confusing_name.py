@@ -87,8 +87,7 @@ def _replacement(place: Located, text: str) -> Fix:
 
 
 RULE = Rule(
-    "KD408",
-    "confusing-name",
+    __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.SYMBOLS,

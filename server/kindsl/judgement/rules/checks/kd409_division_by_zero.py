@@ -43,8 +43,7 @@ def _divisions(node: Node, island: Island, values: Mapping[str, float]) -> Itera
 
 
 RULE = Rule(
-    "KD409",
-    "division-by-zero",
+    __name__,
     Severity.ERROR,
     check_island=check_island,
     good=(joint("elbow", rotation="PI/2.0, 0.0, 0.0"),),

@@ -55,8 +55,7 @@ def _joint(value: float) -> Example:
 
 
 RULE = Rule(
-    "KD410",
-    "parameter-out-of-range",
+    __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.SYMBOLS,

@@ -82,8 +82,7 @@ def _hand(moment: str) -> Example:
 
 
 RULE = Rule(
-    "KD411",
-    "inconsistent-in-range",
+    __name__,
     Severity.WARNING,
     check_island=check_island,
     good=(_hand("payload/10.0"),),

@@ -46,8 +46,7 @@ def _fix(angle: Expression, degrees: float) -> Fix:
 
 
 RULE = Rule(
-    "KD501",
-    "angle-in-degrees",
+    __name__,
     Severity.WARNING,
     check_island=check_island,
     good=(joint("elbow", rotation="PI/2.0, 3.0, 2.0 PI"),),

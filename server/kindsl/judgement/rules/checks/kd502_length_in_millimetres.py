@@ -88,8 +88,7 @@ def _block(com: str) -> str:
 
 
 RULE = Rule(
-    "KD502",
-    "length-in-millimetres",
+    __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,

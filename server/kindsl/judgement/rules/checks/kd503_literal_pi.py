@@ -51,8 +51,7 @@ def check_island(declared: Declarations, _: Context) -> Iterator[Finding]:
 
 
 RULE = Rule(
-    "KD503",
-    "literal-pi",
+    __name__,
     Severity.HINT,
     check_island=check_island,
     is_default=False,

@@ -38,8 +38,7 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
 
 
 RULE = Rule(
-    "KD504",
-    "gimbal",
+    __name__,
     Severity.HINT,
     check_island=check_island,
     good=(joint("elbow", rotation="0.0, PI/2.0, PI"),),

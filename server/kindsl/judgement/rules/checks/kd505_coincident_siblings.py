@@ -71,8 +71,7 @@ def _hand(height: float, second: str = "wheel") -> str:
 
 
 RULE = Rule(
-    "KD505",
-    "coincident-siblings",
+    __name__,
     Severity.HINT,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES,

@@ -60,8 +60,7 @@ def _arm(rotation: str) -> str:
 
 
 RULE = Rule(
-    "KD506",
-    "coaxial-chain",
+    __name__,
     Severity.INFORMATION,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES,

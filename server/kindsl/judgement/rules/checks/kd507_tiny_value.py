@@ -62,8 +62,7 @@ def _ball(product: str) -> str:
 
 
 RULE = Rule(
-    "KD507",
-    "tiny-value",
+    __name__,
     Severity.WARNING,
     check_island=check_island,
     good=(_ball("0.000006"),),

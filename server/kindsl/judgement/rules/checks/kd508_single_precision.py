@@ -67,8 +67,7 @@ def _ball(mass: str) -> str:
 
 
 RULE = Rule(
-    "KD508",
-    "single-precision",
+    __name__,
     Severity.HINT,
     check_document=check_document,
     reads=Aspect.PLACES | Aspect.MASSES | Aspect.STRUCTURE,

@@ -180,8 +180,7 @@ def _are_impossible(model: Model, context: Context, twins: tuple[str, ...]) -> b
 
 
 RULE = Rule(
-    "KD509",
-    "differs-from-twins",
+    __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,

@@ -111,8 +111,7 @@ def _texts(
 
 
 RULE = Rule(
-    "KD510",
-    "sides-differ",
+    __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,

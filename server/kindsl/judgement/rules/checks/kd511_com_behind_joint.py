@@ -84,8 +84,7 @@ def _arm(com: str) -> str:
 
 
 RULE = Rule(
-    "KD511",
-    "com-behind-joint",
+    __name__,
     Severity.WARNING,
     check_body=check_body,
     good=(_arm("0.15"),),

@@ -31,8 +31,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
 
 
 RULE = Rule(
-    "KD521",
-    "reversed-limits",
+    __name__,
     Severity.ERROR,
     check_document=check_document,
     good=(urdf_arm('<limit lower="-0.5" upper="1.57" effort="80" velocity="3"/>'),),

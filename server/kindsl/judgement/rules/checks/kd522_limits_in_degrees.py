@@ -46,8 +46,7 @@ def _are_degrees(ends: list[float]) -> bool:
 
 
 RULE = Rule(
-    "KD522",
-    "limits-in-degrees",
+    __name__,
     Severity.WARNING,
     check_document=check_document,
     good=(

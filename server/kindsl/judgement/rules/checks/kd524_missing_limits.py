@@ -37,8 +37,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
 
 
 RULE = Rule(
-    "KD524",
-    "missing-limits",
+    __name__,
     Severity.WARNING,
     check_document=check_document,
     good=(urdf_arm('<limit lower="0" upper="1.57" effort="80" velocity="3"/>'),),

@@ -37,8 +37,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
 
 
 RULE = Rule(
-    "KD525",
-    "undefined-mimic",
+    __name__,
     Severity.ERROR,
     check_document=check_document,
     good=(urdf_arm(_LIMIT),),

@@ -49,8 +49,7 @@ def _zeros(joint: LimitedJoint) -> list[str]:
 
 
 RULE = Rule(
-    "KD526",
-    "zero-effort",
+    __name__,
     Severity.INFORMATION,
     check_document=check_document,
     good=(urdf_arm('<limit lower="0" upper="1.57" effort="80" velocity="3"/>'),),

@@ -42,8 +42,7 @@ def _arm(height: str, fixed: str | None = None) -> Example:
 
 
 RULE = Rule(
-    "KD601",
-    "not-in-robcogen",
+    __name__,
     Severity.ERROR,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.SYMBOLS | Aspect.LAYOUT,

@@ -40,8 +40,7 @@ def _joint(height: str, comment: str = "") -> Example:
 
 
 RULE = Rule(
-    "KD602",
-    "not-in-robcogen2",
+    __name__,
     Severity.ERROR,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.SYMBOLS | Aspect.LAYOUT,

@@ -62,8 +62,7 @@ def _joint(height: str, target: str = "", fixed: str | None = None) -> Example:
 
 
 RULE = Rule(
-    "KD603",
-    "read-in-two-ways",
+    __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.SYMBOLS,

@@ -44,8 +44,7 @@ def _arm(height: str, radius: str) -> Example:
 
 
 RULE = Rule(
-    "KD604",
-    "read-by-neither",
+    __name__,
     Severity.ERROR,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.SYMBOLS | Aspect.LAYOUT,

@@ -37,8 +37,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
 _UPPER, _LOWER = link("upper", 1, "lower via elbow"), link("lower", 2)
 
 RULE = Rule(
-    "KD701",
-    "unordered-links",
+    __name__,
     Severity.INFORMATION,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

@@ -52,8 +52,7 @@ def _arm(keyword: str) -> str:
 
 
 RULE = Rule(
-    "KD702",
-    "mixed-inertia-keyword",
+    __name__,
     Severity.HINT,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

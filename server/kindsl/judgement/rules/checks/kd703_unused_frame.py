@@ -42,8 +42,7 @@ _FRAMED = link("head", 1).removesuffix("}\n") + (
 )
 
 RULE = Rule(
-    "KD703",
-    "unused-frame",
+    __name__,
     Severity.HINT,
     check_island=check_island,
     good=(_FRAMED % "0.1",),

@@ -72,8 +72,7 @@ def without_comment(comment: Place) -> Fix:
 _LINK = link("upper", 1, inertia="").replace("{", "{ // kindsl: ignore[%s]", 1)
 
 RULE = Rule(
-    "KD704",
-    "unused-suppression",
+    __name__,
     Severity.WARNING,
     good=(_LINK % "KD304",),
     bad=(

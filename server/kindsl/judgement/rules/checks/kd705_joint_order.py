@@ -48,8 +48,7 @@ def _arm(joints: str) -> str:
 
 
 RULE = Rule(
-    "KD705",
-    "joint-order",
+    __name__,
     Severity.HINT,
     check_document=check_document,
     reads=Aspect.STRUCTURE,

@@ -104,8 +104,7 @@ _LINK = link("upper", 1, inertia="").replace("{", "{ // %s", 1)
 _GOOD = _LINK % "kindsl: ignore[KD304]"
 
 RULE = Rule(
-    "KD706",
-    "unknown-suppression",
+    __name__,
     Severity.WARNING,
     good=(_GOOD,),
     bad=(

@@ -19,4 +19,4 @@ A comma is missing between the frames of the list.
 
 from kindsl.judgement.rules.base import Rule, Severity
 
-RULE = Rule("KD800", "transforms-syntax-error", Severity.ERROR)
+RULE = Rule(__name__, Severity.ERROR)

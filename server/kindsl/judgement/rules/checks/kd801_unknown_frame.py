@@ -19,4 +19,4 @@ Transforms {
 
 from kindsl.judgement.rules.base import Rule, Severity
 
-RULE = Rule("KD801", "unknown-frame", Severity.ERROR)
+RULE = Rule(__name__, Severity.ERROR)

@@ -17,4 +17,4 @@ Transforms {
 
 from kindsl.judgement.rules.base import Rule, Severity
 
-RULE = Rule("KD802", "undeclared-frame", Severity.ERROR)
+RULE = Rule(__name__, Severity.ERROR)

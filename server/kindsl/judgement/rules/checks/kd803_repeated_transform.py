@@ -19,4 +19,4 @@ Transforms {
 
 from kindsl.judgement.rules.base import Rule, Severity
 
-RULE = Rule("KD803", "repeated-transform", Severity.WARNING)
+RULE = Rule(__name__, Severity.WARNING)

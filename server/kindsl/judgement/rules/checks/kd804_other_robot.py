@@ -15,4 +15,4 @@ beside a model `Robot Quadruped`.
 
 from kindsl.judgement.rules.base import Rule, Severity
 
-RULE = Rule("KD804", "other-robot", Severity.WARNING)
+RULE = Rule(__name__, Severity.WARNING)

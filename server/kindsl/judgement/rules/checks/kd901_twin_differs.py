@@ -50,8 +50,7 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
 
 
 RULE = Rule(
-    "KD901",
-    "twin-differs",
+    __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES | Aspect.SYMBOLS,

@@ -19,4 +19,4 @@ file = "../urdf/hya.udrf"
 
 from kindsl.judgement.rules.base import Rule, Severity
 
-RULE = Rule("KD902", "twin-unreadable", Severity.WARNING)
+RULE = Rule(__name__, Severity.WARNING)

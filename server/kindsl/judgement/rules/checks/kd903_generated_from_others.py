@@ -50,8 +50,7 @@ def _findings(model: Model, each: "ComparedTwin") -> Iterator[Finding]:
 
 
 RULE = Rule(
-    "KD903",
-    "generated-from-others",
+    __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES | Aspect.SYMBOLS,
