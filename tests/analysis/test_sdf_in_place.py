@@ -64,13 +64,43 @@ def test_a_sound_robot_has_no_finding() -> None:
         ("<iyy>0.009", "<iyy>0.09", "KD302", 6),
         ("<mass>1.2", "<mass>-1.2", "KD303", 8),
         ("0 0 0.15 0 90 0", "0 0 -0.15 0 90 0", "KD511", 6),
-        ('relative_to="upper"', 'relative_to="uper"', "KD105", 24),
+        ('relative_to="upper"', 'relative_to="uper"', "KD107", 12),
+        ("0 0 0.15 0 90 0", "0 0 0.15 0 9", "KD005", 7),
+        (
+            "0 1 0</xyz></axis>\n    </joint>\n  <",
+            "0 0 0</xyz></axis>\n    </joint>\n  <",
+            "KD005",
+            25,
+        ),
+        ("<child>hand::palm</child>", "", "KD008", 24),
+        ("<mass>0.5", "<mass>0,5", "KD005", 16),
+        ('name="wrist"', 'name="shoulder"', "KD103", 24),
         ("hand::palm", "palm", "KD105", 24),
         ("</model>\n</sdf>", "</sdf>", "KD001", 27),
     ],
 )
 def test_findings_have_their_lines(old: str, new: str, code: str, line: int) -> None:
     assert (code, line) in told(ARM.replace(old, new))
+
+
+def test_a_circle_of_poses_is_told_once_and_what_else_is_wrong_too() -> None:
+    circle = ARM.replace("<pose degrees", "<p degrees").replace(
+        "</pose>\n        <mass>1.2", "</p>\n        <mass>1.2"
+    )
+    circle = circle.replace('<link name="upper">', '<link name="upper"><pose relative_to="wrist"/>')
+    circle = circle.replace(
+        '"revolute">\n      <parent>upper',
+        '"revolute"><pose relative_to="upper"/>\n      <parent>upper',
+    )
+    circle = circle.replace("<parent>world</parent>", "<parent>ground</parent>")
+    found = [each for each in analyse(circle).findings if each.code in ("KD527", "KD105")]
+    assert sorted((each.code, each.message) for each in found) == [
+        ("KD105", "<joint name='shoulder'> names 'ground', which does not exist"),
+        (
+            "KD527",
+            "<link name='upper'> has a pose that is relative to itself: upper -> wrist -> upper",
+        ),
+    ]
 
 
 def test_comments_silence_findings() -> None:

@@ -7,7 +7,7 @@ from kindsl.judgement.rules.examples import STEEL_BALL, joint, link
 from kindsl.language.semantics.parameters import Binding
 
 _NAME_OF_BLOCK = re.compile(r"^\s*(?:link|RobotBase|[rp]_joint)\s+(\S+)", re.MULTILINE)
-_IS_DOCUMENT = re.compile(r"Robot\s|<robot\b")
+_IS_DOCUMENT = re.compile(r"Robot\s|<(robot|sdf)\b")
 _EDGE = re.compile(r"(\w+)\s+via\s+(\w+)")
 
 

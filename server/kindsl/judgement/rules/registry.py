@@ -10,7 +10,7 @@ from kindsl.judgement.rules.xml_elements import OF_BOTH
 from kindsl.language.text.modules import module_names
 
 # Rules that parsers, the configuration or comments report.
-_WITHOUT_CHECK = ("kd0", "kd404", "kd704", "kd706", "kd8", "kd902")
+_WITHOUT_CHECK = ("kd0", "kd404", "kd527", "kd704", "kd706", "kd8", "kd902")
 _IN_XML = """
 
 ## In a URDF

@@ -128,3 +128,25 @@ def urdf_arm(limit: str) -> str:
   </joint>
 </robot>
 """
+
+
+def sdf_arm(pose: str = "", axis: str = "") -> str:
+    """Return an SDF with one joint, the pose of its child and more of its axis being given."""
+    return f"""<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="upper">
+      {pose}
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>0.01</ixx><iyy>0.02</iyy><izz>0.02</izz></inertia>
+      </inertial>
+    </link>
+    <joint name="shoulder" type="revolute">
+      <parent>base</parent>
+      <child>upper</child>
+      <axis><xyz>0 0 1</xyz>{axis}</axis>
+    </joint>
+  </model>
+</sdf>
+"""

@@ -21,7 +21,7 @@ from kindsl.robots.interchange.robot_island import RobotIsland
 from kindsl.robots.interchange.sdf.elements import SdfError, is_true, pose_of, text_of
 from kindsl.robots.interchange.sdf.frame_graph import WORLD, FrameGraph
 from kindsl.robots.interchange.sdf.nesting import flatten
-from kindsl.robots.interchange.sdf.sdf_reading import axis_in_model
+from kindsl.robots.interchange.sdf.sdf_reading import axis_in_model, mass_of
 from kindsl.robots.interchange.xml_document import (
     Connection,
     Flaw,
@@ -114,14 +114,16 @@ def _of_elements(text: str, root: Any, former: SyntaxDocument | None) -> XmlDocu
         flaws.append(Flaw("KD001", message, at))
     joints = {str(j.name): j for island in islands for j in island.declared().joints}
     connections: list[Connection] = []
+    wrong: dict[tuple[int, str], SdfError] = {}
     # What is in inner models moves into the outer one, which the islands must not see.
     for model, prefix in _models(parsed_xml(text)):
-        try:
-            connections += _connections(model, prefix, joints, root.get("version") or "")
-        except SdfError as error:
-            flaws.append(Flaw("KD105", error.sentence, _place(document, error.element)))
-        except FormatError:
-            continue
+        for found in _connections(model, prefix, joints, root.get("version") or ""):
+            if isinstance(found, SdfError):
+                wrong[found.element.offset, found.sentence] = found
+            else:
+                connections.append(found)
+    told = (error for error in wrong.values() if error.code)
+    flaws += (Flaw(e.code, e.sentence, _place(document, e.element)) for e in told)
     document.flaws, document.connections = tuple(flaws), tuple(connections)
     return document
 
@@ -165,31 +167,46 @@ def _pieces(text: str, root: Any) -> Iterator[tuple[XmlPiece, str]]:
 
 def _connections(
     model: Any, prefix: str, joints: Mapping[str, Joint], version: str
-) -> Iterator[Connection]:
-    flatten(model)
-    graph = FrameGraph(model, version)
+) -> Iterator[Connection | SdfError]:
+    """Yield what the joints of a model connect, or what is wrong with one or with a mass."""
+    try:
+        flatten(model)
+        graph = FrameGraph(model, version)
+    except SdfError as error:
+        yield error
+        return
+    for link in model.iterfind("link"):
+        try:
+            mass_of(link)
+        except SdfError as error:
+            yield error
     for element in model.iterfind("joint"):
-        joint, kind = joints.get(f"{prefix}{element.get('name')}"), element.get("type")
-        if joint is None:
-            continue
-        parent, child = (
-            graph.link_of(text_of(element, end), element) for end in ("parent", "child")
-        )
-        model_T_joint = graph.model_T(str(element.get("name")), element)
-        model_T_child = graph.model_T(child, element)
-        axis = None
-        if kind in JOINT_KINDS and kind != "fixed":
-            axis = model_T_joint.inverse().turn(axis_in_model(element, graph))
-        yield Connection(
-            joint,
-            parent if parent == WORLD else f"{prefix}{parent}",
-            f"{prefix}{child}",
-            kind == "fixed",
-            axis,
-            graph.model_T(parent, element).inverse().then(model_T_child),
-            model_T_child.inverse().then(model_T_joint),
-            is_told=False,
-        )
+        joint = joints.get(f"{prefix}{element.get('name')}")
+        try:
+            if joint is not None:
+                yield _connection(element, joint, graph, prefix)
+        except SdfError as error:
+            yield error
+
+
+def _connection(element: Any, joint: Joint, graph: FrameGraph, prefix: str) -> Connection:
+    kind = element.get("type")
+    parent, child = (graph.link_of(text_of(element, end), element) for end in ("parent", "child"))
+    model_T_joint = graph.model_T(str(element.get("name")), element)
+    model_T_child = graph.model_T(child, element)
+    axis = None
+    if kind in JOINT_KINDS and kind != "fixed":
+        axis = model_T_joint.inverse().turn(axis_in_model(element, graph))
+    return Connection(
+        joint,
+        parent if parent == WORLD else f"{prefix}{parent}",
+        f"{prefix}{child}",
+        kind == "fixed",
+        axis,
+        graph.model_T(parent, element).inverse().then(model_T_child),
+        model_T_child.inverse().then(model_T_joint),
+        is_told=False,
+    )
 
 
 def _place(document: XmlDocument, element: Any) -> Place:

@@ -13,6 +13,10 @@ from kindsl.mechanics.rigid.pose import (
 from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.xml_reading import XmlError, finite_number, parsed_xml
 
+# What a model's own frame is called in a model that holds it.
+OF_MODEL = "::__model__"
+_NUMBER = "KD005"
+
 
 def parsed(content: bytes | str) -> Any:
     """Return the root element.
@@ -35,25 +39,28 @@ class SdfError(FormatError):
     Attributes:
         element: The element.
         sentence: What is wrong, without the line.
+        code: The rule that it is reported under, empty for what is only not supported.
     """
 
-    def __init__(self, element: Any, sentence: str) -> None:
+    def __init__(self, element: Any, sentence: str, code: str) -> None:
         super().__init__(f"line {element.sourceline}: {sentence}")
-        self.element, self.sentence = element, sentence
+        self.element, self.sentence, self.code = element, sentence, code
 
 
-def defect(element: Any, what: str) -> SdfError:
-    """Return the error for what is wrong with an element."""
-    name = element.get("name")
-    told = f"{element.tag} name='{name}'" if name else element.tag
-    return SdfError(element, f"<{told}> {what}")
+def defect(element: Any, what: str, code: str = "") -> SdfError:
+    """Return the error for what is wrong with an element, or not supported, which has no code."""
+    name, tag = element.get("name"), element.tag
+    if name and name.endswith(OF_MODEL):
+        name, tag = name.removesuffix(OF_MODEL), "model"
+    told = f"{tag} name='{name}'" if name else tag
+    return SdfError(element, f"<{told}> {what}", code)
 
 
 def name_of(element: Any) -> str:
     """Return an element's name, which it must have."""
     name = (element.get("name") or "").strip()
     if not name:
-        raise defect(element, "has no name")
+        raise defect(element, "has no name", "KD001")
     return str(name)
 
 
@@ -62,7 +69,7 @@ def text_of(element: Any, tag: str) -> str:
     child = element.find(tag)
     text = "" if child is None else (child.text or "").strip()
     if not text:
-        raise defect(element, f"has no <{tag}>")
+        raise defect(element, f"has no <{tag}>", "KD008")
     return str(text)
 
 
@@ -81,7 +88,7 @@ def numbers_in(element: Any, count: int) -> list[float]:
     """Return the finite numbers in an element, or raise where there are more or fewer."""
     words = (element.text or "").split()
     if len(words) != count:
-        raise defect(element, f"has {len(words)} numbers, not {count}")
+        raise defect(element, f"has {len(words)} numbers, not {count}", _NUMBER)
     return [_number(element, word) for word in words]
 
 
@@ -94,7 +101,7 @@ def pose_of(element: Any) -> RigidPose:
         x, y, z, *quaternion = numbers_in(pose, 7)
         rotation = rotation_from_quaternion(*quaternion)
         if rotation is None:
-            raise defect(pose, "has a quaternion of no length")
+            raise defect(pose, "has a quaternion of no length", _NUMBER)
         return RigidPose(rotation, (x, y, z))
     x, y, z, *angles = numbers_in(pose, 6)
     if (pose.get("degrees") or "").lower() in ("1", "true"):
@@ -106,5 +113,5 @@ def pose_of(element: Any) -> RigidPose:
 def _number(element: Any, word: str) -> float:
     value = finite_number(word)
     if value is None:
-        raise defect(element, f"has '{word}', which is not a finite number")
+        raise defect(element, f"has '{word}', which is not a finite number", _NUMBER)
     return value

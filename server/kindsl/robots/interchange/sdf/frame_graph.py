@@ -5,10 +5,12 @@ from typing import Any
 
 from kindsl.language.text.nearest import hint, nearest_name
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
-from kindsl.robots.interchange.sdf.elements import defect, name_of, pose_of, text_of
+from kindsl.robots.interchange.sdf.elements import SdfError, defect, name_of, pose_of, text_of
 
 MODEL = "__model__"
 WORLD = "world"
+_SAME_NAME = {"link": "KD102", "joint": "KD103", "frame": "KD104"}
+_CIRCLE = "KD527"
 _BEFORE_1_5 = re.compile(r"1\.0*[0-4]")
 
 
@@ -32,7 +34,8 @@ class FrameGraph:
                 name = name_of(element)
                 if name in self._elements:
                     line = self._elements[name].sourceline
-                    raise defect(element, f"has the name of an element in line {line}")
+                    what = f"has the name of an element in line {line}"
+                    raise defect(element, what, _SAME_NAME[element.tag])
                 self._elements[name] = element
         first = model.find("link")
         self._canonical = model.get("canonical_link") or (
@@ -51,9 +54,9 @@ class FrameGraph:
         seen: list[str] = []
         while name not in (MODEL, WORLD):
             if name in seen:
-                raise defect(asking, f"is relative to itself: {' -> '.join((*seen, name))}")
+                raise self._circle(seen[seen.index(name) :])
             seen.append(name)
-            element = self._element(name, asking)
+            asking = element = self._element(name, asking, "KD107")
             T = pose_of(element).then(T)
             name = reference_of(element)
         return T if name == MODEL else self.world_T_model.inverse().then(T)
@@ -63,11 +66,11 @@ class FrameGraph:
         seen: set[str] = set()
         while name != WORLD:
             if name in seen:
-                raise defect(asking, f"is attached to itself through '{name}'")
+                raise defect(asking, f"is attached to itself through '{name}'", _CIRCLE)
             seen.add(name)
             if name == MODEL:
                 return self._canonical
-            element = self._element(name, asking)
+            element = self._element(name, asking, "KD105")
             if element.tag == "link":
                 return name
             is_joint = element.tag == "joint"
@@ -84,7 +87,7 @@ class FrameGraph:
             name = reference_of(element)
             if name in (MODEL, WORLD):
                 return joint
-            element = self._element(name, joint)
+            element = self._element(name, joint, "KD107")
             if element is joint:
                 break
         return element
@@ -98,10 +101,17 @@ class FrameGraph:
         named = model.get("placement_frame") or MODEL
         return pose_of(model).then(self.model_T(named, model).inverse())
 
-    def _element(self, name: str, asking: Any) -> Any:
+    def _circle(self, names: list[str]) -> SdfError:
+        """Return the error for poses that are relative to each other, told of the same one."""
+        first = names.index(min(names))
+        way = [*names[first:], *names[:first], names[first]]
+        what = f"has a pose that is relative to itself: {' -> '.join(way)}"
+        return defect(self._elements[way[0]], what, _CIRCLE)
+
+    def _element(self, name: str, asking: Any, code: str) -> Any:
         if name not in self._elements:
             meant = hint(nearest_name(name, self._elements))
-            raise defect(asking, f"names '{name}', which does not exist{meant}")
+            raise defect(asking, f"names '{name}', which does not exist{meant}", code)
         return self._elements[name]
 
 

@@ -40,7 +40,7 @@ def _frame_of(model: Any, own: str) -> XmlElement:
     links = (name_of(part) for part in model.findall("link"))
     canonical = model.get("canonical_link") or next(links, "")
     if not canonical:
-        raise defect(model, "has no link")
+        raise defect(model, "has no link", "KD008")
     # Links have their new names already; the attribute has the old one.
     prefix = "" if canonical.startswith(f"{own}::") else f"{own}::"
     frame = _element("frame", model)

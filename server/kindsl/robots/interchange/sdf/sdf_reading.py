@@ -160,14 +160,14 @@ def _links(
     world_T_start = IDENTITY if start == WORLD else graph.world_T(start, model)
     first = RigidLink(start, parent_T_joint=world_T_start, frames=tuple(frames.get(start, ())))
     if start != WORLD:
-        first = replace(first, body=_body(elements[start]))
+        first = replace(first, body=mass_of(elements[start]))
     links = [first]
     for index, link in enumerate(links):
         for child in below.get(link.name, ()):
             if child != start:
                 moved = _carried(joints[child], index, link.name, child, graph)
                 fixed = tuple(frames.get(child, ()))
-                links.append(replace(moved, body=_body(elements[child]), frames=fixed))
+                links.append(replace(moved, body=mass_of(elements[child]), frames=fixed))
     if len(links) != len(elements) + (start == WORLD):
         reached = {link.name for link in links}
         lost = next(name for name in elements if name not in reached)
@@ -205,7 +205,7 @@ def axis_in_model(joint: Any, graph: FrameGraph) -> Vector3:
     xyz = None if axis is None else axis.find("xyz")
     x, y, z = _Z if xyz is None else numbers_in(xyz, 3)
     if not (x or y or z):
-        raise defect(xyz, f"of joint '{name_of(joint)}' has no length")
+        raise defect(xyz, f"of joint '{name_of(joint)}' has no length", "KD005")
     frame = name_of(joint) if xyz is None else xyz.get("expressed_in")
     if not frame:
         is_in_model = graph.has_axes_in_model or is_true(axis, "use_parent_model_frame")
@@ -225,7 +225,7 @@ def _frames(model: Any, graph: FrameGraph, on_world: str) -> dict[str, list[tupl
     return found
 
 
-def _body(link: Any) -> MassDistribution:
+def mass_of(link: Any) -> MassDistribution:
     """Return a link's mass; SDFormat's default is 1 kg, and 1 kg m^2 about each axis."""
     inertial = link.find("inertial")
     if inertial is None:
@@ -234,7 +234,8 @@ def _body(link: Any) -> MassDistribution:
         raise defect(link, "takes its inertia from its shape (auto), which is not supported")
     pose = inertial.find("pose")
     if pose is not None and pose.get("relative_to"):
-        raise defect(pose, "of an inertia is relative to another frame, which SDFormat refuses")
+        what = "of an inertia is relative to another frame, which SDFormat refuses"
+        raise defect(pose, what, "KD001")
     inertia = inertial.find("inertia")
     tensor = _UNIT if inertia is None else _tensor(inertia)
     return about_origin(number_of(inertial, "mass", 1.0), tensor, pose_of(inertial))

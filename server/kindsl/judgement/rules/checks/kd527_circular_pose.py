@@ -1,0 +1,26 @@
+"""A pose is relative to itself.
+
+## What it does
+Reports links, joints and frames of an SDF whose poses are each given in the frame of the next one,
+until the last is given in that of the first; and frames that are attached to each other so.
+
+## Why is this bad?
+Nothing says where any of them is: no program can load the model.
+
+## Example
+```xml
+<frame name="flange"><pose relative_to="tool">0 0 0.1 0 0 0</pose></frame>
+<frame name="tool"><pose relative_to="flange">0 0 -0.1 0 0 0</pose></frame>
+```
+"""
+
+from kindsl.judgement.rules.base import Rule, Severity
+from kindsl.judgement.rules.xml_elements import sdf_arm
+
+RULE = Rule(
+    "KD527",
+    "circular-pose",
+    Severity.ERROR,
+    good=(sdf_arm('<pose relative_to="base">0 0 0.1 0 0 0</pose>'),),
+    bad=(sdf_arm('<pose relative_to="shoulder">0 0 0.1 0 0 0</pose>'),),
+)
