@@ -8,6 +8,7 @@ from tests.interchange import documents
 
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.judgement.rules.xml_bodies import xml_bodies
+from kindsl.judgement.rules.xml_elements import sdf_arm
 from kindsl.language.text.edits import TextEdit
 from kindsl.mechanics.rigid.body import seen_from
 from kindsl.robots.interchange.format import AS_WRITTEN
@@ -150,3 +151,41 @@ def test_bodies_are_those_that_are_converted(file: Path) -> None:
             above = xml_bodies(model)[ours.parent].axis_pose
             pose = above.inverse().then(ours.placement).then(ours.axis_pose)
             assert dist(pose.numbers, body.placement.numbers) < 1e-9
+
+
+@pytest.mark.parametrize(
+    ("axis", "code"),
+    [
+        ("<limit><lower>1</lower><upper>-1</upper></limit>", "KD521"),
+        ("<limit><lower>-90</lower><upper>45</upper></limit>", "KD522"),
+        ('<mimic joint="elbow"><multiplier>1</multiplier></mimic>', "KD525"),
+        ("<limit><lower>-1</lower><upper>1</upper><effort>0</effort></limit>", "KD526"),
+    ],
+)
+def test_limits_are_judged_as_in_a_urdf(axis: str, code: str) -> None:
+    (found,) = analyse(sdf_arm(axis=axis)).findings
+    assert found.code == code and "'shoulder'" in found.message
+    at = {"KD521": "<lower>", "KD522": "<lower>", "KD525": "elbow", "KD526": "<effort>"}[code]
+    assert sdf_arm(axis=axis)[found.start : found.end] == at
+
+
+@pytest.mark.parametrize(
+    "axis",
+    [
+        "<limit><lower>-1e16</lower><upper>1e16</upper><effort>-1</effort></limit>",
+        "<limit><lower>0</lower><upper>0</upper></limit>",
+        "<limit><lower>-inf</lower><upper>inf</upper></limit>",
+        '<mimic joint="shoulder"/>',
+    ],
+)
+def test_limits_that_sdf_means_otherwise_are_left_in_peace(axis: str) -> None:
+    """Without limits a joint turns freely; equal ones fix it, as Gazebo's models do."""
+    assert analyse(sdf_arm(axis=axis)).findings == ()
+
+
+def test_copied_moments_are_told_of_inner_models() -> None:
+    six = "<ixx>0.001</ixx><iyy>0.001</iyy><izz>0.001</izz><ixy>0.0</ixy>"
+    copied = six.replace("0.001", "0.00111").replace("0.0<", "0.00111<")
+    (found,) = analyse(ARM.replace(six, copied)).findings
+    assert found.code == "KD315" and "'hand::palm'" in found.message
+    assert ARM.replace(six, copied)[found.start : found.end] == "<ixy>"

@@ -7,9 +7,7 @@ from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Place
 
 if TYPE_CHECKING:
-    from xml.etree.ElementTree import Element
-
-    from kindsl.robots.interchange.xml_document import XmlIsland
+    from kindsl.robots.interchange.robot_island import RobotIsland
     from kindsl.robots.interchange.xml_reading import XmlElement
 
 # Rules that say of a link of any format what they say of ours.
@@ -26,28 +24,20 @@ A_FEW = 3
 _LIMITED = ("revolute", "prismatic")
 
 
-def elements(model: Model, tag: str) -> "Iterator[tuple[XmlIsland, XmlElement]]":
-    """Yield the elements of a kind of a robot in a URDF, with the islands that they are in."""
+def elements(model: Model, tag: str) -> "Iterator[tuple[RobotIsland, XmlElement]]":
+    """Yield the elements of a kind of a robot in XML, with the islands that they are in."""
     if model.document.is_xml:
-        from kindsl.robots.interchange.xml_document import XmlIsland
+        from kindsl.robots.interchange.robot_island import RobotIsland
 
         for island in model.islands:
-            if isinstance(island, XmlIsland) and island.has_attributes:
+            if isinstance(island, RobotIsland):
                 element = island.element
                 if element is not None and element.tag == tag:
                     yield island, element
 
 
-def number(element: "Element | None", name: str) -> float | None:
-    """Return the number in an attribute, None where there is none."""
-    from kindsl.robots.interchange.xml_reading import finite_number
-
-    text = None if element is None else element.get(name)
-    return None if text is None else finite_number(text.strip())
-
-
 class LimitedJoint(NamedTuple):
-    """A joint that must have limits.
+    """A joint that may have limits, in a URDF must.
 
     Attributes:
         island: Where it stands.
@@ -58,7 +48,7 @@ class LimitedJoint(NamedTuple):
         upper: The upper one.
     """
 
-    island: "XmlIsland"
+    island: "RobotIsland"
     element: "XmlElement"
     limit: "XmlElement | None"
     kind: str
@@ -68,7 +58,7 @@ class LimitedJoint(NamedTuple):
     @property
     def name(self) -> str:
         """The joint's name."""
-        return self.element.get("name") or ""
+        return self.island.full_name
 
     @property
     def unit(self) -> str:
@@ -81,7 +71,13 @@ class LimitedJoint(NamedTuple):
         if self.limit is None:
             return False
         pairs = (("lower", self.lower), ("upper", self.upper))
-        return any(value is None and self.limit.get(name) is not None for name, value in pairs)
+        written = self.island.written
+        return any(v is None and written(self.limit, name) is not None for name, v in pairs)
+
+    @property
+    def is_needed(self) -> bool:
+        """True if a joint without limits cannot move: in an SDF it has none then."""
+        return self.island.has_attributes
 
     def at(self, limit: str) -> Place:
         """Return the place of a limit, or of the element, or of the joint."""
@@ -89,12 +85,12 @@ class LimitedJoint(NamedTuple):
 
 
 def limited_joints(model: Model) -> Iterator[LimitedJoint]:
-    """Yield the joints of a URDF that must have limits."""
+    """Yield the joints that limits are for."""
     for island, joint in elements(model, "joint"):
         kind = joint.get("type") or ""
         if kind in _LIMITED:
-            limit: Any = joint.find("limit")
-            ends = number(limit, "lower"), number(limit, "upper")
+            limit: Any = joint.find("limit" if island.has_attributes else "axis/limit")
+            ends = island.value(limit, "lower"), island.value(limit, "upper")
             yield LimitedJoint(island, joint, limit, kind, *ends)
 
 

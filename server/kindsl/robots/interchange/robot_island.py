@@ -72,9 +72,15 @@ class RobotIsland(XmlIsland):
     def pose_in(self, parent: XmlElement) -> Pose:
         """Return the pose that an element gives, whatever that is relative to."""
 
+    @property
+    def full_name(self) -> str:
+        """The name of its element in the document, empty without one."""
+        name = self.element.get("name") if self.element is not None else ""
+        return f"{self.prefix}{name or ''}"
+
     def _name(self, element: XmlElement) -> Name:
         at = self.place(element, "name")
-        return Name.at(f"{self.prefix}{element.get('name') or ''}", self, at.start, at.end)
+        return Name.at(self.full_name, self, at.start, at.end)
 
     def _link(self, element: XmlElement) -> Link:
         link = Link(self.block("link", element), self, self._name(element), "")

@@ -120,9 +120,20 @@ class XmlIsland(OtherIsland):
         return start + first, start + last
 
     def place(self, element: Any, name: str = "") -> Place:
-        """Return the place of an attribute's value, or of an element's first tag."""
+        """Return the place of an attribute's value, of a child, or of an element's first tag."""
         span = self.attribute(element, name) if name else None
-        return Place(self, *(span or self.tag(element)))
+        child = element.find(name) if name and span is None else None
+        return Place(self, *(span or self.tag(element if child is None else child)))
+
+    def written(self, element: Any, name: str) -> str | None:
+        """Return what an attribute of an element, or a child, holds; None without either."""
+        held: str | None = element.get(name, element.findtext(name))
+        return held
+
+    def value(self, element: Any, name: str) -> float | None:
+        """Return the number that an attribute of an element, or a child, holds; None without."""
+        held = None if element is None else self.written(element, name)
+        return None if held is None else finite_number(held.strip())
 
     def name(self, element: Any, attribute: str) -> Name:
         """Return the name in an attribute, empty where there is none."""

@@ -1,8 +1,8 @@
 """A moment of inertia was copied into another attribute.
 
 ## What it does
-Reports an inertia in a URDF whose product `ixy` equals its moment `ixx` in three digits or more, or
-whose six numbers are all the same.
+Reports an inertia in a URDF or SDF whose product `ixy` equals its moment `ixx` in three digits or
+more, or whose six numbers are all the same.
 
 ## Why is this bad?
 One number was copied over another that is lost: no body has six equal ones, and two agree in so
@@ -18,7 +18,7 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.xml_elements import elements, number, urdf_link
+from kindsl.judgement.rules.xml_elements import elements, urdf_link
 from kindsl.language.semantics.model import Model
 from kindsl.language.text.decimals import significant_digits
 
@@ -31,14 +31,14 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each inertia with a number that was written twice."""
     for island, link in elements(model, "link"):
         inertia = link.find("inertial/inertia")
-        numbers = [] if inertia is None else [number(inertia, name) for name in _TENSOR]
-        if inertia is None or None in numbers or not numbers[0]:
+        numbers = [] if inertia is None else [island.value(inertia, name) for name in _TENSOR]
+        if inertia is None or None in numbers[:2] or not numbers[0]:
             continue
         are_equal = len(set(numbers)) == 1
-        is_precise = significant_digits(inertia.get("ixx") or "") >= _LEAST_DIGITS
+        is_precise = significant_digits(island.written(inertia, "ixx") or "") >= _LEAST_DIGITS
         if are_equal or (is_precise and numbers[1] == numbers[0]):
             which = "all six moments are" if are_equal else "'ixy' is the same as 'ixx':"
-            message = f"moments of '{link.get('name')}' were copied: {which} {numbers[0]:g} kg·m²"
+            message = f"moments of '{island.full_name}' were copied: {which} {numbers[0]:g} kg·m²"
             yield Finding(island.place(inertia, "ixy"), message)
 
 

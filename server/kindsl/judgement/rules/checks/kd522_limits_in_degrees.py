@@ -6,7 +6,7 @@ five up to 720, as degrees are. Limits that are equal but for the sign and power
 are taken to mean none.
 
 ## Why is this bad?
-A URDF has radians: 90 are fourteen turns, so nothing keeps the joint within its range.
+URDF and SDF have radians here: 90 are fourteen turns, so nothing keeps the joint within its range.
 
 ## Example
 ```xml

@@ -25,7 +25,7 @@ from kindsl.language.semantics.model import Model
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each joint that its limits keep at one place."""
     for joint in limited_joints(model):
-        if joint.limit is None or joint.is_broken:
+        if joint.limit is None or joint.is_broken or not joint.is_needed:
             continue
         lower, upper = joint.lower or 0.0, joint.upper or 0.0
         if lower == upper:

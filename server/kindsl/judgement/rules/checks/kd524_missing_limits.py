@@ -26,7 +26,7 @@ from kindsl.language.semantics.model import Model
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield one finding for all joints of a file that need limits and have none."""
-    without = [joint for joint in limited_joints(model) if joint.limit is None]
+    without = [joint for joint in limited_joints(model) if joint.is_needed and joint.limit is None]
     if without:
         first, *others = without
         more = f" and {len(others)} more" if others else ""

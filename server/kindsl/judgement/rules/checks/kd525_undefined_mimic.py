@@ -1,7 +1,7 @@
 """A joint mimics a joint that is not there.
 
 ## What it does
-Looks at the `<mimic>` of each joint in a URDF.
+Looks at the `<mimic>` of each joint in a URDF or SDF.
 
 ## Why is this bad?
 Programs refuse the file, or leave the joint where it is.
@@ -26,13 +26,13 @@ _LIMIT = '<limit lower="0" upper="1.57" effort="80" velocity="3"/>'
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each joint that follows none."""
     joints = list(elements(model, "joint"))
-    names = {joint.get("name") or "" for _, joint in joints}
+    names = {island.full_name for island, _ in joints}
     for island, joint in joints:
-        mimic = joint.find("mimic")
+        mimic = joint.find("mimic" if island.has_attributes else "axis/mimic")
         other = None if mimic is None else mimic.get("joint")
-        if mimic is not None and other is not None and other not in names:
-            close = hint(nearest_name(other, names - {joint.get("name") or ""}))
-            message = f"joint '{joint.get('name')}' mimics a joint '{other}' that does not exist"
+        if mimic is not None and other is not None and f"{island.prefix}{other}" not in names:
+            close = hint(nearest_name(other, names - {island.full_name}))
+            message = f"joint '{island.full_name}' mimics a joint '{other}' that does not exist"
             yield Finding(island.place(mimic, "joint"), f"{message}{close}")
 
 

@@ -1,7 +1,7 @@
 """The greatest effort or velocity of a joint is zero.
 
 ## What it does
-Reports the joints of a URDF whose `<limit>` has zero for `effort` or `velocity`, once a file.
+Reports the joints of a URDF or SDF that have zero for `effort` or `velocity`, once a file.
 
 ## Why is this bad?
 A program that heeds it gives such a joint no force, or keeps it where it is. Most files with zeros
@@ -21,7 +21,6 @@ from kindsl.judgement.rules.xml_elements import (
     A_FEW,
     LimitedJoint,
     limited_joints,
-    number,
     urdf_arm,
 )
 from kindsl.language.semantics.model import Model
@@ -45,7 +44,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
 
 
 def _zeros(joint: LimitedJoint) -> list[str]:
-    return [name for name in _NAMES if number(joint.limit, name) == 0.0]
+    return [name for name in _NAMES if joint.island.value(joint.limit, name) == 0.0]
 
 
 RULE = Rule(
