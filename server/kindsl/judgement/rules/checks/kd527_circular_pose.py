@@ -18,8 +18,7 @@ from kindsl.judgement.rules.base import Rule, Severity
 from kindsl.judgement.rules.xml_elements import sdf_arm
 
 RULE = Rule(
-    "KD527",
-    "circular-pose",
+    __name__,
     Severity.ERROR,
     good=(sdf_arm('<pose relative_to="base">0 0 0.1 0 0 0</pose>'),),
     bad=(sdf_arm('<pose relative_to="shoulder">0 0 0.1 0 0 0</pose>'),),
