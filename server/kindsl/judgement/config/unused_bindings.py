@@ -1,7 +1,9 @@
 """KD404 and KD902: unused bindings, limits and twins in a configuration file; unreadable twins."""
 
+import os
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from contextlib import suppress
 from typing import NamedTuple
 
 from kindsl.judgement.analysis.diagnostics import Diagnostic
@@ -15,6 +17,7 @@ from kindsl.judgement.rules.checks.kd404_unused_binding import RULE
 from kindsl.judgement.rules.checks.kd404_unused_binding import unused_bindings as vain_bindings
 from kindsl.judgement.rules.checks.kd902_twin_unreadable import RULE as UNREADABLE
 from kindsl.judgement.rules.subject import DOCUMENT, Subject, SubjectKind
+from kindsl.language.text.regular import content_of
 
 _TWIN = "twin"
 _NOT_TRUSTED = "it is outside the folders of a workspace that is not trusted"
@@ -46,7 +49,7 @@ def unused_bindings(
     configuration: Configuration,
     settings: Settings,
     used: Mapping[str, Names],
-    others: Callable[[], Iterable[tuple[str, Names]]],
+    others: Iterable[str],
 ) -> list[Diagnostic]:
     """Return the unused bindings, in the order of the file.
 
@@ -54,7 +57,7 @@ def unused_bindings(
         configuration: The file.
         settings: Decisions about the rule.
         used: The names in documents that it holds for, by path.
-        others: Yields path and words of further documents below its folder; asked if need be.
+        others: Paths of all documents below its folder; asked, and read, if need be.
     """
     if not (configuration.has_bindings and is_enabled(RULE, settings)):
         return []
@@ -97,12 +100,6 @@ def unreadable_twins(
     return found
 
 
-def words_of(text: str) -> Names:
-    """Return the words of a document that may be names, without parsing it."""
-    words = set(_WORD.findall(text))
-    return Names(words, words)
-
-
 def _message(bound: _Bound, used: Mapping[str, Names]) -> str:
     name, kind = str(bound.keys[-1]), bound.kind
     if kind == _TWIN:
@@ -117,10 +114,20 @@ def _message(bound: _Bound, used: Mapping[str, Names]) -> str:
 def _unused(
     configuration: Configuration,
     used: Mapping[str, Names],
-    others: Callable[[], Iterable[tuple[str, Names]]],
+    others: Iterable[str],
 ) -> list[_Bound]:
     unused = _left(configuration, list(_bound(configuration)), used.items())
-    return _left(configuration, unused, others()) if unused else []
+    return _left(configuration, unused, _words_in(others, used)) if unused else []
+
+
+def _words_in(paths: Iterable[str], used: Collection[str]) -> Iterator[tuple[str, Names]]:
+    """Yield the words of documents that are not used, which may be names, without parsing them."""
+    known = {os.path.abspath(path) for path in used}
+    for path in paths:
+        if os.path.abspath(path) not in known:
+            with suppress(OSError):
+                words = set(_WORD.findall(content_of(path).decode("utf-8", "replace")))
+                yield path, Names(words, words)
 
 
 def _left(

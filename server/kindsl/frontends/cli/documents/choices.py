@@ -40,7 +40,11 @@ class Choices(NamedTuple):
         return self.configurations.above(document) if self.configurations else None
 
     def settings_for(self, document: str) -> Settings:
-        """Return all decisions for a document.
+        """Return all decisions for a document; see `decided_for`."""
+        return self.decided_for(document)[1]
+
+    def decided_for(self, document: str) -> "tuple[Configuration | None, Settings]":
+        """Return the configuration that applies to a document, and all decisions for it.
 
         Selecting rules on the command line forgets which the configuration selects and ignores;
         ignoring some adds to it.
@@ -59,7 +63,7 @@ class Choices(NamedTuple):
             chosen = chosen._replace(ignore=(*settings.ignore, *chosen.ignore))
         elif chosen.select is not None and chosen.ignore is None:
             chosen = chosen._replace(ignore=())
-        return overridden(settings, chosen)
+        return configuration, overridden(settings, chosen)
 
 
 def choices_of(args: Any) -> Choices:

@@ -69,10 +69,25 @@ def check(task: Task) -> Checked:
 def _checked(task: Task, text: str) -> Checked:
     if task.shown.endswith(TRANSFORMS_SUFFIX):
         return Checked(_transforms(task, text), None)
+    analysis, n_fixed, failure = _fixed(task, text)
+    found: Sequence[Diagnostic] = analysis.findings
+    if any(finding.fix is not None for finding in found):
+        from kindsl.judgement.analysis.fixing import announced
+
+        found = announced(analysis)
+    parameters = frozenset(str(parameter.name) for parameter in analysis.model.parameters)
+    file = LintedFile(task.shown, analysis.text, found, parameters, text, n_fixed)
+    file.joints = frozenset(str(joint.name) for joint in analysis.model.joints)
+    faults = (_defect(task, fault.error, fault.message) for fault in analysis.faults)
+    return Checked(_counting(file, analysis.apart), failure or next(faults, None))
+
+
+def _fixed(task: Task, text: str) -> tuple[Analysis, int, Failure | None]:
+    """Return the document as the task wants it fixed, and the failure of writing it."""
     analysis = Analysis(syntax_of(task.shown, text), task.settings)
     is_as_written = task.fix_mode is FixMode.NONE or analysis.syntax.is_xml
     if is_as_written or not is_decodable(text):
-        return _outcome(task, analysis)
+        return analysis, 0, None
     from kindsl.frontends.cli.documents.writing import write_text
     from kindsl.judgement.analysis.fixing import fixed, is_fixable, is_safe
 
@@ -80,8 +95,8 @@ def _checked(task: Task, text: str) -> Checked:
     if task.fix_mode is FixMode.WRITTEN and task.path != STDIN and better.text != text:
         failure = write_text(task.path, task.shown, text, better.text)
         if failure is not None:
-            return Checked(_file(task, analysis), failure)
-    return _outcome(task, better, text, n_fixed)
+            return analysis, 0, failure
+    return better, n_fixed, None
 
 
 def _transforms(task: Task, text: str) -> LintedFile:
@@ -109,33 +124,10 @@ def _model_in(path: str) -> Model | None:
     return analyse(text).model if isinstance(text, str) else None
 
 
-def _outcome(
-    task: Task, analysis: Analysis, original: str | None = None, n_fixed: int = 0
-) -> Checked:
-    """Return the findings, and the failure of a rule if one crashed."""
-    file = _file(task, analysis, original, n_fixed)
-    failures = [_defect(task, fault.error, fault.message) for fault in analysis.faults]
-    return Checked(file, failures[0] if failures else None)
-
-
 def _defect(task: Task, error: Exception, what: str) -> Failure:
     if os.environ.get("KINDSL_TRACEBACK"):
         raise error
     return Failure(task.shown, f"internal error: {what}")
-
-
-def _file(
-    task: Task, analysis: Analysis, original: str | None = None, n_fixed: int = 0
-) -> LintedFile:
-    parameters = frozenset(str(parameter.name) for parameter in analysis.model.parameters)
-    found: Sequence[Diagnostic] = analysis.findings
-    if any(finding.fix is not None for finding in found):
-        from kindsl.judgement.analysis.fixing import announced
-
-        found = announced(analysis)
-    file = LintedFile(task.shown, analysis.text, found, parameters, original, n_fixed)
-    file.joints = frozenset(str(joint.name) for joint in analysis.model.joints)
-    return _counting(file, analysis.apart)
 
 
 def _counting(file: LintedFile, apart: Apart) -> LintedFile:

@@ -101,8 +101,7 @@ def _prepared(
             continue
         shown = plan.stdin_name if document == STDIN else document
         try:
-            configuration = plan.choices.configuration_for(shown)
-            settings = plan.choices.settings_for(shown)
+            configuration, settings = plan.choices.decided_for(shown)
             if plan.knows and configuration is not None and configuration.baseline:
                 from kindsl.judgement.config.baseline import known_findings
 

@@ -1,15 +1,13 @@
 """KD404 and KD902 over a run of the linter: what configuration files name in vain."""
 
 import os
-from collections.abc import Collection, Iterator, Mapping, Sequence
-from functools import partial
+from collections.abc import Collection, Mapping, Sequence
 
 from kindsl.frontends.cli.documents.choices import Choices
-from kindsl.frontends.cli.documents.sources import read_source
-from kindsl.frontends.cli.outcome import Failure, LintedFile
+from kindsl.frontends.cli.outcome import LintedFile
 from kindsl.judgement.config import unused_bindings as vain
 from kindsl.judgement.config.configuration import Configuration
-from kindsl.judgement.config.robots import Obstacle, walked
+from kindsl.judgement.config.robots import walked
 from kindsl.judgement.config.unused_bindings import unreadable_twins
 from kindsl.judgement.rules.checks.kd404_unused_binding import unused_bindings as vain_bindings
 
@@ -32,7 +30,8 @@ def unused_bindings(
     found = []
     for path, configuration in sorted({c.path: c for c in configurations.values()}.items()):
         own = {p: names for p, names in used.items() if configurations.get(p) is configuration}
-        others = partial(_words_of_others, configuration, own, excluded)
+        folder = os.path.dirname(os.path.abspath(path))
+        others = (robot for robot in walked(folder, excluded) if isinstance(robot, str))
         settings = choices.settings_for(path)
         findings = vain.unused_bindings(configuration, settings, own, others)
         findings += unreadable_twins(configuration, settings)
@@ -48,16 +47,3 @@ def unused_on_command_line(files: Sequence[LintedFile], choices: Choices) -> str
     names = [name for name in given if given[name].origin == "--param"]
     unused = vain_bindings(names, sorted(known)) if files else ()
     return "".join(f"warning: --param {one.name}: {one.message}\n" for one in unused)
-
-
-def _words_of_others(
-    configuration: Configuration, linted: Collection[str], excluded: Collection[str]
-) -> Iterator[tuple[str, vain.Names]]:
-    """Yield the words of the documents below the configuration that were not linted now."""
-    known = {os.path.abspath(path) for path in linted}
-    for path in walked(os.path.dirname(os.path.abspath(configuration.path)), excluded):
-        if isinstance(path, Obstacle) or os.path.abspath(path) in known:
-            continue
-        text = read_source(path, path)
-        if not isinstance(text, Failure):
-            yield path, vain.words_of(text)

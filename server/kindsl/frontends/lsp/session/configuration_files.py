@@ -4,7 +4,6 @@ Of unused bindings, open robots are known by their parameters, those on disk by 
 """
 
 from collections.abc import Iterable, Iterator
-from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -175,14 +174,10 @@ async def _unused_bindings(state: State, document: Document) -> "list[Diagnostic
     settings = (await state.analyses.version(document)).settings
     used = await _names_in_open(state, file.parent)
 
-    def others() -> "Iterator[tuple[str, Names]]":
-        from kindsl.judgement.config.unused_bindings import words_of
-
+    def others() -> Iterator[str]:
         for path in robots_below(file.parent):
             state.worker.checkpoint()
-            if str(path) not in used:
-                with suppress(OSError):
-                    yield str(path), words_of(path.read_text("utf-8", "replace"))
+            yield str(path)
 
     def check() -> "list[Diagnostic]":
         from kindsl.judgement.config.unused_bindings import unreadable_twins, unused_bindings
@@ -192,7 +187,7 @@ async def _unused_bindings(state: State, document: Document) -> "list[Diagnostic
             return []
 
         unreadable = unreadable_twins(configuration, settings, state.workspace.may_read)
-        return [*unused_bindings(configuration, settings, used, others), *unreadable]
+        return [*unused_bindings(configuration, settings, used, others()), *unreadable]
 
     return await state.worker.run(check, Urgency.DIAGNOSTICS)
 
