@@ -7,7 +7,7 @@ from typing import Any, Self
 
 from kindsl.language.semantics.declarations import Declarations, Frame, Inertia, Joint, Link, Pose
 from kindsl.language.semantics.expressions import half_unit
-from kindsl.language.semantics.places import Name
+from kindsl.language.semantics.places import Name, Place
 from kindsl.language.semantics.sections import JointFrame
 from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.language.syntax.tree import Node
@@ -77,6 +77,13 @@ class RobotIsland(XmlIsland):
         """The name of its element in the document, empty without one."""
         name = self.element.get("name") if self.element is not None else ""
         return f"{self.prefix}{name or ''}"
+
+    def reference(self, end: str) -> Place:
+        """Return the place where a joint names its `parent` or `child`, else that of its tag."""
+        element = self.element.find(end) if self.element is not None else None
+        if element is None or not self.has_attributes:
+            return self.place(self.element, end)
+        return self.place(element, "link")
 
     def _name(self, element: XmlElement) -> Name:
         at = self.place(element, "name")

@@ -29,7 +29,7 @@ from collections.abc import Iterator, Sequence
 from kindsl.judgement.rules.base import Example, Finding, Fix, Related, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import four_legs
-from kindsl.judgement.rules.limb_places import child_of
+from kindsl.judgement.rules.limb_places import child_of, told_either, told_elsewhere
 from kindsl.judgement.rules.limb_verdicts import limb_names
 from kindsl.judgement.rules.subject import link_subject
 from kindsl.language.semantics.aspects import Aspect
@@ -46,25 +46,22 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         yield _of_either(model, *found)
         return
     for misplaced in found:
-        (name, parent, _joint), meant, twins = misplaced
+        name = misplaced.attachment.link
         child = child_of(model, name)
-        message = f"link '{name}' is a child of '{parent}'"
-        message += f", by its twins of '{meant}'" if meant else ", unlike its twin"
         others = [each.attachment for each in found if each is not misplaced]
-        related = _related(model, (*others, *twins))
+        related = _related(model, (*others, *misplaced.twins))
         fix = _moved(model, child, misplaced) if len(found) == 1 else None
+        message = told_elsewhere(misplaced)
         yield Finding(child, message, related, fix, subject=link_subject(name))
 
 
 def _of_either(model: Model, one: Misplaced, other: Misplaced) -> Finding:
     """Return the finding of a left and a right link that hang on unlike bodies."""
-    (name, parent, _), there = one.attachment, other.attachment
-    message = f"link '{name}' is a child of '{parent}', '{there.link}' of '{there.parent}': one of "
-    message += "the two sides is attached wrongly"
+    name, there = one.attachment.link, other.attachment
     moves = [_moved(model, child_of(model, m.attachment.link), m) for m in (one, other)]
     return Finding(
         child_of(model, name),
-        message,
+        told_either(one.attachment, there),
         _related(model, (there,)),
         choices=tuple(fix for fix in moves if fix is not None),
         subject=link_subject(name),

@@ -27,7 +27,7 @@ from collections.abc import Iterator
 from kindsl.judgement.rules.base import Example, Finding, Fix, Related, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import four_legs, joint, link, robot
-from kindsl.judgement.rules.limb_places import child_of
+from kindsl.judgement.rules.limb_places import are_exchanged, child_of, told_crossed
 from kindsl.judgement.rules.limb_verdicts import limb_names
 from kindsl.judgement.rules.subject import link_subject
 from kindsl.language.semantics.aspects import Aspect
@@ -42,11 +42,8 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
     for misplaced in found:
         if misplaced in told:
             continue
-        (name, _parent, joint), meant, twins = misplaced
-        partner = next((p for p in found if _are_exchanged(p, misplaced)), None)
-        message = f"link '{name}' moves by joint '{joint}'"
-        expected = f", by its {'twins' if twins else 'name'} by '{meant}'"
-        message += expected if meant else ", unlike its twin"
+        name, twins = misplaced.attachment.link, misplaced.twins
+        partner = next((p for p in found if are_exchanged(p, misplaced)), None)
         others = [partner.attachment] if partner is not None else []
         related = [
             Related(child_of(model, a.link).joint, f"'{a.link}' moves by '{a.joint}'")
@@ -55,11 +52,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         fix = _exchanged(model, misplaced, partner) if partner is not None else None
         told += [partner] if partner is not None else []
         at, subject = child_of(model, name).joint, link_subject(name)
-        yield Finding(at, message, tuple(related), fix, subject=subject)
-
-
-def _are_exchanged(one: Misplaced, other: Misplaced) -> bool:
-    return one.meant == other.attachment.joint and other.meant == one.attachment.joint
+        yield Finding(at, told_crossed(misplaced), tuple(related), fix, subject=subject)
 
 
 def _exchanged(model: Model, one: Misplaced, other: Misplaced) -> Fix:

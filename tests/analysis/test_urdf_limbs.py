@@ -1,0 +1,55 @@
+"""Limbs of a URDF that are attached otherwise than their counterparts."""
+
+import pytest
+from tests.analysis.test_urdf_in_place import joint, link, robot
+
+from kindsl.judgement.analysis.analysis import analyse
+
+LEGS = ("LF", "RF", "LH", "RH")
+
+
+def legs() -> str:
+    links = (link(f"{leg}_{part}") for leg in LEGS for part in ("hip", "thigh", "shank"))
+    joints = (
+        joint(f"{leg}_{name}", "base" if part == "hip" else f"{leg}_{above}", f"{leg}_{part}")
+        for leg in LEGS
+        for name, above, part in (
+            ("HAA", "", "hip"), ("HFE", "hip", "thigh"), ("KFE", "thigh", "shank"),
+        )
+    )  # fmt: skip
+    return robot(*links, *joints)
+
+
+CARRIED = '<parent link="RF_thigh"/><child link="RF_shank"/>'
+ELSEWHERE = CARRIED.replace("RF_thigh", "LF_thigh")
+CROSSED = legs().replace("RF_HFE", "X").replace("RF_KFE", "RF_HFE").replace("X", "RF_KFE")
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "place", "message"),
+    [
+        (
+            legs().replace(CARRIED, ELSEWHERE),
+            "KD208",
+            "LF_thigh",
+            "link 'RF_shank' is a child of 'LF_thigh', by its twins of 'RF_thigh'",
+        ),
+        (
+            CROSSED,
+            "KD209",
+            "RF_KFE",
+            "link 'RF_thigh' moves by joint 'RF_KFE', by its twins by 'RF_HFE'",
+        ),
+    ],
+)
+def test_links_attached_unlike_their_twins_are_told_at_the_name(
+    text: str, code: str, place: str, message: str
+) -> None:
+    (found,) = (each for each in analyse(text).findings if each.code.startswith("KD2"))
+    assert (found.code, found.message) == (code, message)
+    assert text[found.start : found.end] == place
+    assert found.related and all(text[r.start : r.end][:2] in LEGS for r in found.related)
+
+
+def test_legs_that_are_alike_have_no_such_finding() -> None:
+    assert [each.code for each in analyse(legs()).findings] == []
