@@ -10,6 +10,7 @@ from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.registry import rules_with
 from kindsl.judgement.rules.xml_bodies import XmlBody, xml_bodies
 from kindsl.judgement.rules.xml_elements import A_FEW, OF_PARTS
+from kindsl.judgement.rules.xml_reference import reference_findings
 from kindsl.judgement.rules.xml_shapes import body_findings
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.lowering import declarations
@@ -22,7 +23,7 @@ from kindsl.robots.interchange.xml_document import XmlDocument
 from kindsl.robots.mechanism.body_verdicts import density_of
 
 _MISSING, _PLACEHOLDER, _COPIED, _DENSITY = "KD304", "KD310", "KD315", "KD311"
-_NO_MASS = "KD303"
+_NO_MASS, _REFERENCE = "KD303", "KD306"
 _TOLD_OF_PARTS = OF_PARTS | {_COPIED, "KD307"}
 # A part of so small a share of its body's mass hardly matters to how the body moves.
 _NEGLIGIBLE = 0.01
@@ -50,6 +51,7 @@ def xml_findings(
     own = [(flaw.code, Finding(flaw.at, flaw.message)) for flaw in flaws]
     own += ((_PLACEHOLDER, finding) for finding in _placeholders(model))
     own += ((_MISSING, finding) for finding in _missing(bodies))
+    own += ((_REFERENCE, finding) for finding in reference_findings(bodies))
     own += body_findings(model, bodies, context)
     rules = {rule.code: rule for rule in rules_with(frozenset(code for code, _ in own))}
     enabled = [(rules[code], each) for code, each in own if is_enabled(rules[code], settings)]

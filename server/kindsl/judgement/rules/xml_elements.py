@@ -16,7 +16,7 @@ OF_PARTS = frozenset(("KD301", "KD302", "KD303", "KD311"))
 OF_XML = frozenset(("KD315", "KD521", "KD522", "KD523", "KD524", "KD525", "KD526"))
 # Rules that ask of a document's bodies and limbs what others ask of those of a URDF.
 OF_BOTH = OF_PARTS | {
-    "KD208", "KD209", "KD210", "KD304", "KD307", "KD309", "KD310", "KD312", "KD313",
+    "KD208", "KD209", "KD210", "KD304", "KD306", "KD307", "KD309", "KD310", "KD312", "KD313",
     "KD509", "KD510", "KD511",
 }  # fmt: skip
 CONCERN_XML = OF_PARTS | OF_XML | {"KD501"}

@@ -15,6 +15,10 @@ The language wants moments and products about the origin of the link frame, or o
 `ref_frame` names. CAD programs and URDF give them about the centre of mass. This is the commonest
 real mistake: three published models were corrected exactly so in their histories.
 
+In a URDF or SDF it is the other way round: moments are wanted about the centre of mass. One
+warning a file tells that they are about the links' origins: with `m c^2` taken off, all links are
+possible whose centre of mass is far from the origin. Of honest links hardly any is.
+
 ## Example
 ```kindsl
 inertia_params {

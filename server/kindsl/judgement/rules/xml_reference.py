@@ -1,0 +1,78 @@
+"""Moments of a whole file in XML that were given about the origins of its links."""
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Severity
+from kindsl.judgement.rules.number_writing import rewritten
+from kindsl.judgement.rules.xml_bodies import XmlBody
+from kindsl.judgement.rules.xml_elements import A_FEW
+from kindsl.language.semantics.declarations import Inertia, Link
+from kindsl.language.semantics.numbers import mass_distribution, written_pose
+from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.mechanics.rigid.body import (
+    MassDistribution,
+    Symmetric,
+    is_clearly_positive,
+    second_moments_about_com,
+    shifted,
+)
+
+# Where m c² is a fifth of the moments or more, 6 % of 1240 published links stay possible without.
+_FAR = 0.2
+_FEWEST = 3
+
+
+class _Seen(NamedTuple):
+    """A link whose moments would be much smaller about its CoM if they were about its origin."""
+
+    link: Link
+    inertia: Inertia
+    meant: Symmetric
+    is_possible: bool
+
+
+def reference_findings(bodies: Sequence[XmlBody]) -> Iterator[Finding]:
+    """Yield one finding for a file in which all moments are about the links' origins.
+
+    About the CoM they would be impossible for most honest bodies, so that three unlike ones that
+    are possible do not come about by chance.
+    """
+    seen = [each for body in bodies if body.moves and (each := _seen(body.link)) is not None]
+    unlike = {_size(each) for each in seen}
+    if len(unlike) < _FEWEST or not all(each.is_possible for each in seen):
+        return
+    changes: list[Replacement] = []
+    for each in seen:
+        values = [each.inertia.moments[name] for name in MOMENTS]
+        changes += rewritten(values, each.meant) or ()
+    first, *others = seen
+    message = f"moments of '{first.link.name}' and {len(others)} more links would most likely be "
+    message += "about the origins of the links, and are meant to be about the CoM"
+    related = (Related(e.inertia, f"inertia of '{e.link.name}'") for e in others[:A_FEW])
+    fix = Fix("Give moments about the CoM in all links", tuple(changes))
+    yield Finding(first.inertia, message, tuple(related), fix, Severity.WARNING)
+
+
+def _seen(link: Link) -> _Seen | None:
+    inertia, frame = link.inertia, next(iter(link.frames), None)
+    body = mass_distribution(inertia, {}) if inertia is not None else None
+    pose = written_pose(frame.pose, {}) if frame is not None else None
+    if inertia is None or body is None or pose is None or body.mass <= 0.0:
+        return None
+    if not is_clearly_positive(second_moments_about_com(body)):
+        return None
+    x, y, z = pose.translation
+    if body.mass * (x * x + y * y + z * z) < _FAR * sum(body.moments[:3]):
+        return None
+    to_com = pose.inverse().translation
+    meant = shifted(MassDistribution(body.mass, to_com, body.moments), -1.0)
+    about_com = MassDistribution(body.mass, (0.0, 0.0, 0.0), meant.moments)
+    possible = is_clearly_positive(second_moments_about_com(about_com))
+    return _Seen(link, inertia, meant.moments, possible)
+
+
+def _size(seen: _Seen) -> tuple[str, ...]:
+    """Return what links share that were copied, whichever side they are of."""
+    moments = (value.literal or 0.0 for value in seen.inertia.moments.values())
+    return tuple(f"{abs(moment):.3g}" for moment in moments)

@@ -1,0 +1,44 @@
+"""Moments of a URDF that are about the origins of its links, all of them."""
+
+import pytest
+from tests.analysis.test_urdf_in_place import joint, link, robot
+
+from kindsl.judgement.analysis.analysis import analyse
+
+# Rods along z: mass, length; the CoM is in the middle.
+RODS = {"upper": (2.0, 0.4), "lower": (1.5, 0.3), "hand": (0.5, 0.2)}
+
+
+def arm(factors: dict[str, float]) -> str:
+    """Return an arm whose rods have so many twelfths of `m l²` across."""
+    blocks, above = [], "base"
+    for name, (mass, length) in RODS.items():
+        across = factors[name] / 12.0 * mass * length**2
+        tensor = f'ixx="{across:.6f}" ixy="0" ixz="0" iyy="{across:.6f}" iyz="0" izz="0.001"'
+        origin = f'<origin xyz="0 0 {length / 2}"/>'
+        blocks += [link(name, tensor, f"{mass}", origin), joint(f"to_{name}", above, name)]
+        above = name
+    return robot(*blocks)
+
+
+def test_moments_about_the_links_origins_are_told_once() -> None:
+    text = arm(dict.fromkeys(RODS, 4.0))
+    (found,) = (each for each in analyse(text).findings if each.code == "KD306")
+    assert "'upper' and 2 more links would most likely be about the origins" in found.message
+    assert found.severity == "warning"
+    assert text.count("\n", 0, found.start) + 1 == text[: text.index("<inertial>")].count("\n") + 1
+
+
+@pytest.mark.parametrize("honest", [*RODS, ""])
+def test_one_link_that_cannot_be_so_speaks_for_all(honest: str) -> None:
+    factors = {name: 1.0 if honest in ("", name) else 4.0 for name in RODS}
+    assert "KD306" not in [each.code for each in analyse(arm(factors)).findings]
+
+
+def test_copies_of_one_link_count_once() -> None:
+    text = arm(dict.fromkeys(RODS, 4.0))
+    start = text.index("<inertial>")
+    inertial = text[start : text.index("</inertial>", start)]
+    parts = text.split("<inertial>")
+    same = parts[0] + "".join(inertial + part[part.index("</inertial>") :] for part in parts[1:])
+    assert "KD306" not in [each.code for each in analyse(same).findings]
