@@ -4,6 +4,7 @@ import pytest
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.rules.registry import page_of, rule_named
+from kindsl.judgement.rules.subject import link_subject
 
 ROD = 'ixx="0.009" ixy="0" ixz="0" iyy="0.009" iyz="0" izz="0.0003"'
 ODD = 'ixx="0.021" ixy="{}0.004" ixz="0" iyy="0.031" iyz="0" izz="0.041"'
@@ -76,6 +77,31 @@ def test_a_frame_is_no_end_of_a_link() -> None:
     }
     assert found(robot(*parts, near["fixed"])) == []
     assert "KD309" in [code for code, _ in found(robot(*parts, near["revolute"]))]
+
+
+@pytest.mark.parametrize(
+    ("com", "units"),
+    [("0 0 150", "millimetres"), ("0.2 0 15", "millimetres or centimetres"), ("0 0 -5.9", "centi")],
+)
+def test_a_com_beyond_the_whole_robot_is_in_another_unit(com: str, units: str) -> None:
+    (told,) = [f for f in analyse(arm(com)).findings if f.code == "KD502"]
+    assert f"is it in {units}" in told.message
+    assert told.subject == link_subject("upper")
+    assert arm(com)[told.start : told.end] == com.split()[-1]
+
+
+def test_a_com_that_the_robot_reaches_is_in_metres() -> None:
+    crane = arm("0 0 15").replace('xyz="0 0 1"', 'xyz="0 0 20"')
+    assert "KD502" not in [code for code, _ in found(crane)]
+    assert "KD502" not in [code for code, _ in found(arm("0 0 4.9"))]
+    assert "KD502" not in [code for code, _ in found(robot(link("house", "0 0 15")))]
+
+
+def test_a_joint_in_millimetres() -> None:
+    far = arm("0 0 0.15").replace('xyz="0 0 0.3"', 'xyz="0 0 300"')
+    assert found(far)[-1] == ("KD502", far.splitlines()[far[: far.index("300")].count("\n")])
+    in_a_world = arm("0 0 0.15").replace('xyz="0 0 1"', 'xyz="30 0 1"')
+    assert "KD502" not in [code for code, _ in found(in_a_world)]
 
 
 def sides(left: str, right: str) -> str:

@@ -10,7 +10,7 @@ from itertools import combinations
 from math import exp, log
 from typing import NamedTuple, TypeVar
 
-from kindsl.judgement.diagnosis.fitted import WEIGHTS
+from kindsl.judgement.diagnosis.fitted import TABLES, WEIGHTS
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.rigid.body import MassDistribution, Symmetric, shifted
 from kindsl.mechanics.rigid.pose import Vector3
@@ -147,6 +147,17 @@ def _in_table(written: Hypothesis, among: Container[Slip]) -> Iterator[Hypothesi
 
 def _with(slip: Slip, h: Hypothesis, weight: float) -> Hypothesis:
     return h._replace(slips=(slip, *h.slips), weight=weight * h.weight)
+
+
+def likely_lengths(distance: float) -> list[str]:
+    """Return the units that the distance of a CoM is likely to be in, the likeliest first.
+
+    Args:
+        distance: As written, too far to be in metres.
+    """
+    said = [(TABLES["distance"].at(log(f * distance)) + log(w), u) for f, u, w in _LENGTHS]
+    greatest = max(said)[0]
+    return [unit for weight, unit in sorted(said, reverse=True) if weight > greatest - _LOG_TEN]
 
 
 def _other_signs(h: Hypothesis) -> Iterator[Hypothesis]:

@@ -39,11 +39,11 @@ def link_subject(name: str) -> Subject:
 
 
 def subject_at(at: Located) -> Subject:
-    """Return the frame, link or joint whose text a place lies in, else the document."""
+    """Return the frame with a name, link or joint whose text a place is in, else the document."""
     declared = declarations(at.island)
     for link in declared.bodies():
         for frame in link.frames:
-            if _holds(frame, at):
+            if frame.name and _holds(frame, at):
                 return Subject(SubjectKind.FRAME, str(frame.name))
         if _holds(link, at):
             return Subject(SubjectKind.LINK, str(link.name))

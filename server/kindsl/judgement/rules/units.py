@@ -13,6 +13,8 @@ from kindsl.language.semantics.places import Name, Place
 from kindsl.language.syntax.values import in_radians
 from kindsl.language.text.decimals import significant_decimal
 
+# What lengths are given in instead of metres: the name, and the factor.
+LENGTH_UNITS = {"mm": ("millimetres", 1e-3), "cm": ("centimetres", 1e-2), "in": ("inches", 0.0254)}
 _SI = {"kg": 1.0, "m": 1.0, "rad": 1.0, "g": 1e-3, "mm": 1e-3, "cm": 1e-2}
 _DEGREES = ("deg", "degrees")
 # These may well be the names of a mass or of gravity, unless they touch the number.

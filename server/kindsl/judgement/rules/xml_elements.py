@@ -17,7 +17,7 @@ OF_XML = frozenset(("KD315", "KD521", "KD522", "KD523", "KD524", "KD525", "KD526
 # Rules that ask of a document's bodies and limbs what others ask of those of a URDF.
 OF_BOTH = OF_PARTS | {
     "KD208", "KD209", "KD210", "KD304", "KD306", "KD307", "KD309", "KD310", "KD312", "KD313",
-    "KD509", "KD510", "KD511",
+    "KD502", "KD509", "KD510", "KD511",
 }  # fmt: skip
 CONCERN_XML = OF_PARTS | OF_XML | {"KD501"}
 # As many places of one finding are read one by one; of more its sentence gives the number.

@@ -2,14 +2,16 @@
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
+from math import hypot
 
 from kindsl.judgement.diagnosis.judgements import IMPOSSIBLE, Verdict, judgements
 from kindsl.judgement.diagnosis.suspects import suspects_of
 from kindsl.judgement.rules.base import Finding, Related, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.inertia.mirror_images import mirror_difference
+from kindsl.judgement.rules.units import LENGTH_UNITS
 from kindsl.judgement.rules.xml_bodies import XmlBody
-from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.declarations import Link, Vector
 from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import mass_distribution, written_pose
@@ -21,7 +23,7 @@ from kindsl.robots.limbs.comparison import Tolerance
 from kindsl.robots.limbs.mounts import REFLECTIONS
 from kindsl.robots.limbs.names import label_of, other_side
 from kindsl.robots.limbs.weighing import differing, seen_by
-from kindsl.robots.mechanism.body_verdicts import body_verdicts
+from kindsl.robots.mechanism.body_verdicts import DOUBTFUL_LENGTH, GREATEST_LENGTH, body_verdicts
 
 _NEARLY = Tolerance(5e-4, 0.05, 0.05)
 _MOMENT = re.compile(r"\bI([xyz])([xyz]?)\b(?=(?:[^']*'[^']*')*[^']*$)")
@@ -50,6 +52,8 @@ def body_findings(model: Model, bodies: Sequence[XmlBody], context: Context) -> 
     for body in bodies:
         if body.moves and not any(part.link in odd for part in body.parts):
             yield from _shapes(body)
+    yield from _far_coms(bodies)
+    yield from _far_joints(bodies)
     limbs = list(_limb_findings(bodies, odd))
     yield from ((code, finding) for code, finding, _ in limbs)
     yield from _mirrored(model, {*odd, *(link for *_, links in limbs for link in links)})
@@ -98,6 +102,51 @@ def _shapes(body: XmlBody) -> Found:
     for verdict in body_verdicts(str(body.link.name), mass, body.ends, frames):
         if verdict.code in _SHAPES:
             yield verdict.code, Finding(inertia, verdict.sentence)
+
+
+def _far_coms(bodies: Sequence[XmlBody]) -> Found:
+    """Yield the CoMs that lie farther from their links than all joints together reach.
+
+    Of 3,199 published parts none lies farther than nine tenths of that; a robot whose only joint
+    is next to its base has longer links, of which none is as long as `DOUBTFUL_LENGTH`.
+    """
+    reaches: list[float] = []
+    for body in bodies:
+        above = 0.0 if body.parent is None else reaches[body.parent]
+        reaches.append(above + hypot(*body.placement.translation))
+    reach = max(reaches, default=0.0)
+    for part in (part for body in bodies for part in body.parts if reach > 0.0):
+        frame, inertia = next(iter(part.link.frames), None), part.link.inertia
+        pose = written_pose(frame.pose, {}) if frame is not None else None
+        if inertia is None or frame is None or pose is None or frame.pose.translation is None:
+            continue
+        if hypot(*pose.translation) > max(reach, DOUBTFUL_LENGTH):
+            yield _in_another_unit(frame.pose.translation)
+
+
+def _far_joints(bodies: Sequence[XmlBody]) -> Found:
+    """Yield the moving joints that no robot has so far from the body that carries them."""
+    for body in bodies:
+        carrier = body.carrier
+        if carrier is None or not carrier.is_told or body.parent is None:
+            continue
+        translation, stands = carrier.joint.pose.translation, bodies[body.parent].mass is None
+        # What stands in a world may stand anywhere.
+        if translation is not None and not stands and _greatest(translation) > GREATEST_LENGTH:
+            yield _in_another_unit(translation)
+
+
+def _greatest(vector: Vector) -> float:
+    return max(abs(component.literal or 0.0) for component in vector.components)
+
+
+def _in_another_unit(vector: Vector) -> tuple[str, Finding]:
+    # Imported for these only, since it delays the linter's start.
+    from kindsl.judgement.diagnosis.slips import likely_lengths
+
+    farthest = max(vector.components, key=lambda each: abs(each.literal or 0.0))
+    units = " or ".join(LENGTH_UNITS[unit][0] for unit in likely_lengths(_greatest(vector)))
+    return "KD502", Finding(farthest, f"length {farthest.text} m is implausible; is it in {units}?")
 
 
 def _mirrored(model: Model, told_of: set[Link]) -> Found:

@@ -33,6 +33,7 @@ from kindsl.mechanics.rigid.pose import Vector3, dot, nearest_on_way
 
 LEAST_DENSITY, GREATEST_DENSITY = 10.0, 30_000.0  # kg/m³: foam, and more than any metal
 GREATEST_LENGTH = 10.0  # m: beyond that units are wrong, and nothing is judged
+DOUBTFUL_LENGTH = 5.0  # m: longer than any link of a robot, so wrong where more speaks for it
 
 _SHORTEST, _SHORTEST_ROD = 0.02, 0.05
 _GYRATIONS, _WIDE = 3.0, 5.0

@@ -1,10 +1,10 @@
 """A length was given in another unit.
 
 ## What it does
-Reports a translation or a centre of mass of more than 10 m in some direction, of an impossible
-inertia a centre of mass of more than 5 m. Says of an impossible inertia (KD301, KD302) that it
-would be consistent if its centre of mass were in millimetres, centimetres or inches. KD306 tells
-how causes are weighed.
+Reports a translation or a centre of mass of more than 10 m in some direction, and one of more than
+5 m of an impossible inertia, or of a URDF's part that lies beyond all that its robot reaches. Says
+of an impossible inertia (KD301, KD302) that it would be consistent if its centre of mass were in
+millimetres, centimetres or inches. KD306 tells how causes are weighed.
 
 ## Why is this bad?
 Lengths are in metres, and no robot of this kind is that large.
@@ -27,15 +27,14 @@ from kindsl.judgement.rules.examples import joint, link
 from kindsl.judgement.rules.geometry import lengths
 from kindsl.judgement.rules.inertia.told_causes import SuspectCom, explained, suspect_coms
 from kindsl.judgement.rules.number_writing import rescaled
+from kindsl.judgement.rules.units import LENGTH_UNITS
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Vector
 from kindsl.language.semantics.model import Model, model_part
 from kindsl.language.syntax.document import Chunk
 from kindsl.language.text.facts import kept
-from kindsl.robots.mechanism.body_verdicts import GREATEST_LENGTH
+from kindsl.robots.mechanism.body_verdicts import DOUBTFUL_LENGTH, GREATEST_LENGTH
 
-_GREATEST_OF_IMPOSSIBLE = 5.0
-_UNITS = {"mm": ("millimetres", 1e-3), "cm": ("centimetres", 1e-2), "in": ("inches", 0.0254)}
 _ANY = SuspectCom("mm", is_sure=True)
 
 
@@ -45,11 +44,11 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     told = set()
     for vector in (vector for chunk in model.document.chunks for vector in _long(chunk)):
         suspect = suspects.get(vector)
-        greatest = _GREATEST_OF_IMPOSSIBLE if suspect is not None else GREATEST_LENGTH
+        greatest = DOUBTFUL_LENGTH if suspect is not None else GREATEST_LENGTH
         for value in vector.components:
             if value.literal is not None and abs(value.literal) > greatest:
                 unit, is_sure = suspect or _ANY
-                name, factor = _UNITS[unit]
+                name, factor = LENGTH_UNITS[unit]
                 message = f"length {value.text} m is implausible; is it in {name}?"
                 yield Finding(value, message, fix=_fix(vector, factor) if is_sure else None)
                 told.add(vector)
@@ -68,7 +67,7 @@ def _long(chunk: Chunk) -> list[Vector]:
         vector
         for declared in model_part(chunk).declared
         for vector in lengths(declared)
-        if any(abs(c.literal or 0.0) > _GREATEST_OF_IMPOSSIBLE for c in vector.components)
+        if any(abs(c.literal or 0.0) > DOUBTFUL_LENGTH for c in vector.components)
     ]
 
 
