@@ -21,8 +21,7 @@ from kindsl.judgement.analysis.settings import Settings, is_enabled, severity_of
 from kindsl.judgement.analysis.syntax_findings import is_explained, syntax_findings
 from kindsl.judgement.rules.base import Finding, Rule
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.registry import all_rules, checking_rules, rules_with
-from kindsl.judgement.rules.xml_elements import CONCERN_XML
+from kindsl.judgement.rules.registry import CONCERN_XML, all_rules, checking_rules, rules_with
 from kindsl.language.semantics.model import Model
 from kindsl.language.syntax.document import SyntaxDocument, paused_collector
 from kindsl.language.syntax.readings import as_read_for

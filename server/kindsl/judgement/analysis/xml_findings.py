@@ -7,9 +7,9 @@ from kindsl.judgement.analysis.settings import Settings, is_enabled
 from kindsl.judgement.diagnosis.judgements import is_placeholder
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.registry import rules_with
+from kindsl.judgement.rules.registry import OF_PARTS, rules_with
 from kindsl.judgement.rules.xml_bodies import XmlBody, xml_bodies
-from kindsl.judgement.rules.xml_elements import A_FEW, OF_PARTS
+from kindsl.judgement.rules.xml_elements import A_FEW
 from kindsl.judgement.rules.xml_reference import reference_findings
 from kindsl.judgement.rules.xml_shapes import body_findings
 from kindsl.language.semantics.declarations import Link

@@ -6,9 +6,18 @@ from types import ModuleType
 
 from kindsl.judgement.rules import checks
 from kindsl.judgement.rules.base import Rule
-from kindsl.judgement.rules.xml_elements import OF_BOTH
 from kindsl.language.text.modules import module_names
 
+# Rules that say of a link of any format what they say of ours.
+OF_PARTS = frozenset(("KD301", "KD302", "KD303", "KD311"))
+# Rules that look at nothing but XML.
+OF_XML = frozenset(("KD315", "KD521", "KD522", "KD523", "KD524", "KD525", "KD526"))
+# Rules that ask of a document's bodies and limbs what others ask of those of a URDF.
+OF_BOTH = OF_PARTS | {
+    "KD208", "KD209", "KD210", "KD304", "KD306", "KD307", "KD309", "KD310", "KD312", "KD313",
+    "KD502", "KD509", "KD510", "KD511",
+}  # fmt: skip
+CONCERN_XML = OF_PARTS | OF_XML | {"KD501"}
 # Rules that parsers, the configuration or comments report.
 _WITHOUT_CHECK = ("kd0", "kd404", "kd527", "kd704", "kd706", "kd8", "kd902")
 _IN_XML = """
@@ -29,8 +38,9 @@ def all_rules() -> tuple[Rule, ...]:
 
 @cache
 def checking_rules() -> tuple[Rule, ...]:
-    """Return the rules that look at a model, without loading those that others report."""
-    names = (name for name in _module_names() if not name.startswith(_WITHOUT_CHECK))
+    """Return the rules that look at a document's model, loading no others."""
+    others = (*_WITHOUT_CHECK, *map(str.lower, OF_XML))
+    names = (name for name in _module_names() if not name.startswith(others))
     return tuple(rule_module(name).RULE for name in names)
 
 

@@ -1,4 +1,4 @@
-"""The rules that concern robots in XML, and the elements that they look at."""
+"""The elements of robots in XML that rules look at."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -10,16 +10,6 @@ if TYPE_CHECKING:
     from kindsl.robots.interchange.robot_island import RobotIsland
     from kindsl.robots.interchange.xml_reading import XmlElement
 
-# Rules that say of a link of any format what they say of ours.
-OF_PARTS = frozenset(("KD301", "KD302", "KD303", "KD311"))
-# Rules that look at nothing but XML.
-OF_XML = frozenset(("KD315", "KD521", "KD522", "KD523", "KD524", "KD525", "KD526"))
-# Rules that ask of a document's bodies and limbs what others ask of those of a URDF.
-OF_BOTH = OF_PARTS | {
-    "KD208", "KD209", "KD210", "KD304", "KD306", "KD307", "KD309", "KD310", "KD312", "KD313",
-    "KD502", "KD509", "KD510", "KD511",
-}  # fmt: skip
-CONCERN_XML = OF_PARTS | OF_XML | {"KD501"}
 # As many places of one finding are read one by one; of more its sentence gives the number.
 A_FEW = 3
 _LIMITED = ("revolute", "prismatic")
