@@ -97,6 +97,19 @@ def test_a_com_that_the_robot_reaches_is_in_metres() -> None:
     assert "KD502" not in [code for code, _ in found(robot(link("house", "0 0 15")))]
 
 
+def test_a_root_that_stands_still_may_have_no_mass() -> None:
+    on_a_table = arm("0 0 0.15").replace('<link name="base"/>', link("base", mass="0"))
+    assert "KD303" not in [code for code, _ in found(on_a_table)]
+    moved = on_a_table.replace('parent link="base"', 'parent link="table"').replace(
+        "</robot>", '<link name="table"/>' + joint("slides", "table", "base", "0 0 0") + "</robot>"
+    )
+    assert "KD303" not in [code for code, _ in found(moved)]
+    assert "KD304" in [code for code, _ in found(moved)]
+    assert "KD303" in [
+        code for code, _ in found(on_a_table.replace('"0"/><inertia', '"-1"/><inertia'))
+    ]
+
+
 def test_a_joint_in_millimetres() -> None:
     far = arm("0 0 0.15").replace('xyz="0 0 0.3"', 'xyz="0 0 300"')
     assert found(far)[-1] == ("KD502", far.splitlines()[far[: far.index("300")].count("\n")])

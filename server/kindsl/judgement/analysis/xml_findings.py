@@ -68,6 +68,9 @@ def xml_findings(
             continue
         if rule.code == _NO_MASS and island in massless:
             continue
+        # So a simulator is told that a root stands still.
+        if rule.code == _NO_MASS and island in at_rest and finding.severity is Severity.WARNING:
+            continue
         is_light = is_of_part and island in light
         is_light = is_light or (rule.code == _DENSITY and island in at_rest)
         severity = Severity.HINT if is_light else finding.severity
