@@ -3,7 +3,7 @@
 import random
 from collections.abc import Iterator
 from itertools import product
-from math import inf, sqrt
+from math import sqrt
 
 import numpy as np
 import pytest
@@ -19,7 +19,6 @@ from kindsl.mechanics.rigid.body import (
     determinant,
     eigensystem,
     equivalent_box,
-    equivalent_density,
     greatest_moment,
     greatest_second_moment,
     is_clearly_positive,
@@ -228,29 +227,6 @@ def _about(body: MassDistribution, axis: np.ndarray) -> tuple[float, float]:
     """Return the second moment along an axis and the moment about it, both about the CoM."""
     second = matrix_of(second_moments_about_com(body))
     return axis @ second @ axis, axis @ inertia_tensor_about_com(body) @ axis
-
-
-@settings(max_examples=40, deadline=None, derandomize=True)
-@given(st.floats(0.5, 9.0), st.floats(0.01, 4.0), st.floats(0.0, 1.0), st.floats(0.0, 1.0))
-def test_thin_bodies_are_as_dense_as_if_they_were_a_tenth_as_thick_as_long(
-    mass: float, length: float, one: float, other: float
-) -> None:
-    thick = 0.01 * length
-    expected = equivalent_density(mass, (thick, thick, length))
-    thin = equivalent_density(mass, (min(one, other) * thick, max(one, other) * thick, length))
-    np.testing.assert_allclose(thin, expected)
-    assert equivalent_density(mass, (thick, 4.0 * thick, length)) < 0.6 * expected
-
-
-def test_a_body_without_extent_is_dense_without_bound() -> None:
-    assert equivalent_density(1.0, (0.0, 0.0, 0.0)) == inf
-
-
-def test_density_of_a_homogeneous_ellipsoid_is_its_own() -> None:
-    mass, axes = 3.0, (0.1, 0.2, 0.3)
-    volume = 4.0 / 3.0 * np.pi * np.prod(axes)
-    second_moments = tuple(mass * a * a / 5.0 for a in axes)
-    np.testing.assert_allclose(equivalent_density(mass, second_moments), mass / volume)
 
 
 @settings(max_examples=200, deadline=None, derandomize=True)

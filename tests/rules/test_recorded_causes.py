@@ -21,7 +21,7 @@ from kindsl.mechanics.rigid.body import (
     second_moments_about_com,
     shifted,
 )
-from kindsl.robots.mechanism.body_verdicts import density_of
+from kindsl.mechanics.rigid.matter import density_of
 
 RECORDED = Path(__file__).parent / "recorded" / "causes.txt"
 # Twins on two sides, each with a joint and a frame ahead.

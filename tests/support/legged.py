@@ -7,8 +7,8 @@ from math import prod
 from tests.support.bodies import Writer, inertia_text, random_body, random_rotation
 
 from kindsl.mechanics.rigid.body import MassDistribution, eigensystem, second_moments_about_com
+from kindsl.mechanics.rigid.matter import density_of
 from kindsl.mechanics.rigid.pose import RigidPose, Vector3, angles
-from kindsl.robots.mechanism.body_verdicts import density_of
 
 Legs = Mapping[str, tuple[Vector3, float]]
 

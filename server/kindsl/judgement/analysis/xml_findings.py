@@ -19,8 +19,8 @@ from kindsl.language.semantics.numbers import mass_distribution
 from kindsl.language.semantics.places import Located
 from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.mechanics.rigid.body import eigensystem, second_moments_about_com
+from kindsl.mechanics.rigid.matter import density_of
 from kindsl.robots.interchange.xml_document import XmlDocument
-from kindsl.robots.mechanism.body_verdicts import density_of
 
 _MISSING, _PLACEHOLDER, _COPIED, _DENSITY = "KD304", "KD310", "KD315", "KD311"
 _NO_MASS, _REFERENCE = "KD303", "KD306"

@@ -38,13 +38,13 @@ from kindsl.mechanics.rigid.body import (
     principal_moments,
     second_moments_about_com,
 )
-from kindsl.robots.mechanism.body_verdicts import (
+from kindsl.mechanics.rigid.matter import (
     GREATEST_DENSITY,
-    GREATEST_LENGTH,
     density_of,
     is_dense_as_matter,
     is_plainly_dense_as_matter,
 )
+from kindsl.robots.mechanism.body_verdicts import GREATEST_LENGTH
 
 _JUDGED: "Fact[tuple[Mapping[str, float] | None, _Judged]]" = Fact("judgements")
 # The numbers of an inertia in words, as `MassDistribution` has them.

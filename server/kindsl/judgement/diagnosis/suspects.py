@@ -12,7 +12,7 @@ from kindsl.judgement.diagnosis.judgements import (
 )
 from kindsl.language.semantics.model import Model, ModelPart
 from kindsl.language.text.facts import Fact
-from kindsl.robots.mechanism.body_verdicts import density_of
+from kindsl.mechanics.rigid.matter import density_of
 
 # Density is told from the thickness, which is not known here: a hundredfold is none.
 _LEAST_THIN, _GREATEST_THIN = 0.1, 1e6

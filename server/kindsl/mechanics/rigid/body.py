@@ -16,7 +16,7 @@ parameter identification; Traversaro et al. 2016.
 """
 
 from collections.abc import Sequence
-from math import copysign, hypot, inf, pi, sqrt
+from math import copysign, hypot, sqrt
 from typing import NamedTuple
 
 from kindsl.mechanics.rigid.pose import RigidPose, Vector3
@@ -241,23 +241,6 @@ def _greatest_sum(weights: Symmetric, values: Symmetric, halves: Symmetric) -> f
     return sum(
         w * value + abs(w) * half for w, value, half in zip(weights, values, halves, strict=True)
     )
-
-
-def equivalent_density(mass: float, eigenvalues: Vector3) -> float:
-    """Return the density of the homogeneous ellipsoid with these second moments, kg/m³.
-
-    A body thinner than a tenth of its length is taken to be that thick, so that rods and plates
-    whose thickness is lost in rounding are not dense without bound. A body without any extent is.
-
-    Args:
-        mass: kg, positive.
-        eigenvalues: Of the second moments about the CoM, ascending.
-    """
-    least = 0.01 * max(eigenvalues[2], 0.0)
-    volume = 4.0 / 3.0 * pi
-    for value in eigenvalues:
-        volume *= sqrt(5.0 * max(value, least) / mass)
-    return mass / volume if volume else inf
 
 
 def equivalent_box(body: MassDistribution) -> tuple[Vector3, float] | None:

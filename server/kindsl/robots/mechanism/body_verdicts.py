@@ -15,38 +15,37 @@ UR5's arms are `across` (a real defect), only an arm of TIAGo dual and a clavicl
 from collections.abc import Sequence
 from enum import StrEnum
 from functools import lru_cache
-from math import dist, hypot, pi, sqrt
+from math import dist, hypot, sqrt
 from typing import NamedTuple
 
 from kindsl.language.text.quantities import with_unit
 from kindsl.mechanics.rigid.body import (
-    Eigenpair,
     MassDistribution,
     Symmetric,
-    determinant,
     eigensystem,
-    equivalent_density,
     is_clearly_positive,
     second_moments_about_com,
 )
-from kindsl.mechanics.rigid.pose import Vector3, dot, nearest_on_way
+from kindsl.mechanics.rigid.matter import (
+    GREATEST_DENSITY,
+    LEAST_DENSITY,
+    density_of,
+    is_plainly_dense_as_matter,
+)
+from kindsl.mechanics.rigid.pose import Vector3, nearest_on_way
+from kindsl.mechanics.rigid.rod import Rod, rod_beside
 
-LEAST_DENSITY, GREATEST_DENSITY = 10.0, 30_000.0  # kg/m³: foam, and more than any metal
 GREATEST_LENGTH = 10.0  # m: beyond that units are wrong, and nothing is judged
 DOUBTFUL_LENGTH = 5.0  # m: longer than any link of a robot, so wrong where more speaks for it
 
 _SHORTEST, _SHORTEST_ROD = 0.02, 0.05
 _GYRATIONS, _WIDE = 3.0, 5.0
-_SLENDER_ACROSS, _SLENDER_ALONG = 8.0, 4.0
+_SLENDER_ACROSS = 8.0
 _AS_LONG_ACROSS, _AS_LONG_BEHIND = (0.7, 1.5), (0.5, 1.5)
 _OBLIQUE, _SQUARE, _PARALLEL = 0.5, 0.2, 0.8  # cosines
-_BESIDE, _NEAR_END, _BEYOND = 0.2, 0.2, 0.1  # shares of the link's length
-_IMPOSSIBLE, _NEGLIGIBLE = 0.01, 1e-9
-_LEAST_SQUARE = (3.0 / (4.0 * pi * LEAST_DENSITY)) ** 2 / 125.0
-_GREATEST_SQUARE = (3.0 / (4.0 * pi * GREATEST_DENSITY)) ** 2 / 125.0
+_NEAR_END = 0.2  # of the link's length
+_NEGLIGIBLE = 1e-9
 _MOST_KNOWN = 1 << 12
-
-Pairs = tuple[Eigenpair, Eigenpair, Eigenpair]
 
 
 class BodyDoubt(StrEnum):
@@ -94,13 +93,19 @@ def body_verdicts(
     """
     if body.mass <= 0.0:
         return ()
-    density = density_verdict(name, body)
-    place = _place_verdict(name, body, (*children, *frames))
+    ends, points = children or frames, [p for p in (*children, *frames) if any(p)]
+    is_way = len(ends) == 1 and _is_way(ends[0])
+    second_moments = second_moments_about_com(body)
+    apart = min([dist(body.com, nearest_on_way(body.com, point)) for point in points], default=0.0)
+    rod = rod_beside(body, second_moments, ends[0]) if is_way else None
+    is_matter = is_clearly_positive(second_moments)
+    is_matter = is_matter and is_plainly_dense_as_matter(body.mass, second_moments)
+    density = None if is_matter else density_verdict(name, body)
+    place = _place_verdict(name, body, second_moments, points, apart)
     if density is not None and place is not None and place.kind is BodyDoubt.TOO_LONG:
         place = None  # The moments are reported once.
-    ends = children or frames
-    rod = _rod_verdict(name, body, ends[0]) if len(ends) == 1 else None
-    return tuple(verdict for verdict in (density, place, rod) if verdict is not None)
+    lie = _rod_verdict(name, rod) if rod is not None else None
+    return tuple(verdict for verdict in (density, place, lie) if verdict is not None)
 
 
 def density_verdict(name: str, body: MassDistribution) -> BodyVerdict | None:
@@ -111,10 +116,6 @@ def density_verdict(name: str, body: MassDistribution) -> BodyVerdict | None:
         body: With a positive mass, in any frame.
     """
     second_moments = second_moments_about_com(body)
-    if is_clearly_positive(second_moments) and is_plainly_dense_as_matter(
-        body.mass, second_moments
-    ):
-        return None
     pairs = eigensystem(second_moments)
     is_possible = pairs[0].value > _NEGLIGIBLE * sum(pair.value for pair in pairs) > 0.0
     density = density_of(body.mass, pairs)
@@ -128,48 +129,25 @@ def density_verdict(name: str, body: MassDistribution) -> BodyVerdict | None:
 
 def lies_along(body: MassDistribution, end: Vector3) -> bool:
     """Return whether a body is a rod along the way to an end of its link."""
-    rod = _rod(body, end)
+    rod = rod_beside(body, second_moments_about_com(body), end) if _is_way(end) else None
     return rod is not None and rod.cosine >= _PARALLEL and rod.is_between and not rod.is_beside
 
 
-def is_plainly_dense_as_matter(mass: float, second_moments: Symmetric) -> bool:
-    """Return whether the equivalent ellipsoid's density is plausible, without eigenvalues.
-
-    The ellipsoid with semi-axes `sqrt(5 s / m)` has the squared volume
-    `(4/3 pi)^2 125 det(S) / m^3`, and density is mass by volume.
-    """
-    scale = mass * mass * mass * mass * mass
-    return _GREATEST_SQUARE * scale <= determinant(second_moments) <= _LEAST_SQUARE * scale
-
-
-def density_of(mass: float, pairs: Pairs) -> float:
-    """Return the density of the equivalent ellipsoid, kg/m³; infinite without extent.
-
-    Args:
-        mass: kg, positive.
-        pairs: Eigenpairs of the second moments about the CoM, ascending.
-    """
-    return equivalent_density(mass, (pairs[0].value, pairs[1].value, pairs[2].value))
-
-
-def is_dense_as_matter(mass: float, pairs: Pairs) -> bool:
-    """Return whether a body is neither lighter than foam nor heavier than any metal."""
-    return LEAST_DENSITY <= density_of(mass, pairs) <= GREATEST_DENSITY
-
-
 def _place_verdict(
-    name: str, body: MassDistribution, points: Sequence[Vector3]
+    name: str,
+    body: MassDistribution,
+    second_moments: Symmetric,
+    points: Sequence[Vector3],
+    apart: float,
 ) -> BodyVerdict | None:
-    """Return whether the mass is where the link is."""
+    """Return whether the mass is where the link is, `apart` from it in metres."""
     length = max([hypot(*point) for point in points], default=0.0)
-    second_moments = second_moments_about_com(body)
     is_shape = sum(second_moments[:3]) >= -_NEGLIGIBLE * max(body.moments)
     if not _SHORTEST < length < GREATEST_LENGTH or not is_shape:
         return None
     com, radius = body.com, _gyration(body, second_moments)
     if max(map(abs, com)) > GREATEST_LENGTH:
         return None
-    apart = min(dist(com, nearest_on_way(com, point)) for point in points if any(point))
     its_length = f"{with_unit(length, 'm')} long"
     if apart > length + _GYRATIONS * radius:
         told = f"CoM of '{name}' lies {with_unit(apart, 'm')} from a link {its_length}"
@@ -180,59 +158,12 @@ def _place_verdict(
     return None
 
 
-class _Rod(NamedTuple):
-    """A slender body, and how it lies to a way.
-
-    Attributes:
-        length: Of a uniform rod with its largest second moment, m.
-        way: Length of the way, m.
-        slender: Largest by middle second moment.
-        cosine: Of the angle between them.
-        ahead: Share of the way at which the CoM is.
-        beside: Distance of the CoM from the way's line, m.
-    """
-
-    length: float
-    way: float
-    slender: float
-    cosine: float
-    ahead: float
-    beside: float
-
-    @property
-    def is_between(self) -> bool:
-        """True if the CoM is between the ends of the way, or hardly beyond."""
-        return -_BEYOND <= self.ahead <= 1.0 + _BEYOND
-
-    @property
-    def is_beside(self) -> bool:
-        """True if the CoM is away from the way."""
-        return self.beside > _BESIDE * self.way
-
-    def is_as_long(self, limits: tuple[float, float]) -> bool:
-        """Return whether it is about as long as the way."""
-        return limits[0] < self.length / self.way < limits[1]
+def _is_way(end: Vector3) -> bool:
+    return _SHORTEST_ROD < hypot(*end) < GREATEST_LENGTH
 
 
-def _rod(body: MassDistribution, end: Vector3) -> _Rod | None:
-    """Return a body as a rod, None where it is stout, or impossible, or the way too short."""
-    way, second_moments = hypot(*end), second_moments_about_com(body)
-    if not _SHORTEST_ROD < way < GREATEST_LENGTH or _is_plainly_stout(second_moments):
-        return None
-    small, middle, large = eigensystem(second_moments)
-    slender = large.value / max(middle.value, _NEGLIGIBLE * large.value, 1e-300)
-    if small.value < -_IMPOSSIBLE * large.value or slender <= _SLENDER_ALONG:
-        return None
-    length, ahead = sqrt(12.0 * large.value / body.mass), dot(body.com, end) / way
-    beside = sqrt(max(dot(body.com, body.com) - ahead * ahead, 0.0))
-    return _Rod(length, way, slender, abs(dot(large.axis, end)) / way, ahead / way, beside)
-
-
-def _rod_verdict(name: str, body: MassDistribution, end: Vector3) -> BodyVerdict | None:
+def _rod_verdict(name: str, rod: Rod) -> BodyVerdict | None:
     """Return how a rod lies to the way from the link's joint to its only end."""
-    rod = _rod(body, end)
-    if rod is None:
-        return None
     if rod.slender > _SLENDER_ACROSS and rod.is_as_long(_AS_LONG_ACROSS):
         is_square = rod.cosine <= _SQUARE and _NEAR_END < rod.ahead < 1.0 - _NEAR_END
         if is_square or (rod.cosine <= _OBLIQUE and rod.is_beside):
@@ -242,7 +173,7 @@ def _rod_verdict(name: str, body: MassDistribution, end: Vector3) -> BodyVerdict
     return None
 
 
-def _across(name: str, rod: _Rod) -> BodyVerdict:
+def _across(name: str, rod: Rod) -> BodyVerdict:
     told = f"inertia of '{name}' describes a rod {with_unit(rod.length, 'm')} long across the link"
     told += f", which is {with_unit(rod.way, 'm')} long"
     if rod.is_beside:
@@ -250,7 +181,7 @@ def _across(name: str, rod: _Rod) -> BodyVerdict:
     return BodyVerdict(BodyDoubt.ACROSS, rod.length, "KD313", told)
 
 
-def _behind(name: str, rod: _Rod) -> BodyVerdict:
+def _behind(name: str, rod: Rod) -> BodyVerdict:
     """Return the verdict on a CoM that is not between the joints."""
     ahead = rod.ahead * rod.way
     if ahead < 0.0:
@@ -259,16 +190,6 @@ def _behind(name: str, rod: _Rod) -> BodyVerdict:
     else:
         told = f"{with_unit(ahead - rod.way, 'm')} beyond its next joint"
     return BodyVerdict(BodyDoubt.BEHIND, ahead, "KD511", f"CoM of '{name}' lies {told}")
-
-
-def _is_plainly_stout(second_moments: Symmetric) -> bool:
-    """Return whether the largest second moment is less than four times the next, and all positive.
-
-    With `x <= y` and `4 y <= z`, `(x + y + z)^2` is `4 (x y + x z + y z)` at least.
-    """
-    xx, yy, zz, xy, xz, yz = second_moments
-    minors = xx * yy + xx * zz + yy * zz - xy * xy - xz * xz - yz * yz
-    return (xx + yy + zz) ** 2 < _SLENDER_ALONG * minors
 
 
 def _gyration(body: MassDistribution, second_moments: Symmetric) -> float:

@@ -31,7 +31,7 @@ from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.language.text.facts import Fact
 from kindsl.language.text.quantities import with_unit
 from kindsl.mechanics.rigid.body import MassDistribution, eigensystem, second_moments_about_com
-from kindsl.robots.mechanism.body_verdicts import density_of
+from kindsl.mechanics.rigid.matter import density_of
 
 # A fix is offered from here on, a cause told; that of numbers that no
 # matter has from the last.
