@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.analysis.test_urdf_fixes import spoilt
 from tests.cli.test_other_formats import URDF
 from tests.support.lsp import RawClient, ready_client
 
@@ -69,6 +70,19 @@ def test_nothing_of_the_language_is_said_of_it(
     assert client.request("textDocument/formatting", {**document, **options}) is None
     assert client.request("textDocument/completion", at(uri, "name", text)) is None
     assert client.request("textDocument/semanticTokens/full", document) is None
+
+
+def test_a_fix_and_a_comment_are_offered(client: RawClient, tmp_path: Path) -> None:
+    uri = uris.uri(tmp_path / "legs.urdf")
+    text = spoilt('value="1.152"', 'value="1152"')
+    client.open(uri, text)
+    (found,) = client.diagnostics(uri)
+    asked = {"range": found["range"], "context": {"diagnostics": []}}
+    asked["textDocument"] = {"uri": uri}
+    fix, comment = client.request("textDocument/codeAction", asked)
+    assert (fix["title"], comment["title"]) == ("Convert the mass to kg", "Ignore KD314 here")
+    (edit,) = fix["edit"]["documentChanges"][0]["edits"]
+    assert edit["newText"] == "1.152"
 
 
 def test_hovers_have_mechanics_in_the_files_frames(client: RawClient, tmp_path: Path) -> None:

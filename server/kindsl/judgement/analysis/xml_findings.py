@@ -10,6 +10,7 @@ from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.registry import OF_PARTS, rules_with
 from kindsl.judgement.rules.xml_bodies import XmlBody, xml_bodies
 from kindsl.judgement.rules.xml_elements import A_FEW
+from kindsl.judgement.rules.xml_fixes import xml_fix
 from kindsl.judgement.rules.xml_reference import reference_findings
 from kindsl.judgement.rules.xml_shapes import body_findings
 from kindsl.language.semantics.declarations import Link
@@ -37,7 +38,9 @@ def xml_findings(
     settings: Settings,
     found: Sequence[tuple[Rule, Finding]],
 ) -> Iterator[tuple[Rule, Finding]]:
-    """Yield all findings of an XML file: without fixes, and on parts that hardly weigh as hints.
+    """Yield all findings of an XML file, those on parts that hardly weigh as hints.
+
+    Fixes are those of causes alone, of which the probability is known.
 
     Args:
         document: The file.
@@ -73,8 +76,9 @@ def xml_findings(
             continue
         is_light = is_of_part and island in light
         is_light = is_light or (rule.code == _DENSITY and island in at_rest)
+        fix = xml_fix(finding.fix) if finding.probability and not is_light else None
         severity = Severity.HINT if is_light else finding.severity
-        told.append((rule, finding._replace(fix=None, choices=(), severity=severity)))
+        told.append((rule, finding._replace(fix=fix, choices=(), severity=severity)))
     yield from _folded(told)
 
 

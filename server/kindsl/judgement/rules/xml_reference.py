@@ -3,16 +3,13 @@
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Severity
-from kindsl.judgement.rules.number_writing import rewritten
+from kindsl.judgement.rules.base import Finding, Related, Severity
 from kindsl.judgement.rules.xml_bodies import XmlBody
 from kindsl.judgement.rules.xml_elements import A_FEW
 from kindsl.language.semantics.declarations import Inertia, Link
 from kindsl.language.semantics.numbers import mass_distribution, written_pose
-from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.rigid.body import (
     MassDistribution,
-    Symmetric,
     is_clearly_positive,
     second_moments_about_com,
     shifted,
@@ -24,11 +21,10 @@ _FEWEST = 3
 
 
 class _Seen(NamedTuple):
-    """A link whose moments would be much smaller about its CoM if they were about its origin."""
+    """A link whose CoM is far from its origin; whether its moments may be about the latter."""
 
     link: Link
     inertia: Inertia
-    meant: Symmetric
     is_possible: bool
 
 
@@ -42,16 +38,11 @@ def reference_findings(bodies: Sequence[XmlBody]) -> Iterator[Finding]:
     unlike = {_size(each) for each in seen}
     if len(unlike) < _FEWEST or not all(each.is_possible for each in seen):
         return
-    changes: list[Replacement] = []
-    for each in seen:
-        values = [each.inertia.moments[name] for name in MOMENTS]
-        changes += rewritten(values, each.meant) or ()
     first, *others = seen
     message = f"moments of '{first.link.name}' and {len(others)} more links would most likely be "
     message += "about the origins of the links, and are meant to be about the CoM"
     related = (Related(e.inertia, f"inertia of '{e.link.name}'") for e in others[:A_FEW])
-    fix = Fix("Give moments about the CoM in all links", tuple(changes))
-    yield Finding(first.inertia, message, tuple(related), fix, Severity.WARNING)
+    yield Finding(first.inertia, message, tuple(related), severity=Severity.WARNING)
 
 
 def _seen(link: Link) -> _Seen | None:
@@ -69,7 +60,7 @@ def _seen(link: Link) -> _Seen | None:
     meant = shifted(MassDistribution(body.mass, to_com, body.moments), -1.0)
     about_com = MassDistribution(body.mass, (0.0, 0.0, 0.0), meant.moments)
     possible = is_clearly_positive(second_moments_about_com(about_com))
-    return _Seen(link, inertia, meant.moments, possible)
+    return _Seen(link, inertia, possible)
 
 
 def _size(seen: _Seen) -> tuple[str, ...]:

@@ -84,14 +84,15 @@ class XmlIsland(OtherIsland):
     Attributes:
         element: The element, None for the tags around elements.
         has_attributes: Whether its values are attributes, as in a URDF.
+        negated: Where numbers begin that have the opposite sign in the document.
     """
 
-    __slots__ = ("element",)
+    __slots__ = ("element", "negated")
 
     has_attributes = True
 
     def __init__(self, text: str, element: XmlElement | None) -> None:
-        self.element = element
+        self.element, self.negated = element, set[int]()
         comments = tuple(match.span() for match in _COMMENT.finditer(text))
         super().__init__(text, (), (), (), comments, ())
         if self.element is not None:
@@ -151,10 +152,7 @@ class XmlIsland(OtherIsland):
         span = self.attribute(element, name)
         if span is None or any(finite_number(w) is None for w in (element.get(name) or "").split()):
             return []
-        return [
-            self.number(_with_sign(_as_decimal(word[0]), sign), word.start(), word.end())
-            for word in _WORD.finditer(self.text, *span)
-        ]
+        return self._words(*span, sign)
 
     def numbers_within(self, element: Any, sign: int = 1) -> list[Expression]:
         """Return the numbers that an element holds, none where one is not finite.
@@ -167,9 +165,14 @@ class XmlIsland(OtherIsland):
             return []
         start = self.tag(element)[1]
         end = getattr(element, "end", start)
-        words = _WORD.finditer(self.text, start, max(start, end))
         if len(element) or "<" in self.text[start:end]:
             return []
+        return self._words(start, max(start, end), sign)
+
+    def _words(self, start: int, end: int, sign: int) -> list[Expression]:
+        words = list(_WORD.finditer(self.text, start, end))
+        if sign < 0:
+            self.negated.update(word.start() for word in words)
         return [
             self.number(_with_sign(_as_decimal(word[0]), sign), word.start(), word.end())
             for word in words

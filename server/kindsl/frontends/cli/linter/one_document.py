@@ -85,8 +85,7 @@ def _checked(task: Task, text: str) -> Checked:
 def _fixed(task: Task, text: str) -> tuple[Analysis, int, Failure | None]:
     """Return the document as the task wants it fixed, and the failure of writing it."""
     analysis = Analysis(syntax_of(task.shown, text), task.settings)
-    is_as_written = task.fix_mode is FixMode.NONE or analysis.syntax.is_xml
-    if is_as_written or not is_decodable(text):
+    if task.fix_mode is FixMode.NONE or not is_decodable(text):
         return analysis, 0, None
     from kindsl.frontends.cli.documents.writing import write_text
     from kindsl.judgement.analysis.fixing import fixed, is_fixable, is_safe

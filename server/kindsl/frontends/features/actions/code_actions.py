@@ -70,6 +70,13 @@ def quick_fixes(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, .
     return (*fixes, *additions, *created, *_fixes_of_rules(analysis, touched))
 
 
+def xml_actions(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, ...]:
+    """Return what can be done about a range of a robot in XML."""
+    touched = offered(analysis, _touched(analysis, start, end))
+    fixes = (_fix(finding, fix) for finding in touched for fix in _fixes_of(finding))
+    return (*fixes, *suppressions(analysis, start, end))
+
+
 def fix_all_action(analysis: Analysis) -> CodeAction | None:
     """Return the action that applies every safe fix, or None if there is nothing to fix."""
     if analysis not in _fixed:
@@ -110,7 +117,8 @@ def suppressions(analysis: Analysis, start: int, end: int) -> Iterator[CodeActio
     touched = _touched(analysis, start, end)
     for code in dict.fromkeys(d.code for d in touched if not d.code.startswith("KD0")):
         finding = next(d for d in touched if d.code == code)
-        edit = _ignoring(analysis.text, finding)
+        is_xml = analysis.syntax.is_xml
+        edit = _ignoring_xml(analysis, finding) if is_xml else _ignoring(analysis.text, finding)
         yield CodeAction(f"Ignore {code} here", IGNORE, (edit,), (finding,))
 
 
@@ -124,6 +132,22 @@ def _ignoring(text: str, finding: Diagnostic) -> TextEdit:
     line = finding.start - column
     comment = f"{indentation(text, finding.start)}// kindsl: ignore[{finding.code}]"
     return TextEdit(line, line, f"{comment}{newline_of(text)}")
+
+
+def _ignoring_xml(analysis: Analysis, finding: Diagnostic) -> TextEdit:
+    """Return the comment before the inertia, link or joint that a finding is in."""
+    text, placed = analysis.text, analysis.syntax.island_at(finding.start)
+    at = placed.start
+    pending = list(placed.island.nodes)
+    while pending:
+        node = pending.pop()
+        if node.start <= finding.start - placed.start < node.end:
+            at = placed.start + node.start
+            pending = list(node.nodes("inertia"))
+    _, column = LineIndex(text).position(at)
+    before = text[at - column : at]
+    behind = " " if before.strip() else f"{newline_of(text)}{before}"
+    return TextEdit(at, at, f"<!-- kindsl: ignore[{finding.code}] -->{behind}")
 
 
 def refactorings(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, ...]:

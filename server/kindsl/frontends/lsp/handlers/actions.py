@@ -58,6 +58,15 @@ def offer_for_transforms(
     return _wanted(view, found, params.context.only)
 
 
+@handlers.xml(types.TEXT_DOCUMENT_CODE_ACTION)
+def offer_for_xml(view: View, params: types.CodeActionParams) -> list[types.CodeAction]:
+    """Offer what can be done about a selection in a robot in XML."""
+    from kindsl.frontends.features.actions.code_actions import xml_actions
+
+    start, end = view.offset(params.range.start), view.offset(params.range.end)
+    return _wanted(view, xml_actions(view.analysis, start, end), params.context.only)
+
+
 def _wanted(
     view: Sight, found: "Iterable[CodeAction | None]", only: object
 ) -> list[types.CodeAction]:

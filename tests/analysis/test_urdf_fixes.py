@@ -1,0 +1,76 @@
+"""Fixes of a URDF: whole numbers of a likely cause, and not one byte beside them."""
+
+import pytest
+from tests.analysis.test_sdf_in_place import ARM as SDF
+from tests.analysis.test_urdf_in_place import joint, link, robot
+
+from kindsl.frontends.features.actions.code_actions import xml_actions
+from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.fixing import announced, fixed, is_fixable
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.text.edits import apply_edits
+
+SIDES = ("left", "right")
+THIGH = 'ixx="0.0044459086" ixy="1.28738e-04" ixz="0" iyy="0.0046023457" iyz="0" izz="8.69608e-04"'
+LEGS = robot(
+    *(link(f"{side}_thigh", THIGH, "1.152", '<origin xyz="0 0 -0.1"/>') for side in SIDES),
+    *(link(f"{side}_shank", THIGH, "1.152", '<origin xyz="0 0 -0.1"/>') for side in SIDES),
+    *(joint(f"{side}_hip", "base", f"{side}_thigh") for side in SIDES),
+    *(joint(f"{side}_knee", f"{side}_thigh", f"{side}_shank") for side in SIDES),
+).replace(
+    '_shank"/>', '_shank"/><origin xyz="0 0 -0.2"/>'
+)  # fmt: skip
+
+
+def spoilt(old: str, new: str, text: str = LEGS) -> str:
+    assert old in text
+    return text.replace(old, new, 1)
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ('value="1.152"', 'value="1152"'),
+        ('iyy="0.0046023457"', 'iyy="-0.0046023457"'),
+        ('ixx="0.0044459086"', 'ixx="0.044459086"'),
+        ('izz="8.69608e-04"', 'izz="8.69608E-05"'),
+    ],
+)
+def test_a_fix_restores_the_number(old: str, new: str) -> None:
+    done = fixed(analyse(spoilt(old, new)), is_fixable)
+    assert done.n_findings == 1
+    assert done.analysis.text.replace("E-04", "e-04") == LEGS
+
+
+def test_editors_offer_the_fix_and_a_comment() -> None:
+    text = spoilt('value="1.152"', 'value="1152"')
+    (found,) = announced(analyse(text))
+    fix, comment = xml_actions(analyse(text), found.start, found.end)
+    assert apply_edits(text, fix.edits) == LEGS
+    silenced = apply_edits(text, comment.edits)
+    assert "    <!-- kindsl: ignore[KD314] -->\n    <inertial>" in silenced
+    assert analyse(silenced).findings == ()
+
+
+def test_a_comment_goes_before_the_whole_joint() -> None:
+    text = LEGS.replace('<limit lower="-1" upper="1"', '<limit\nlower="1"\nupper="-1"', 1)
+    (found,) = analyse(text).findings
+    (comment,) = xml_actions(analyse(text), found.start, found.end)
+    assert analyse(apply_edits(text, comment.edits)).findings == ()
+
+
+@pytest.mark.parametrize(("product", "is_offered"), [("0.00105", True), ("0.00111", False)])
+def test_nothing_is_offered_that_some_rule_finds_worse(product: str, is_offered: bool) -> None:
+    """Under a choice of rules the others still look: a product may be copied from a moment."""
+    tensor = f'ixx="0.00111" ixy="{product}" ixz="0" iyy="0.0436" iyz="0" izz="0.0437"'
+    text = spoilt('ixx="', 'ixx="-', LEGS.replace(THIGH, tensor))
+    (found,) = announced(Analysis(analyse(text).syntax, Settings(select=("KD307",))))
+    assert found.probability and found.probability > 0.9
+    assert (found.fix is not None) == is_offered
+
+
+def test_numbers_of_an_sdf_are_fixed_in_their_elements() -> None:
+    bad = SDF.replace("<izz>0.001", "<izz>0.01", 1)
+    done = fixed(analyse(bad), is_fixable)
+    assert done.analysis.text in (bad, SDF)
+    assert bool(done.n_findings) == any(each.fix for each in announced(analyse(bad)))
