@@ -22,6 +22,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from tests.support.lsp import SERVER, RawClient
 
 TRIVIAL = (sys.executable, __file__, "--trivial-server")
+# What `make vsix` has built.
+BUILT_IN_HOST = Path(__file__).resolve().parents[1] / "vscode-extension" / "server" / "host.js"
 URI = "untitled:robot"
 _FIRST = 10
 # By the number of links: the goals; 10,000 no slower than before rules declared what they read.
@@ -68,6 +70,8 @@ def figures(is_quick: bool) -> Iterator[Figure]:
     rounds = 5 if is_quick else 15
     ours, trivial = alternating(rounds, lambda: starting(SERVER), lambda: starting(TRIVIAL))
     yield Figure("process start to initialize result", ours, trivial, 1.25)
+    if BUILT_IN_HOST.exists():
+        yield from built_in(rounds)
     sizes = (12, 1000) if is_quick else (12, 1000, 10_000)
     changes: dict[int, float] = {}
     completions: dict[int, float] = {}
@@ -147,6 +151,23 @@ def starting(command: tuple[str, ...]) -> float:
     took = milliseconds(begin)
     client.kill()
     return took
+
+
+def built_in(rounds: int) -> Iterator[Figure]:
+    """Yield what the server takes that the extension brings, beside that of a Python here."""
+    command = ("node", "--disallow-code-generation-from-strings", str(BUILT_IN_HOST))
+    text = robot(12)
+    ours, other = alternating(rounds, lambda: opening(command, text), lambda: opening(SERVER, text))
+    yield Figure("built-in Python: start to diagnostics", ours, other, 3.0)
+    with ready(command, text) as client:
+        memory = resident_megabytes(client.process.pid)
+        yield Figure("built-in Python: memory, against 250 MB", memory, 250, 1.0, "MB")
+
+
+def opening(command: tuple[str, ...], text: str) -> float:
+    begin = time.perf_counter()
+    with ready(command, text):
+        return milliseconds(begin)
 
 
 def answering(kindsl: RawClient, other: RawClient, text: str, rounds: int) -> tuple[float, float]:
