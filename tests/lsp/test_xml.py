@@ -81,7 +81,7 @@ def test_a_fix_and_a_comment_are_offered(client: RawClient, tmp_path: Path) -> N
     asked["textDocument"] = {"uri": uri}
     fix, comment = client.request("textDocument/codeAction", asked)
     assert (fix["title"], comment["title"]) == ("Convert the mass to kg", "Ignore KD314 here")
-    (edit,) = fix["edit"]["documentChanges"][0]["edits"]
+    (edit,) = fix["edit"]["changes"][uri]
     assert edit["newText"] == "1.152"
 
 
