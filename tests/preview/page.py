@@ -3,9 +3,9 @@
 from collections.abc import Iterable
 from typing import Any
 
+from kindsl.frontends.preview.changes import Messages, key_of
 from kindsl.robots.scene.encoding import plain
 from kindsl.robots.scene.messages import Part
-from kindsl.robots.scene.state import Messages, key_of
 
 
 class Page:

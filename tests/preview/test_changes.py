@@ -4,9 +4,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tests.preview.page import Page
 
-from kindsl.frontends.preview.changes import changes
-from kindsl.robots.scene.messages import Delete, SetObject, SetTransform, ValueMessage
-from kindsl.robots.scene.state import keyed, path_of
+from kindsl.frontends.preview.changes import changes, keyed
+from kindsl.robots.scene.messages import Delete, SetObject, SetTransform, ValueMessage, path_of
 
 
 def _value(path, number):

@@ -8,10 +8,10 @@ from hypothesis import strategies as st
 from tests.preview.page import Page
 from tests.preview.robots import plain_robot
 
+from kindsl.frontends.preview.changes import key_of, keyed
 from kindsl.frontends.preview.channel import Channel, Tab
 from kindsl.frontends.preview.document_preview import DocumentPreview
 from kindsl.robots.scene.messages import Change, SetObject, SetTransform, ValueMessage
-from kindsl.robots.scene.state import key_of, keyed
 
 
 class Socket:
@@ -54,7 +54,7 @@ async def test_a_new_tab_gets_each_property_once():
     channel, socket = Channel(), Socket()
     for number in range(1000):
         channel.put("joints", value("a", number))
-        channel.replace("robot", keyed([place("x", number)]))
+        channel.replace("robot", [place("x", number)])
     channel.join(Tab(socket.write))
     tab = next(iter(channel._tabs))
     task = asyncio.ensure_future(tab.run())
@@ -69,7 +69,7 @@ async def test_what_changes_at_once_comes_at_once():
     tab = next(iter(channel._tabs))
     task = asyncio.ensure_future(tab.run())
     await settle()
-    channel.replace("robot", keyed([place("x", 1), place("y", 2)]))
+    channel.replace("robot", [place("x", 1), place("y", 2)])
     channel.announce(value("a", 3))
     await settle()
     await stop(task)
@@ -118,7 +118,7 @@ states = st.lists(
         st.integers(0, 3),
     ),
     max_size=8,
-).map(keyed)
+)
 
 
 @given(history=st.lists(states, min_size=1, max_size=6), stalls=st.lists(st.booleans(), max_size=6))
@@ -140,7 +140,7 @@ def test_a_tab_that_stalls_at_any_time_ends_with_the_present_state(history, stal
         await stop(task)
         return socket.messages
 
-    assert Page(asyncio.run(story())).state == history[-1]
+    assert Page(asyncio.run(story())).state == keyed(history[-1])
 
 
 async def test_a_thousand_edits_leave_the_state_as_large_as_one():

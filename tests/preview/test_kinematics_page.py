@@ -84,7 +84,7 @@ def answers_to(inputs, driver=DRIVER, script=SCRIPT):
 
 
 def page_input(skeleton, q, unknown=NOTHING_UNKNOWN):
-    messages = robot_messages("robot", skeleton, unknown=unknown).values()
+    messages = robot_messages("robot", skeleton, unknown=unknown)
     groups = {
         kind + "s": [plain(m) for m in messages if m.type == kind]
         for kind in ("link", "joint", "frame")

@@ -27,13 +27,13 @@ class TestFindings:
         order = [f.severity for f in listed([hint, warning, error, hint])]
         assert order == [Severity.ERROR, Severity.WARNING, Severity.HINT, Severity.HINT]
         assert MOST_LISTED == 40 and len(listed([hint] * 41)) == 40
-        messages = list(finding_messages([hint, error], text).values())
+        messages = list(finding_messages([hint, error], text))
         assert plain(messages[0]) == {
             "type": "finding", "path": "/kindsl/findings/0", "index": 0, "code": "KD005",
             "severity": "error", "message": error.message, "line": 21, "column": 32,
         }  # fmt: skip
         assert (messages[1].index, messages[1].severity) == (1, "hint")
-        assert finding_messages([], text) == {}
+        assert finding_messages([], text) == []
 
     def test_status_counts_all(self) -> None:
         (error,) = analyse(GOOD.replace("(0.5,", "(1,")).findings

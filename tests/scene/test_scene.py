@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from tests.preview.robots import ARM, plain_robot, skeleton_in, skeleton_of
 from tests.support.documents import all_documents
 
-from kindsl.frontends.preview.changes import changes
+from kindsl.frontends.preview.changes import changes, keyed
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.robots.scene.encoding import as_json, encode
 from kindsl.robots.scene.messages import Change, SetTransform, ValueMessage
@@ -23,7 +23,7 @@ CATEGORIES = {
 
 
 def categories(messages):
-    drawn = [key.path for key in messages if key.type == "set_object"]
+    drawn = [m.path for m in messages if m.type == "set_object"]
     return {path.split("/")[5] for path in drawn}
 
 
@@ -38,7 +38,7 @@ def test_every_category_is_drawn(file):
 def test_a_moved_joint_moves_transforms_only():
     old = robot_messages("Arm", skeleton_of(ARM))
     new = robot_messages("Arm", skeleton_of(ARM.replace("(0.4, 0.0, 0.0)", "(0.41, 0.0, 0.0)")))
-    sent = changes(old, new)
+    sent = changes(keyed(old), keyed(new))
     kinds = {"joint", "set_transform", "model", "link", "solid"}
     assert {message.type for message in sent} == kinds
     assert {m.name for m in sent if m.type == "joint"} == {"lift"}
@@ -50,7 +50,7 @@ def test_a_moved_joint_moves_transforms_only():
 def test_a_new_mass_redraws_one_body():
     old = robot_messages("Arm", skeleton_of(ARM))
     new = robot_messages("Arm", skeleton_of(ARM.replace("mass = 2.0", "mass = 2.02")))
-    sent = changes(old, new)
+    sent = changes(keyed(old), keyed(new))
     assert {message.type for message in sent} == {"set_transform", "link", "solid"}
     assert {m.name for m in sent if m.type == "link"} == {"upper"}
     assert {m.name for m in sent if m.type == "solid"} <= {"upper", "slider"}
@@ -60,7 +60,9 @@ def test_a_new_mass_redraws_one_body():
 def test_a_renamed_link_takes_its_marks_along():
     old = robot_messages("Arm", skeleton_of(ARM))
     new = robot_messages("Arm", skeleton_of(ARM.replace("slider", "carriage")))
-    deleted = [message.path for message in changes(old, new) if message.type == "delete"]
+    deleted = [
+        message.path for message in changes(keyed(old), keyed(new)) if message.type == "delete"
+    ]
     assert deleted == ["/kindsl/robot/links/slider"]
 
 
@@ -72,13 +74,13 @@ def test_a_digit_of_any_joint_changes_few_messages(links, seed, which):
     (x, y, z), joint = placements[which % links].translation, which % links
     placements[joint] = placements[joint]._replace(translation=(x + 0.01, y, z))
     edited = skeleton.with_placements(placements)
-    sent = changes(robot_messages("r", skeleton), robot_messages("r", edited))
+    sent = changes(*(keyed(robot_messages("r", each)) for each in (skeleton, edited)))
     assert sum(len(encode(message)) for message in sent) < 5000
 
 
 def test_placements_are_the_joints_homogeneous_matrices_by_columns():
     messages = robot_messages("Arm", skeleton_of(ARM))
-    joint = next(m for m in messages.values() if m.type == "joint" and m.name == "shoulder")
+    joint = next(m for m in messages if m.type == "joint" and m.name == "shoulder")
     wanted = [[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0.5], [0, 0, 0, 1]]
     np.testing.assert_allclose(np.reshape(joint.placement, (4, 4)).T, wanted, atol=1e-15)
 
@@ -86,7 +88,7 @@ def test_placements_are_the_joints_homogeneous_matrices_by_columns():
 def test_a_ghost_is_made_of_bodies_alone():
     messages = ghost_messages(skeleton_of(ARM))
     assert categories(messages) == {"body"}
-    assert all(key.path.startswith("/kindsl/ghost/") for key in messages)
+    assert all(m.path.startswith("/kindsl/ghost/") for m in messages)
 
 
 def test_a_message_in_json_has_no_word_that_json_lacks():

@@ -33,15 +33,14 @@ from kindsl.robots.scene.parameters import parameter_messages
 from kindsl.robots.scene.picture import Picture, PictureState, picture
 from kindsl.robots.scene.robot import ghost_messages, robot_messages
 from kindsl.robots.scene.size import STEP, Segment, extent
-from kindsl.robots.scene.state import Messages
 
 
-def of_type(messages: Messages, kind: str) -> list[Part]:
-    return [message for message in messages.values() if message.type == kind]
+def of_type(messages: list[Part], kind: str) -> list[Part]:
+    return [message for message in messages if message.type == kind]
 
 
-def shapes(messages: Messages) -> dict[str, Shape]:
-    return {m.path: m.object for m in messages.values() if m.type == "set_object"}
+def shapes(messages: list[Part]) -> dict[str, Shape]:
+    return {m.path: m.object for m in messages if m.type == "set_object"}
 
 
 class TestRobot:
@@ -300,7 +299,7 @@ class TestSize:
 
 def rows(text: str, bindings=None, typed=None, guessed=None) -> list[Part]:
     model = analyse(text).model
-    return list(parameter_messages(model, bindings or {}, typed or {}, guessed or {}).values())
+    return list(parameter_messages(model, bindings or {}, typed or {}, guessed or {}))
 
 
 class TestParameters:

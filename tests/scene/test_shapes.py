@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import umsgpack
 
+from kindsl.frontends.preview.changes import Key, keyed
 from kindsl.robots.scene.encoding import as_json, encode
 from kindsl.robots.scene.geometry import (
     ARROW_PROFILE,
@@ -28,7 +29,6 @@ from kindsl.robots.scene.messages import (
     StatusMessage,
 )
 from kindsl.robots.scene.picture import PictureState
-from kindsl.robots.scene.state import Key, keyed
 
 # Radii, heights, widths: of bodies, whose radius is 1.
 SIZES = {

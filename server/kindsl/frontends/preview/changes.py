@@ -1,12 +1,32 @@
 """The last value of every property, and what changes from one state to the next."""
 
 from collections.abc import Iterable
+from typing import NamedTuple, TypeAlias
 
 from kindsl.robots.scene.messages import Delete, Part
-from kindsl.robots.scene.state import Messages
 
 # "/kindsl/TREE": nothing above a tree is ever deleted.
 _TREE_DEPTH = 3
+
+
+class Key(NamedTuple):
+    """The key of a message; a later one with the same key replaces it."""
+
+    path: str
+    type: str
+
+
+Messages: TypeAlias = dict[Key, Part]
+
+
+def key_of(message: Part) -> Key:
+    """Return the key of a message."""
+    return Key(message.path, message.type)
+
+
+def keyed(messages: Iterable[Part]) -> Messages:
+    """Return messages by key; of two with the same key the last stays."""
+    return {key_of(message): message for message in messages}
 
 
 def changes(old: Messages, new: Messages) -> list[Part]:

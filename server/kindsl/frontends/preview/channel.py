@@ -3,9 +3,8 @@
 import asyncio
 from collections.abc import Awaitable, Callable, Iterable
 
-from kindsl.frontends.preview.changes import changes
+from kindsl.frontends.preview.changes import Messages, changes, key_of, keyed
 from kindsl.robots.scene.messages import Change, Part
-from kindsl.robots.scene.state import Messages, key_of, keyed
 
 
 class Tab:
@@ -75,11 +74,12 @@ class Channel:
         """Forget a tab."""
         self._tabs.discard(tab)
 
-    def replace(self, part: str, messages: Messages) -> None:
+    def replace(self, part: str, messages: Iterable[Part] | Messages) -> None:
         """Make `messages` the state of a part; what is the same is not sent again."""
-        for message in changes(self._parts.get(part, {}), messages):
+        new = messages if isinstance(messages, dict) else keyed(messages)
+        for message in changes(self._parts.get(part, {}), new):
             self.announce(message)
-        self._parts[part] = messages
+        self._parts[part] = new
 
     def put(self, part: str, message: Part, sender: Tab | None = None) -> None:
         """Set one property and tell all tabs but the one that it came from."""

@@ -16,8 +16,7 @@ from kindsl.robots.comparison.twins import TwinFile
 from kindsl.robots.mechanism.errors import ModelError, UnboundParameterError
 from kindsl.robots.mechanism.linkage import Linkage
 from kindsl.robots.mechanism.reading import partial_linkage, reachable_linkage
-from kindsl.robots.scene.messages import ComparisonMessage, DifferenceRow, OtherMessage
-from kindsl.robots.scene.state import Messages, keyed, path_of
+from kindsl.robots.scene.messages import ComparisonMessage, DifferenceRow, OtherMessage, path_of
 
 LAST_SAVED = "last saved"
 
@@ -98,12 +97,12 @@ def _of_file(read: Callable[[bool], ComparedSide | str], floating: bool) -> Comp
     return f"cannot be read: {side}" if isinstance(side, str) else side
 
 
-def other_messages(others: Iterable[OtherRobot], chosen: str) -> Messages:
+def other_messages(others: Iterable[OtherRobot], chosen: str) -> list[OtherMessage]:
     """Return what can be compared."""
-    return keyed(
+    return [
         OtherMessage(path_of("others", other.name), index, other.name, other.name == chosen)
         for index, other in enumerate(others)
-    )
+    ]
 
 
 def compared(

@@ -5,6 +5,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
+from kindsl.frontends.preview.changes import Messages, keyed
 from kindsl.frontends.preview.channel import Channel, Tab
 from kindsl.frontends.preview.comparing import (
     LAST_SAVED,
@@ -31,14 +32,15 @@ from kindsl.robots.mechanism.linkage import Linkage
 from kindsl.robots.scene.messages import (
     GhostMessage,
     HighlightMessage,
+    ParameterMessage,
     PoseMessage,
     TrajectoryMessage,
     ValueMessage,
+    path_of,
 )
 from kindsl.robots.scene.parameters import parameter_messages
 from kindsl.robots.scene.picture import Picture, PictureState, picture
 from kindsl.robots.scene.robot import ghost_messages, robot_messages
-from kindsl.robots.scene.state import Messages, keyed, path_of
 
 # More joints or parameters than any robot has.
 MOST_VALUES = 10_000
@@ -58,8 +60,8 @@ class ShownVersion(NamedTuple):
     given: dict[str, float]
     picture: Picture
     robot: Messages | None
-    parameters: Messages
-    poses: Messages
+    parameters: list[ParameterMessage]
+    poses: list[PoseMessage]
 
 
 class DocumentPreview:
@@ -115,12 +117,13 @@ class DocumentPreview:
         robot, guessed = None, drawn.guesses
         if drawn.skeleton is not None:
             name = str(model.name)
-            robot = robot_messages(name, drawn.skeleton, guessed, settings.joints, drawn.unknown)
+            shown = name, drawn.skeleton, guessed, settings.joints, drawn.unknown
+            robot = keyed(robot_messages(*shown))  # Thousands, which the loop would wait for.
         rows = parameter_messages(model, settings.bindings, self._parameters, guessed.values)
-        poses = (
+        poses = [
             PoseMessage(path_of("poses", n), n, joints) for n, joints in settings.poses.items()
-        )
-        return ShownVersion(given, drawn, robot, rows, keyed(poses))
+        ]
+        return ShownVersion(given, drawn, robot, rows, poses)
 
     def put(self, analysis: Analysis, drawing: ShownVersion | None = None) -> None:
         """Show a version, of which a drawing may have been made; earlier findings stay listed."""
@@ -220,10 +223,10 @@ class DocumentPreview:
             self.channel.replace("meshes", meshes.messages)
         if comparison is not None and comparison.message.other == self._chosen:
             self._compared = comparison.ghost
-            self.channel.replace("comparison", keyed([comparison.message]))
+            self.channel.replace("comparison", (comparison.message,))
         elif not self._chosen:
             self._compared = None
-            self.channel.replace("comparison", {})
+            self.channel.replace("comparison", ())
         self._draw_ghost()
 
     def set_joint(self, name: str, value: float, sender: Tab | None = None) -> None:
@@ -247,7 +250,7 @@ class DocumentPreview:
 
     def play(self, name: str, text: str) -> None:
         """Offer a motion, the text of a file, to be played."""
-        self.channel.replace("trajectory", keyed([TrajectoryMessage(name, text)]))
+        self.channel.replace("trajectory", (TrajectoryMessage(name, text),))
 
     def set_parameters(self, values: Mapping[str, float | None]) -> None:
         """Give parameters values, or their own back for None; draws once."""
@@ -270,7 +273,7 @@ class DocumentPreview:
 
     def highlight(self, kind: str, name: str) -> None:
         """Light up a link, joint or frame; nothing for an empty name."""
-        self.channel.replace("highlight", keyed([HighlightMessage(kind, name)]))
+        self.channel.replace("highlight", (HighlightMessage(kind, name),))
 
     def _changed(self) -> None:
         for call in self.on_change:
@@ -296,7 +299,7 @@ class DocumentPreview:
         self.channel.replace("others", other_messages(others.values(), self._chosen))
         source = self._meshes_of()
         if source is None or not self._wants_meshes:
-            self.channel.replace("meshes", {} if source is None else offered(source))
+            self.channel.replace("meshes", () if source is None else offered(source))
         if self._chosen or self._compared is not None or (source and self._wants_meshes):
             self.recompare()
 
@@ -323,7 +326,7 @@ class DocumentPreview:
         drawn = self._shown[1].picture if self._shown is not None else None
         if drawn is not None or lost:
             status = status_message(drawn, findings, self._label, lost)
-            self.channel.replace("status", keyed([status]))
+            self.channel.replace("status", (status,))
 
     def _draw_ghost(self) -> None:
         present, ghost, kind = self._last_skeleton, self._planned, GhostMessage("planned")
@@ -333,7 +336,7 @@ class DocumentPreview:
             ghost, kind = (ghost, kind) if ghost else (self._ghost, GhostMessage("saved"))
             if ghost and present and _placed(ghost) == _placed(present):
                 ghost = None
-        self.channel.replace("ghost", {**keyed([kind]), **ghost_messages(ghost)} if ghost else {})
+        self.channel.replace("ghost", (kind, *ghost_messages(ghost)) if ghost else ())
 
 
 def _has_room(values: dict[str, float], name: str) -> bool:

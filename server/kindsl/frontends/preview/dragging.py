@@ -24,7 +24,6 @@ from kindsl.robots.scene.messages import (
     HandlesMessage,
     PlanMessage,
 )
-from kindsl.robots.scene.state import keyed
 
 PATIENCE = 2.0  # seconds, for what was written to be shown
 _OUTDATED = Refusal("the document has changed in the meantime")
@@ -123,9 +122,9 @@ class Dragging:
         channel, revision = self._preview.channel, self._preview.revision
         analysis, held = self._preview.analysis, self._held
         is_foreign = analysis is not None and analysis.syntax.is_xml
-        channel.replace("editing", {} if is_foreign else keyed([EditingMessage(revision)]))
+        channel.replace("editing", () if is_foreign else (EditingMessage(revision),))
         if analysis is None or held is None or is_foreign:
-            channel.replace("handles", {})
+            channel.replace("handles", ())
             return
         message = HandlesMessage(
             kind=held.kind,
@@ -135,4 +134,4 @@ class Dragging:
             components=tuple(handles(analysis, held, self._preview.typed)),
             can_mirror=held.kind == "com" and can_mirror(analysis.model, held.name),
         )
-        channel.replace("handles", keyed([message]))
+        channel.replace("handles", (message,))

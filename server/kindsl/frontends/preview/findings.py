@@ -7,9 +7,8 @@ from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.rules.base import Severity
 from kindsl.language.text.lines import LineIndex
 from kindsl.robots.mechanism.total_mass import NO_MASS
-from kindsl.robots.scene.messages import FindingMessage, StatusMessage
+from kindsl.robots.scene.messages import FindingMessage, StatusMessage, path_of
 from kindsl.robots.scene.picture import Picture
-from kindsl.robots.scene.state import Messages, keyed, path_of
 
 # A page that lists hundreds of findings helps nobody and costs at every keystroke.
 MOST_LISTED = 40
@@ -21,12 +20,12 @@ def listed(findings: Sequence[Diagnostic]) -> list[Diagnostic]:
     return sorted(findings, key=lambda finding: _RANK[finding.severity])[:MOST_LISTED]
 
 
-def finding_messages(findings: Sequence[Diagnostic], text: str) -> Messages:
+def finding_messages(findings: Sequence[Diagnostic], text: str) -> list[FindingMessage]:
     """Return one message for each listed finding; lines and columns count from 1."""
     if not findings:
-        return {}
+        return []
     lines = LineIndex(text)
-    return keyed(_finding(index, finding, lines) for index, finding in enumerate(listed(findings)))
+    return [_finding(index, finding, lines) for index, finding in enumerate(listed(findings))]
 
 
 def status_message(

@@ -20,8 +20,13 @@ from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
 from kindsl.robots.interchange.urdf.visuals import LinkVisual, visuals_of_urdf
 from kindsl.robots.mechanism.linkage import Linkage
 from kindsl.robots.scene.marks import column_major
-from kindsl.robots.scene.messages import MeshDataMessage, MeshesMessage, VisualMessage
-from kindsl.robots.scene.state import Messages, keyed, path_of
+from kindsl.robots.scene.messages import (
+    MeshDataMessage,
+    MeshesMessage,
+    Part,
+    VisualMessage,
+    path_of,
+)
 
 # Of an axis beside ours: of the robot's size, and as a sine. More is another robot's mesh.
 _FAR, _TURNED = 5e-3, 1e-2
@@ -57,7 +62,7 @@ class LinkMeshes(NamedTuple):
         files: The meshes by their names at the server.
     """
 
-    messages: Messages
+    messages: list[Part]
     files: dict[str, MeshFile]
 
 
@@ -75,9 +80,9 @@ def twin_source(twins: Iterable[TwinFile]) -> MeshSource | None:
     return next((MeshSource(t.label, Path(t.path), None, t.joints) for t in found), None)
 
 
-def offered(source: MeshSource) -> Messages:
+def offered(source: MeshSource) -> list[Part]:
     """Return that meshes can be asked for."""
-    return keyed([MeshesMessage(source.name, False, ())])
+    return [MeshesMessage(source.name, False, ())]
 
 
 def link_meshes(
@@ -124,7 +129,7 @@ def mesh_data(files: dict[str, MeshFile]) -> Iterator[MeshDataMessage]:
 
 def _nothing(source: MeshSource, problem: str) -> LinkMeshes:
     told = f"{source.name}: {problem}"
-    return LinkMeshes(keyed([MeshesMessage(source.name, True, (told,))]), {})
+    return LinkMeshes([MeshesMessage(source.name, True, (told,))], {})
 
 
 def _refused(
@@ -196,7 +201,7 @@ def _told(source: MeshSource, placed: list[_PlacedVisual], problems: list[str]) 
         if not visual.file or visual.file in names
     ]
     head = MeshesMessage(source.name, True, (*problems, *_losses(lost)))
-    return LinkMeshes(keyed([head, *messages]), {name: file for name, (_, file) in files.items()})
+    return LinkMeshes([head, *messages], {name: file for name, (_, file) in files.items()})
 
 
 def _files(

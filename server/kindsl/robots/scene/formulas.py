@@ -10,8 +10,7 @@ from typing import Literal
 from kindsl.language.semantics.declarations import Link, Pose, Vector
 from kindsl.language.semantics.expressions import Expression, ParameterUse, symbols
 from kindsl.language.semantics.model import Model
-from kindsl.robots.scene.messages import Affine, FormulaMessage
-from kindsl.robots.scene.state import path_of
+from kindsl.robots.scene.messages import Affine, FormulaMessage, path_of
 
 _COMPONENTS = 3
 _ELSEWHERE = 2.3

@@ -6,9 +6,8 @@ from functools import lru_cache
 from kindsl.mechanics.rigid.pose import RigidPose, Vector3, transposed
 from kindsl.robots.scene.ellipsoids import InertiaEllipsoid
 from kindsl.robots.scene.geometry import Form, Shape
-from kindsl.robots.scene.messages import Part, SetObject, SetTransform
+from kindsl.robots.scene.messages import Part, SetObject, SetTransform, path_of
 from kindsl.robots.scene.size import Segment
-from kindsl.robots.scene.state import path_of
 
 LINK = 0x8EA3BA
 BASE = 0x56667A

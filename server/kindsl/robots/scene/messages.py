@@ -8,7 +8,9 @@ are those in the document. `set_object`, `set_transform` and `delete` are meshca
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Annotated, ClassVar, Literal, NamedTuple, TypeAlias
+from urllib.parse import quote
 
 from kindsl.language.semantics.declarations import ValueKind
 from kindsl.mechanics.rigid.joint_kind import JointKind
@@ -468,3 +470,9 @@ class Change:
     type: ClassVar[Literal["change"]] = "change"
     is_whole: Annotated[bool, "whether this is the whole state, and all else is gone"]
     parts: Annotated[tuple[Part, ...], "in the order in which they are to be taken"]
+
+
+@lru_cache(maxsize=1 << 15)
+def path_of(*elements: str) -> str:
+    """Return the path of named elements; a name can hold any character."""
+    return "/".join((ROOT, *(quote(element, safe="") for element in elements)))

@@ -7,8 +7,7 @@ from typing import assert_never
 from kindsl.language.semantics.declarations import ValueKind
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.parameters import Binding, Parameter
-from kindsl.robots.scene.messages import ParameterMessage
-from kindsl.robots.scene.state import Messages, keyed, path_of
+from kindsl.robots.scene.messages import ParameterMessage, path_of
 
 
 def parameter_messages(
@@ -16,7 +15,7 @@ def parameter_messages(
     bindings: Mapping[str, Binding],
     typed: Mapping[str, float],
     guessed: Mapping[str, float],
-) -> Messages:
+) -> list[ParameterMessage]:
     """Return a row for each parameter, in the order of the document.
 
     Args:
@@ -47,7 +46,7 @@ def parameter_messages(
             is_overridden=name in typed,
         )
         rows.append(row)
-    return keyed(rows)
+    return rows
 
 
 def _range(parameter: Parameter, binding: Binding | None, value: float) -> tuple[float, float]:

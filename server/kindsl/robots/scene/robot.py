@@ -32,10 +32,10 @@ from kindsl.robots.scene.messages import (
     ModelMessage,
     Part,
     SolidMessage,
+    path_of,
 )
 from kindsl.robots.scene.size import Extent, Segment, extent
 from kindsl.robots.scene.solids import LinkSolid, known_masses, link_solids, usual_density
-from kindsl.robots.scene.state import Messages, keyed, path_of
 
 # What is the same at each keystroke is made once.
 _MOST_KNOWN = 1 << 12
@@ -49,7 +49,7 @@ def robot_messages(
     guessed: Guesses = NO_GUESSES,
     limits: Mapping[str, JointProperties] = NO_LIMITS,
     unknown: Mapping[str, str] = NOTHING_UNKNOWN,
-) -> Messages:
+) -> list[Part]:
     """Return everything that is drawn of a mechanism, and the numbers the page places it by.
 
     Args:
@@ -66,10 +66,10 @@ def robot_messages(
     messages.extend(_solids("robot", skeleton, size, unknown))
     messages.extend(_limits(skeleton, limits))
     messages.extend(_robot_marks(skeleton, size, ellipsoids))
-    return keyed(messages)
+    return messages
 
 
-def ghost_messages(skeleton: Linkage) -> Messages:
+def ghost_messages(skeleton: Linkage) -> list[Part]:
     """Return the bodies of a former version, to stand behind the present one."""
     size = extent(skeleton)
     ellipsoids = [inertia_ellipsoid(body) for body in skeleton.masses]
@@ -78,7 +78,7 @@ def ghost_messages(skeleton: Linkage) -> Messages:
     messages.extend(_solids("ghost", skeleton, size, NOTHING_UNKNOWN))
     for link, segments in zip(skeleton.body_names, size.segments, strict=True):
         messages.extend(body_marks("ghost", link, segments, "body"))
-    return keyed(messages)
+    return messages
 
 
 def _model(name: str, skeleton: Linkage, size: Extent, unknown: Mapping[str, str]) -> ModelMessage:
