@@ -81,13 +81,36 @@ def test_a_frame_is_no_end_of_a_link() -> None:
 
 @pytest.mark.parametrize(
     ("com", "units"),
-    [("0 0 150", "millimetres"), ("0.2 0 15", "millimetres or centimetres"), ("0 0 -5.9", "centi")],
+    [
+        ("0 0 150", "millimetres"),
+        ("0.2 0 15", "millimetres or centimetres"),
+        ("0 0 -5.9", "centimetres?"),
+    ],
 )
 def test_a_com_beyond_the_whole_robot_is_in_another_unit(com: str, units: str) -> None:
-    (told,) = [f for f in analyse(arm(com)).findings if f.code == "KD502"]
+    told, other = analyse(arm(com)).findings
+    assert (told.code, other.code) == ("KD502", "KD304")
+    assert (told.fix is not None) == (units == "millimetres")
     assert f"is it in {units}" in told.message
     assert told.subject == link_subject("upper")
     assert arm(com)[told.start : told.end] == com.split()[-1]
+
+
+def knees(left: str) -> str:
+    knee = 'ixx="0.0113" ixy="{0}0.0005" ixz="-0.0004" iyy="0.0112" iyz="{1}0.0007" izz="0.0015"'
+    blocks = []
+    for side, y, signs, com in (("left", "0.1", ("", "-"), left), ("right", "-0.1", ("-", ""), "")):
+        blocks.append(link(f"{side}_knee", com or "0.005 -0.004 -0.12", knee.format(*signs)))
+        blocks.append(joint(f"{side}_hip", "base", f"{side}_knee", f"0 {y} 0"))
+        blocks.append(link(f"{side}_foot"))
+        blocks.append(joint(f"{side}_ankle", f"{side}_knee", f"{side}_foot", "0 0 -0.3"))
+    return robot(*blocks)
+
+
+def test_a_com_behind_its_joint_is_no_sign_of_its_image() -> None:
+    assert found(knees("0.005 0.004 -0.12")) == []
+    assert [code for code, _ in found(knees("0.005 -0.004 -0.12"))] == ["KD312"]
+    assert [code for code, _ in found(knees("0.005 0.004 0.12"))] == ["KD511"]
 
 
 def test_a_com_that_the_robot_reaches_is_in_metres() -> None:

@@ -34,6 +34,7 @@ _RARE = 2.5e-5
 _GREATEST_OF_PAIR = -4
 _MASSES = ((-3, "g", 1.0), (-1, "", 0.1), (1, "", 0.1))
 _LENGTHS = ((1e-3, "mm", 1.0), (1e-2, "cm", 0.5), (0.0254, "in", 0.1))
+_RIVAL = 0.2
 _LOG_TEN = log(10.0)
 # Where the six moments stand in the rows of half a matrix, as in URDF, and with axes turned round.
 _ROWS = (0, 3, 5, 1, 2, 4)
@@ -149,15 +150,19 @@ def _with(slip: Slip, h: Hypothesis, weight: float) -> Hypothesis:
     return h._replace(slips=(slip, *h.slips), weight=weight * h.weight)
 
 
-def likely_lengths(distance: float) -> list[str]:
-    """Return the units that the distance of a CoM is likely to be in, the likeliest first.
+def likely_lengths(distance: float) -> list[tuple[str, float]]:
+    """Return the units that the distance of a CoM may well be in, the likeliest first.
 
     Args:
         distance: As written, too far to be in metres.
+
+    Returns:
+        Each with its probability among all units.
     """
-    said = [(TABLES["distance"].at(log(f * distance)) + log(w), u) for f, u, w in _LENGTHS]
-    greatest = max(said)[0]
-    return [unit for weight, unit in sorted(said, reverse=True) if weight > greatest - _LOG_TEN]
+    said = {u: w * exp(TABLES["distance"].at(log(f * distance))) for f, u, w in _LENGTHS}
+    whole = sum(said.values())
+    likely = sorted(((unit, weight / whole) for unit, weight in said.items()), key=lambda x: -x[1])
+    return [each for each in likely if each[1] > _RIVAL]
 
 
 def _other_signs(h: Hypothesis) -> Iterator[Hypothesis]:

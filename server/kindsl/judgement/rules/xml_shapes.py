@@ -6,9 +6,10 @@ from math import hypot
 
 from kindsl.judgement.diagnosis.judgements import IMPOSSIBLE, Verdict, judgements
 from kindsl.judgement.diagnosis.suspects import suspects_of
-from kindsl.judgement.rules.base import Finding, Related, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Related, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.inertia.mirror_images import mirror_difference
+from kindsl.judgement.rules.number_writing import rescaled
 from kindsl.judgement.rules.units import LENGTH_UNITS
 from kindsl.judgement.rules.xml_bodies import XmlBody
 from kindsl.language.semantics.declarations import Link, Vector
@@ -44,19 +45,23 @@ def body_findings(model: Model, bodies: Sequence[XmlBody], context: Context) -> 
         bodies: Its bodies.
         context: Without values, since XML has no parameters.
     """
-    odd = _odd(model, context)
+    far = dict(_far_coms(bodies))
+    odd = _odd(model, context) | set(far)
+    yield from (("KD502", finding) for finding in (*far.values(), *_far_joints(bodies)))
     for code, cause in _causes(model, context):
         is_sign_of_impossible = code == "KD307" and cause.severity is Severity.INFORMATION
         if code in _CAUSES and (is_sign_of_impossible or (cause.probability or 0.0) >= _SURE):
             yield code, cause._replace(message=in_words_of_xml(cause.message))
+    told_of = set(odd)
     for body in bodies:
-        if body.moves and not any(part.link in odd for part in body.parts):
-            yield from _shapes(body)
-    yield from _far_coms(bodies)
-    yield from _far_joints(bodies)
+        links = {part.link for part in body.parts}
+        shapes = list(_shapes(body)) if body.moves and not links & odd else []
+        yield from shapes
+        if shapes:
+            told_of |= links
     limbs = list(_limb_findings(bodies, odd))
     yield from ((code, finding) for code, finding, _ in limbs)
-    yield from _mirrored(model, {*odd, *(link for *_, links in limbs for link in links)})
+    yield from _mirrored(model, told_of.union(*(links for *_, links in limbs)))
 
 
 def in_words_of_xml(message: str) -> str:
@@ -104,7 +109,7 @@ def _shapes(body: XmlBody) -> Found:
             yield verdict.code, Finding(inertia, verdict.sentence)
 
 
-def _far_coms(bodies: Sequence[XmlBody]) -> Found:
+def _far_coms(bodies: Sequence[XmlBody]) -> Iterator[tuple[Link, Finding]]:
     """Yield the CoMs that lie farther from their links than all joints together reach.
 
     Of 3,199 published parts none lies farther than nine tenths of that; a robot whose only joint
@@ -121,10 +126,10 @@ def _far_coms(bodies: Sequence[XmlBody]) -> Found:
         if inertia is None or frame is None or pose is None or frame.pose.translation is None:
             continue
         if hypot(*pose.translation) > max(reach, DOUBTFUL_LENGTH):
-            yield _in_another_unit(frame.pose.translation)
+            yield part.link, _in_another_unit(frame.pose.translation)
 
 
-def _far_joints(bodies: Sequence[XmlBody]) -> Found:
+def _far_joints(bodies: Sequence[XmlBody]) -> Iterator[Finding]:
     """Yield the moving joints that no robot has so far from the body that carries them."""
     for body in bodies:
         carrier = body.carrier
@@ -140,13 +145,22 @@ def _greatest(vector: Vector) -> float:
     return max(abs(component.literal or 0.0) for component in vector.components)
 
 
-def _in_another_unit(vector: Vector) -> tuple[str, Finding]:
+def _in_another_unit(vector: Vector) -> Finding:
     # Imported for these only, since it delays the linter's start.
     from kindsl.judgement.diagnosis.slips import likely_lengths
 
+    likely = likely_lengths(_greatest(vector))
+    unit, probability = likely[0]
+    names = " or ".join(LENGTH_UNITS[unit][0] for unit, _ in likely)
     farthest = max(vector.components, key=lambda each: abs(each.literal or 0.0))
-    units = " or ".join(LENGTH_UNITS[unit][0] for unit in likely_lengths(_greatest(vector)))
-    return "KD502", Finding(farthest, f"length {farthest.text} m is implausible; is it in {units}?")
+    values = [LENGTH_UNITS[unit][1] * (each.literal or 0.0) for each in vector.components]
+    changes = rescaled(vector.components, values) if probability >= _SURE else None
+    return Finding(
+        farthest,
+        f"length {farthest.text} m is implausible; is it in {names}?",
+        fix=Fix("Convert to metres", tuple(changes)) if changes else None,
+        probability=probability,
+    )
 
 
 def _mirrored(model: Model, told_of: set[Link]) -> Found:
