@@ -10,6 +10,8 @@ if TYPE_CHECKING:
 OWN_SUFFIX = ".kindsl"
 # Of the other formats that rules judge where they stand.
 JUDGED_SUFFIXES = (".urdf", ".sdf")
+# Expanded by Python that it holds: judged only where somebody names it.
+XACRO_SUFFIX = ".xacro"
 _DOCTYPE = r"!DOCTYPE[^\[>]*(?:\[[^\]]*\]\s*)?"
 _BEFORE_ROOT = rf"\ufeff?\s*(?:<(?:\?.*?\?|!--.*?--|{_DOCTYPE})>\s*)*"
 _ROOT = re.compile(rf"{_BEFORE_ROOT}<(robot|sdf|mujoco)[\s/>]", re.DOTALL)

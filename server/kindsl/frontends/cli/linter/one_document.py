@@ -14,7 +14,7 @@ from kindsl.judgement.analysis.settings import Settings
 from kindsl.judgement.config.file_names import TRANSFORMS_SUFFIX
 from kindsl.judgement.rules.base import Severity
 from kindsl.language.semantics.model import Model
-from kindsl.robots.interchange.syntaxes import syntax_of
+from kindsl.robots.interchange.syntaxes import XACRO_SUFFIX, syntax_of
 
 _CODE = "KD004"
 _NAME = "invalid-character"
@@ -47,10 +47,17 @@ class Task(NamedTuple):
 
 
 class Checked(NamedTuple):
-    """The result of a task: a linted file, a failure, or both if a fixed file is not writable."""
+    """The result of a task: a linted file, a failure, or both if a fixed file is not writable.
+
+    Attributes:
+        file: The file.
+        failure: Why it could not be linted, or not be written.
+        others: Files that it is made of, in which something was found.
+    """
 
     file: LintedFile | None
     failure: Failure | None
+    others: tuple[LintedFile, ...] = ()
 
 
 def check(task: Task) -> Checked:
@@ -69,6 +76,13 @@ def check(task: Task) -> Checked:
 def _checked(task: Task, text: str) -> Checked:
     if task.shown.endswith(TRANSFORMS_SUFFIX):
         return Checked(_transforms(task, text), None)
+    if task.shown.endswith(XACRO_SUFFIX) and task.path != STDIN:
+        from kindsl.frontends.cli.linter.expanded import expanded_files
+
+        files = expanded_files(task.path, task.shown, text, task.settings)
+        if isinstance(files, Failure):
+            return Checked(None, files)
+        return Checked(files[0], None, files[1:])
     analysis, n_fixed, failure = _fixed(task, text)
     found: Sequence[Diagnostic] = analysis.findings
     if any(finding.fix is not None for finding in found):

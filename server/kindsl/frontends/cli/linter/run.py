@@ -15,13 +15,14 @@ from kindsl.frontends.cli.outcome import Failure, LintedFile, RunOutcome, as_fai
 from kindsl.judgement.config.errors import ConfigurationError
 from kindsl.judgement.config.file_names import TRANSFORMS_SUFFIX
 from kindsl.judgement.config.robots import SUFFIX, TOOLS_FOLDERS
-from kindsl.robots.interchange.syntaxes import JUDGED_SUFFIXES, is_xml_name
+from kindsl.robots.interchange.syntaxes import JUDGED_SUFFIXES, XACRO_SUFFIX
 
 if TYPE_CHECKING:
     from kindsl.judgement.config.configuration import Configuration
 
 # How files end that are linted when a folder is named; robots in XML only if included.
-_WALKED = (SUFFIX, TRANSFORMS_SUFFIX, *JUDGED_SUFFIXES)
+_IN_XML = (*JUDGED_SUFFIXES, XACRO_SUFFIX)
+_WALKED = (SUFFIX, TRANSFORMS_SUFFIX, *_IN_XML)
 _FEW = 200
 # The garbage of so many documents fits into memory.
 _FEW_TO_COLLECT = 16
@@ -61,6 +62,7 @@ def lint(plan: LintPlan) -> RunOutcome:
     files: list[LintedFile] = []
     for checked in _with_progress(check_all(tasks, plan.jobs), len(tasks), plan.is_quiet):
         files += [checked.file] if checked.file is not None else []
+        files += checked.others
         failures += [checked.failure] if checked.failure is not None else []
     remarks: tuple[str, ...] = ()
     if any(task.settings.known for task in tasks):
@@ -76,7 +78,8 @@ def linted(plan: LintPlan) -> Iterator[str | Failure]:
     named = {shown_path(path) for path in plan.paths}
     for document in documents(plan.paths, plan.excluded, _WALKED):
         is_walked = not isinstance(document, Failure) and document not in named
-        if not (is_walked and is_xml_name(str(document))) or _is_included(str(document), plan):
+        is_xml = is_walked and str(document).lower().endswith(_IN_XML)
+        if not is_xml or _is_included(str(document), plan):
             yield document
 
 

@@ -1,8 +1,9 @@
 """A process of its own that writes the URDF of a xacro file to stdout.
 
 A xacro file holds Python expressions, which may take for ever and all memory there is. The one
-argument is a JSON object: `file`, `arguments` of the file, `searched` folders of packages. Ends
-with 1 after one sentence on stdout where the file cannot be expanded.
+argument is a JSON object: `file`, `arguments` of the file, `searched` folders of packages, and
+whether elements are `marked` with where they come from. Ends with 1 after one sentence on stdout
+where the file cannot be expanded.
 """
 
 import contextlib
@@ -13,6 +14,9 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
+from typing import Any
+
+from kindsl.robots.interchange.xacro.origins import with_origins
 
 _TYPE_OF_ERROR = re.compile(r"<class '[^']*'>: ")
 _MEMORY = 4 * 2**30
@@ -25,6 +29,8 @@ def main() -> int:
 
     task = json.loads(sys.argv[1])
     _let_find([Path(folder) for folder in task["searched"]])
+    if task["marked"]:
+        _mark_elements(xacro)
     arguments = _Arguments(task["arguments"])
     try:
         with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
@@ -59,6 +65,19 @@ class _Arguments(dict[str, str]):
         for name in given:
             if name not in self._asked:
                 raise ValueError(f"no argument '{name}'{hint(nearest_name(name, self._asked))}")
+
+
+def _mark_elements(xacro: Any) -> None:
+    """Give each element of every file that is read an attribute with its file and offset."""
+    parse = xacro.parse
+
+    def marked(content: Any, name: str | None = None) -> Any:
+        path = Path(xacro.root_dir, name) if content is None and name is not None else None
+        if path is None or not path.is_file():
+            return parse(content, name)
+        return parse(with_origins(path.read_text("utf-8"), str(path)), name)
+
+    xacro.parse = marked
 
 
 def _let_find(searched: list[Path]) -> None:

@@ -13,13 +13,20 @@ _CHILD = "kindsl.robots.interchange.xacro.child"
 _SECONDS = 30.0
 
 
-def expanded(path: Path, choices: ReadingChoices = AS_WRITTEN, seconds: float = _SECONDS) -> bytes:
+def expanded(
+    path: Path,
+    choices: ReadingChoices = AS_WRITTEN,
+    seconds: float = _SECONDS,
+    *,
+    is_marked: bool = False,
+) -> bytes:
     """Return the URDF of a xacro file, whose Python expressions are evaluated.
 
     Args:
         path: The file, which may include others.
         choices: Its arguments, and where the packages are that it names.
         seconds: After which it is given up.
+        is_marked: Whether elements say where they come from, for `origins`.
 
     Raises:
         FormatError: Its macros cannot be expanded here, or not in that time.
@@ -31,7 +38,8 @@ def expanded(path: Path, choices: ReadingChoices = AS_WRITTEN, seconds: float = 
         message = "xacro is not installed: pip install 'kindsl[xacro]', or run xacro first:"
         raise FormatError(f"{message} xacro {path.name} > {plain}.urdf")
     searched = [str(folder) for folder in searched_folders(path, choices.package_paths)]
-    task = {"file": str(path), "arguments": dict(choices.arguments), "searched": searched}
+    task: dict[str, object] = {"file": str(path), "arguments": dict(choices.arguments)}
+    task |= {"searched": searched, "marked": is_marked}
     command = [sys.executable, "-P", "-m", _CHILD, json.dumps(task)]
     try:
         done = subprocess.run(
