@@ -49,4 +49,4 @@ def more_digits(program: str) -> str:
     """Return how to have a program report more digits, in words."""
     setting = _UNIT_SETTINGS.get(program)
     where = f"in {program} ({setting})" if setting else "in the CAD program"
-    return f"set a smaller unit such as g·mm², or more decimals, {where}"
+    return f"set smaller units such as g and mm, or more decimals, {where}"
