@@ -17,7 +17,7 @@ from tests.support.amount import usually
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.analysis.fixing import disjoint_fixes, fixed, in_line_style, is_fixable
-from kindsl.judgement.analysis.text_fix import TextFix
+from kindsl.judgement.analysis.text_fix import TextFix, edits_of
 from kindsl.judgement.rules.base import Severity
 from kindsl.judgement.rules.examples import link, robot
 from kindsl.language.text.edits import TextEdit, apply_edits
@@ -158,31 +158,36 @@ def finding(*edits: TextEdit, safe: bool = True) -> Diagnostic:
     return Diagnostic("KD500", "x", Severity.ERROR, "is odd", 0, 1, fix=fix)
 
 
+def chosen(findings: list[Diagnostic]) -> tuple[list[TextEdit], int]:
+    fixes = disjoint_fixes(findings)
+    return edits_of(fixes), len(fixes)
+
+
 def test_fixes_that_touch_each_other_wait_for_the_next_round() -> None:
     one, other = TextEdit(0, 3, "a"), TextEdit(3, 5, "b")
-    assert disjoint_fixes([finding(one), finding(other)]) == ([one], 1)
+    assert chosen([finding(one), finding(other)]) == ([one], 1)
 
 
 def test_the_same_fix_of_two_findings_is_made_once() -> None:
     edit = TextEdit(0, 3, "a")
-    assert disjoint_fixes([finding(edit), finding(edit)]) == ([edit], 2)
+    assert chosen([finding(edit), finding(edit)]) == ([edit], 2)
 
 
 def test_fixes_may_share_an_edit() -> None:
     shared, one, other = TextEdit(0, 3, "a"), TextEdit(5, 6, "b"), TextEdit(8, 9, "c")
     both = [finding(shared, other), finding(shared, one)]
-    assert disjoint_fixes(both) == ([shared, one, other], 2)
+    assert chosen(both) == ([shared, one, other], 2)
 
 
 def test_safe_fixes_come_first() -> None:
     risky, safe = TextEdit(0, 3, "a"), TextEdit(2, 5, "b")
-    assert disjoint_fixes([finding(risky, safe=False), finding(safe)]) == ([safe], 1)
+    assert chosen([finding(risky, safe=False), finding(safe)]) == ([safe], 1)
 
 
 def test_a_fix_is_made_whole_or_not_at_all() -> None:
     taken, other = TextEdit(5, 6, "a"), TextEdit(0, 1, "b")
     both = finding(other, TextEdit(5, 7, "c"))
-    assert disjoint_fixes([finding(taken), both]) == ([taken], 1)
+    assert chosen([finding(taken), both]) == ([taken], 1)
 
 
 def test_new_lines_are_as_the_others() -> None:
@@ -215,4 +220,4 @@ def test_disjoint_fixes_can_always_be_applied(text: str, data: st.DataObject) ->
     edits = st.tuples(st.integers(0, len(text)), st.integers(0, len(text)), st.text(max_size=2))
     made = data.draw(st.lists(edits, max_size=8))
     findings = [finding(TextEdit(min(a, b), max(a, b), new)) for a, b, new in made]
-    apply_edits(text, disjoint_fixes(findings)[0])
+    apply_edits(text, chosen(findings)[0])

@@ -16,6 +16,7 @@ from kindsl.frontends.features.actions.code_actions import (
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.fixing import disjoint_fixes, is_fixable
 from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.analysis.text_fix import edits_of
 from kindsl.language.semantics.parameters import Binding
 from kindsl.language.text.edits import TextEdit, apply_edits
 
@@ -155,7 +156,7 @@ def test_an_unbound_parameter_can_be_bound_outside():
 
 def test_fixes_that_touch_each_other_wait():
     analysis = analyse(BAD)
-    edits, _ = disjoint_fixes(analysis.findings)
+    edits = edits_of(disjoint_fixes(analysis.findings))
     assert all(a.end < b.start for a, b in pairwise(edits))
     assert edits == sorted(edits)
 

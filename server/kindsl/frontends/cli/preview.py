@@ -193,28 +193,13 @@ def _serve(args: argparse.Namespace, other: "OtherRobot | None") -> None:
         message = "only a .kindsl document is edited in the page: 'kindsl convert' makes one"
         raise CommandError([Failure(args.file, message)])
     others = [str(path) for path in (args.compare, args.meshes) if path]
-    others += [
-        *([configuration.path] if configuration else []),
-        *watched_files(first.settings.twins),
-    ]
-    paths = (args.file, *others)
-    known = fingerprint(paths)
+    others += [configuration.path] if configuration else []
+    paths = (args.file, *others, *watched_files(first.settings.twins))
+    read = partial(_reread, args, args.file)
     write = partial(_write_dragged, args) if args.edit else None
-    opens = not args.no_open
-    command = Command(
-        *(
-            args.file,
-            partial(_reread, args, args.file),
-            first,
-            other,
-            args.port,
-            opens,
-            paths,
-            known,
-        ),
-        *(partial(_keep, args), write, args.pose, _motion(args), _meshes(args)),
-    )
-    asyncio.run(serve(command))
+    shown = args.file, read, first, other, args.port, not args.no_open, paths, fingerprint(paths)
+    asked = partial(_keep, args), write, args.pose, _motion(args), _meshes(args)
+    asyncio.run(serve(Command(*shown, *asked)))
 
 
 def _write_dragged(args: argparse.Namespace, writing: "Writing") -> str:

@@ -73,7 +73,7 @@ def made(analysis: Analysis, findings: Iterable[Diagnostic]) -> Made | None:
     are tried, down to single ones.
     """
     best, taken = analysis, list[TextFix]()
-    pending, n_tries = [_disjoint(findings)], 0
+    pending, n_tries = [disjoint_fixes(findings)], 0
     while pending and n_tries < _MOST_TRIES:
         some = pending.pop()
         if not some:
@@ -170,17 +170,11 @@ def is_fixable(finding: Diagnostic) -> bool:
     return finding.fix is not None
 
 
-def disjoint_fixes(findings: Iterable[Diagnostic]) -> tuple[list[TextEdit], int]:
-    """Return edits that do not touch each other, in their order, and how many findings they fix.
+def disjoint_fixes(findings: Iterable[Diagnostic]) -> list[TextFix]:
+    """Return fixes that do not touch each other; of two that do the safe one wins, then the first.
 
-    A fix is taken whole or not at all; of two that touch each other the safe one wins, then the
-    first. Fixes may share edits.
+    A fix is taken whole or not at all. Fixes may share edits.
     """
-    fixes = _disjoint(findings)
-    return edits_of(fixes), len(fixes)
-
-
-def _disjoint(findings: Iterable[Diagnostic]) -> list[TextFix]:
     fixes = [finding.fix for finding in findings if finding.fix is not None]
     return disjoint(sorted(fixes, key=lambda fix: not fix.is_safe))
 

@@ -25,7 +25,6 @@ class Tag(StrEnum):
     """The way an editor may draw a finding."""
 
     UNNECESSARY = "unnecessary"
-    DEPRECATED = "deprecated"
 
 
 class Related(NamedTuple):

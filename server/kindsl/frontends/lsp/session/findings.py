@@ -20,7 +20,6 @@ _SEVERITIES = {
 }
 _TAGS = {
     "unnecessary": types.DiagnosticTag.Unnecessary.value,
-    "deprecated": types.DiagnosticTag.Deprecated.value,
 }
 
 
