@@ -25,7 +25,7 @@ from kindsl.frontends.lsp.session.configuration_files import (
     configuration_problems,
 )
 from kindsl.frontends.lsp.session.findings import diagnostics
-from kindsl.frontends.lsp.session.progress import Progress
+from kindsl.frontends.lsp.session.progress import AT_A_TIME, Progress
 from kindsl.frontends.lsp.session.status import status_of
 from kindsl.frontends.lsp.session.tokens import TokenMemory
 from kindsl.frontends.lsp.session.view import without_marks
@@ -182,6 +182,38 @@ class TestProgress:
         assert values[0] == types.WorkDoneProgressBegin("Checking", percentage=0)
         assert [value.percentage for value in values[1:-1]] == [1, 75, 100]
         assert values[-1] == types.WorkDoneProgressEnd()
+
+    async def test_a_slow_item_keeps_no_processor_waiting(self) -> None:
+        numbers = range(2 * AT_A_TIME)
+        is_over = asyncio.Event()
+
+        async def work(number: int) -> int:
+            if number == AT_A_TIME:
+                is_over.set()
+            if number == 1:
+                await is_over.wait()
+            return number
+
+        with session_with() as (session, _):
+            async with Progress(session, "Checking", None) as progress, asyncio.timeout(20):
+                assert [found async for found in progress.over(numbers, work)] == [*numbers]
+
+    async def test_what_is_given_up_is_worked_on_no_more(self) -> None:
+        begun = list[asyncio.Task[Any] | None]()
+
+        async def work(number: int) -> int:
+            begun.append(asyncio.current_task())
+            if number:
+                await asyncio.Event().wait()
+            return number
+
+        with session_with() as (session, _):
+            async with Progress(session, "Checking", None) as progress:
+                found = progress.over(range(3), work)
+                assert await anext(found) == 0
+                await found.aclose()
+            await asyncio.sleep(0)
+        assert [task.cancelled() for task in begun[1:] if task] == [True, True]
 
     async def test_without_a_token_nothing_is_told_at_once(self) -> None:
         with session_with(_shows_progress()) as (session, told):

@@ -1,9 +1,11 @@
 """Progress of work that takes a while, shown by clients that can."""
 
 import asyncio
+import os
 import time
 import uuid
-from collections.abc import AsyncIterator, Awaitable, Callable, Sequence
+from collections import deque
+from collections.abc import AsyncGenerator, Awaitable, Callable, Sequence
 from typing import Any, TypeVar
 
 from lsprotocol import types
@@ -14,8 +16,8 @@ from kindsl.frontends.lsp.session.state import State
 S = TypeVar("S")
 T = TypeVar("T")
 
-# So few that what they take in the message loop holds up no answer.
-_AT_A_TIME = 8
+# Enough for all processors, and so few that what they take in the message loop holds up no answer.
+AT_A_TIME = max(8, 2 * (os.cpu_count() or 1))
 _WHOLE = 100
 PATIENCE = 0.5
 
@@ -52,13 +54,20 @@ class Progress:
             self._shown = percentage
             self._send(types.WorkDoneProgressReport(percentage=percentage))
 
-    async def over(self, items: Sequence[S], work: Callable[[S], Awaitable[T]]) -> AsyncIterator[T]:
-        """Yield what work on each item comes to, some at a time; tell how much is done."""
-        for start in range(0, len(items), _AT_A_TIME):
-            await self.report(start, len(items))
-            for found in await asyncio.gather(*map(work, items[start : start + _AT_A_TIME])):
-                yield found
-            await asyncio.sleep(0)
+    async def over(
+        self, items: Sequence[S], work: Callable[[S], Awaitable[T]]
+    ) -> AsyncGenerator[T, None]:
+        """Yield what work on each item comes to, in order; report how much is done."""
+        ahead = deque(map(asyncio.ensure_future, map(work, items[:AT_A_TIME])))
+        try:
+            for done in range(len(items)):
+                await self.report(done, len(items))
+                yield await ahead[0]
+                ahead.popleft()
+                ahead.extend(map(asyncio.ensure_future, map(work, items[done + AT_A_TIME :][:1])))
+        finally:
+            for each in ahead:
+                each.cancel()
 
     async def __aexit__(self, *_: object) -> None:
         self._send(types.WorkDoneProgressEnd())
