@@ -53,7 +53,7 @@ def _as_lines(document: str, start: int, end: int, text: str) -> str:
 
 
 def _fixes(after: Analysis, start: int, end: int) -> Iterator[tuple[TextFix, bool]]:
-    """Yield the fixes of what was pasted, and whether each is the only one."""
+    """Yield the fixes for the pasted text, and whether each is the only one."""
     for finding in after.check_without_twins():
         is_pasted = start <= finding.start and finding.end <= end
         if is_pasted and foreign_passages(after.text[finding.start : finding.end]):

@@ -40,7 +40,7 @@ def _pair(pair: FramePair, letter: str, what: str, model: Model | None) -> str:
 
 
 def _frame(name: str, model: Model | None) -> str:
-    """Return whose frame a name is."""
+    """Return the link or frame that a name refers to."""
     if model is None:
         return code(name)
     links, joints = frame_names(model), joint_frame_names(model)

@@ -82,7 +82,7 @@ class Channel:
         self._parts[part] = new
 
     def put(self, part: str, message: Part, sender: Tab | None = None) -> None:
-        """Set one property and tell all tabs but the one that it came from."""
+        """Set one property and send it to all tabs except the sender."""
         self._parts.setdefault(part, {})[key_of(message)] = message
         for tab in self._tabs - {sender}:
             tab.send(message)

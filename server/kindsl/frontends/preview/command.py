@@ -154,7 +154,7 @@ class _Follower:
         return reason
 
     def keep(self, _key: str, wanted: WriteParameters | KeepPose) -> str:
-        """Keep values or a pose; return, and say on the terminal, what is to be written by hand."""
+        """Keep values or a pose; return and print the lines that the user has to write by hand."""
         lines = self._command.keep(wanted)
         print(lines, end="", flush=True)
         if not lines:

@@ -158,7 +158,7 @@ def _row(ours: ComparedSide, theirs: ComparedSide, number: NumberDifference) -> 
 
 
 def _thing(skeleton: Linkage, number: NumberDifference) -> tuple[str, str]:
-    """Return the kind and name of what is drawn of the number's owner."""
+    """Return the kind and name of the drawn thing that a number belongs to."""
     names = {
         "link": skeleton.body_names,
         "joint": skeleton.joint_names,

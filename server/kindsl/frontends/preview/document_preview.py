@@ -126,7 +126,7 @@ class DocumentPreview:
         return ShownVersion(given, drawn, robot, rows, poses)
 
     def put(self, analysis: Analysis, drawing: ShownVersion | None = None) -> None:
-        """Show a version, of which a drawing may have been made; earlier findings stay listed."""
+        """Show a version, using its drawing if there is one; earlier findings stay listed."""
         self.analysis = analysis
         self._planned = None
         is_current = drawing is not None and drawing.given == self._given(analysis)
@@ -141,18 +141,18 @@ class DocumentPreview:
         return self._parameters
 
     def try_out(self, trial: Analysis, findings: Sequence[Diagnostic]) -> None:
-        """Show a text as it would be with its findings; the version that is shown stays known."""
+        """Show a trial and its findings; the current version is kept for `put_back`."""
         self._put(trial, self.drawing(trial))
         self._list(findings, trial.text)
 
     def put_back(self) -> None:
-        """Show the version that is known again, after something was tried out."""
+        """Show the current version again after a trial."""
         if self.analysis is not None:
             self._put(self.analysis, self.drawing(self.analysis))
             self._list(self.findings, self.analysis.text)
 
     def show_plan(self, planned: Analysis | None) -> None:
-        """Let a text as it would be stand as a ghost; None for none."""
+        """Draw a planned version as a ghost; None removes it."""
         self._planned = None if planned is None else self.drawing(planned).picture.skeleton
         self._draw_ghost()
 

@@ -239,5 +239,5 @@ class DocumentPreviews(ABC):
 
 
 def identifier(key: str) -> str:
-    """Return a short name of a document for its page's address, which tells nothing of its path."""
+    """Return a short name for a document's page address that does not reveal its path."""
     return hashlib.sha256(key.encode(errors="surrogatepass")).hexdigest()[:12]

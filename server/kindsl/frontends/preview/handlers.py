@@ -147,7 +147,7 @@ class Budget:
     """Messages that a page may still send: they come back with time."""
 
     def __init__(self, clock: Callable[[], float] = monotonic) -> None:
-        """Begin with a full budget; `clock` tells seconds."""
+        """Begin with a full budget; `clock` returns seconds."""
         self._clock = clock
         self._left = BURST
         self._last = clock()

@@ -88,7 +88,7 @@ def offered(source: MeshSource) -> list[Part]:
 def link_meshes(
     source: MeshSource, model: Model, values: Mapping[str, float], skeleton: Linkage
 ) -> LinkMeshes:
-    """Return the meshes of a URDF on a document's links; what is left out is told.
+    """Return the meshes of a URDF on a document's links, and report those left out.
 
     Args:
         source: The URDF.

@@ -90,7 +90,7 @@ def _mechanics(mechanics: Mechanics) -> str:
 
 
 def _findings(findings: Findings) -> str:
-    """Return the findings, each with its source line, what it is about marked."""
+    """Return the findings, each with its source line and the place marked in it."""
     if not findings:
         return "<p>no findings</p>"
     lines = LineIndex(findings.text)

@@ -18,7 +18,7 @@ Post = Callable[[str, str], None]
 
 
 class _Page(NamedTuple):
-    """A page that has said hello, and the task that writes to it."""
+    """A connected page and the task that writes to it."""
 
     tab: Tab
     writing: "asyncio.Task[None]"
@@ -77,7 +77,7 @@ class PostedPreviews(DocumentPreviews):
             self.receive(document, self._pages[name].tab, request)
 
     def _leave(self, name: str, document: DocumentPreview) -> None:
-        """Forget a page, or what it was before a reload."""
+        """Forget a page, including its state before a reload."""
         if name in self._pages:
             former = self._pages.pop(name)
             document.channel.leave(former.tab)

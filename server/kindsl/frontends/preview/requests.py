@@ -23,7 +23,7 @@ Revision: TypeAlias = Annotated[int, "of the text that the page shows"]
 
 
 class BadRequestError(ValueError):
-    """A message that is no request; says why, in one sentence."""
+    """A message that is not a valid request; the text is one sentence."""
 
 
 class SetJoints(NamedTuple):

@@ -55,7 +55,7 @@ class PreviewServer(DocumentPreviews):
         self._http: HTTPServer | None = None
 
     def admit(self, origin: str) -> None:
-        """Answer pages of an outside origin too: a tunnel or proxy that the editor told of.
+        """Also accept pages from an outside origin: a tunnel or proxy announced by the editor.
 
         Raises:
             ValueError: It is no origin.

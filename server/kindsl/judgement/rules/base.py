@@ -28,7 +28,7 @@ class Tag(StrEnum):
 
 
 class Related(NamedTuple):
-    """Another place that belongs to a finding, and what it has to do with it."""
+    """Another place that belongs to a finding, and a message about it."""
 
     at: Located
     message: str
@@ -88,7 +88,7 @@ class Finding(NamedTuple):
 
 
 class Example(NamedTuple):
-    """A document that shows a rule, with what it needs from outside.
+    """A document that shows a rule, with its targets and parameters.
 
     Attributes:
         text: A document, or single blocks.

@@ -20,7 +20,7 @@ def body_around(bodies: tuple[Link, ...], at: Place) -> Link | None:
 
 
 def inertia_changes(body: Link, found: MassProperties, at: Place) -> tuple[Replacement, ...]:
-    """Return the changes that put mass properties in a passage's place, or in that of the old ones.
+    """Return the changes that replace a passage, or the old inertia, with mass properties.
 
     An inertia that is whole keeps its layout and its comments.
 
@@ -82,7 +82,7 @@ def without_lines(at: Place) -> Replacement:
 
 
 def _frame(body: Link, found: MassProperties) -> str:
-    """Return the body's frame that the numbers are in: the one named there, or that of before."""
+    """Return the frame of the numbers: the one named in the passage, else the previous one."""
     if found.system in {str(frame.name) for frame in body.frames}:
         return found.system
     return str(body.inertia.frame or "") if body.inertia is not None else ""

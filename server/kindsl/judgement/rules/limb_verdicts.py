@@ -57,7 +57,7 @@ _VERDICTS = Fact[tuple[object, list[LimbVerdict]]]("verdicts on limbs")
 
 
 def limb_names(model: Model) -> LimbNames:
-    """Return the names of links and joints, which tell the links that are misplaced."""
+    """Return the names of links and joints, from which misplaced links are found."""
     structure = model.edition.facts(Aspect.STRUCTURE)
     return structure.made_of(_NAMES, (), partial(_names, model))
 

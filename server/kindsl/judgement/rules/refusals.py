@@ -45,7 +45,7 @@ def load_refusal(target: str, model: Model, context: Context) -> Iterator[Findin
 
 
 def first_refusal(target: str, model: Model, context: Context) -> Finding | None:
-    """Return why a generator refuses a document, an error where a rule of its own says so too."""
+    """Return why a generator refuses a document; an error if another rule reports it as well."""
     construct = next(_constructs(target, model), None)
     return construct or (None if is_blank(model) else _stop(target, model, context))
 

@@ -64,7 +64,7 @@ def rule_named(code: str) -> Rule | None:
 
 
 def page_of(rule: Rule) -> str:
-    """Return the docs page of a rule: the docstring of its module, and what it says of XML."""
+    """Return the docs page of a rule: its module docstring and the section on XML."""
     page = (import_module(rule.module).__doc__ or "").strip()
     return page + _IN_XML.replace("CODE", rule.code) if rule.code in OF_BOTH else page
 

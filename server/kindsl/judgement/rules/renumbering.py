@@ -63,7 +63,7 @@ class CopiedId(NamedTuple):
 
 
 def copied_id(model: Model) -> CopiedId | None:
-    """Return what a single copied number of a link is to be, None where others must change too.
+    """Return the new id for one copied id, None if other ids must change as well.
 
     The tree, the joints' numbers and the order of the document decide which of the two links has
     the copy; if none of them does, the later one.

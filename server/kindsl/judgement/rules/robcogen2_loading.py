@@ -48,7 +48,7 @@ def is_read_by_robcogen2(model: Model) -> bool:
 
 
 def loading_defect(model: Model) -> Finding | None:
-    """Return what robcogen2 dies of, None where it loads the document; it could parse it."""
+    """Return the defect that stops robcogen2 from loading a parsed document, None if none does."""
     if model.base is None:
         return next(_structural_defects(model), None)
     facts = model.edition.facts(Aspect.STRUCTURE | Aspect.SYMBOLS)
@@ -58,7 +58,7 @@ def loading_defect(model: Model) -> Finding | None:
 
 
 def _structural_defects(model: Model) -> Iterator[Finding]:
-    """Yield what it dies of before it converts a number."""
+    """Yield the defects that stop it before it converts a number."""
     for step in (_references, _numbering, _unused_joints):
         yield from step(model)
 

@@ -48,7 +48,7 @@ def where(twin: "TwinFile", number: "WrittenNumber | None") -> str:
 
 
 def place_of(model: Model, number: "NumberDifference") -> Located | None:
-    """Return where a number that differs stands, or the name of what it is of."""
+    """Return the place of a differing number, or the name of its owner."""
     written = number.here_number or number.here_near
     if written is not None and isinstance(written.at, Expression):
         return written.at

@@ -80,7 +80,7 @@ def symbols(expression: Expression) -> Iterator[ParameterUse | ConstantUse]:
 
 
 def is_undecided(expression: Expression) -> bool:
-    """Return whether the generators read a value in two ways, and no target says which."""
+    """Return whether the generators read a value differently and no target decides."""
     pending = [expression.node]
     while pending:
         node = pending.pop()

@@ -19,7 +19,7 @@ _NO_NAME = Name("")
 
 
 class OtherIsland(Island):
-    """An island of another syntax, which says itself what it declares."""
+    """An island of another syntax that provides its declarations itself."""
 
     def declared(self) -> Declarations:
         """Return what it declares."""

@@ -75,7 +75,7 @@ def _foreign(text: str, passage: Passage) -> Token:
 
 
 def _taken_over(passage: Passage) -> Problem:
-    """Return the problem of a passage; who reads what it says words it better."""
+    """Return the problem of a pasted passage; its reader words it more precisely."""
     if passage.kind is Foreign.URDF:
         return Problem("KD001", URDF_ELEMENTS, passage.start, passage.end)
     return Problem("KD011", "mass properties", passage.start, passage.end)

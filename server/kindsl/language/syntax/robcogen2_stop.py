@@ -45,7 +45,7 @@ def _reading_of_chunk(chunk: Chunk) -> StrictReading:
 
 
 def _stop_in(islands: Sequence[Island]) -> Stop | None:
-    """Return where it stops in islands one of which it cannot read by itself.
+    """Return where robcogen2 stops in islands, one of which it cannot read alone.
 
     That may be cut from the next where robcogen2 cuts nothing; then they are read as one.
     """

@@ -54,7 +54,7 @@ _PLAIN = re.compile(r"[-+]?(?:[0-9]+[.,]?[0-9]*|[.,][0-9]+)(?P<power>[eE][-+]?[0
 def tokens_as_meant(
     text: str, tokens: list[Token], spans: Sequence[tuple[int, int]]
 ) -> list[Token]:
-    """Return the tokens with each number and word as what it means, at the place where it stands.
+    """Return the tokens with each number and word replaced by its meaning, offsets unchanged.
 
     Args:
         text: The island's text.

@@ -8,7 +8,7 @@ _drawers: list[Drawer] = []
 
 
 def let_draw(drawer: Drawer) -> None:
-    """Have things drawn by a function that returns HTML, or None for what it does not know."""
+    """Register the function that draws things as HTML; it returns None for unknown ones."""
     if drawer not in _drawers:
         _drawers.append(drawer)
 

@@ -8,7 +8,7 @@ T = TypeVar("T")
 
 
 class Fact(Generic[T]):
-    """A kind of fact: whoever derives it has one of these, and finds what it has kept by it.
+    """A key for one kind of fact, under which its owner keeps and finds it.
 
     Attributes:
         name: A name for people.

@@ -142,7 +142,7 @@ def unknown_joints(
 def _under_rounding(
     pair: Pair, bounds: Tolerances, loose: Tolerances
 ) -> MechanicalComparison | None:
-    """Compare robots one of which has the other's numbers, rounded; None if more differs."""
+    """Compare two robots whose numbers differ by rounding only; None if more differs."""
     found = _under(pair, loose)
     if not found.is_equal:
         return None

@@ -36,7 +36,7 @@ _Form = WrittenInertia | WrittenPose
 
 
 class NumberChange(NamedTuple):
-    """A number, and what it would have to be for the files to agree."""
+    """A number, and the value with which the files would agree."""
 
     number: WrittenNumber
     value: float

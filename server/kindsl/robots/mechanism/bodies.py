@@ -31,7 +31,7 @@ def bodies_of(linkage: Linkage) -> Bodies:
 
 
 def drives_of(names: Sequence[str], joints: Mapping[str, JointProperties]) -> Drives | None:
-    """Return rotors and friction of joints, None if nothing is told of any.
+    """Return rotors and friction of the joints, None if none has any.
 
     Args:
         names: The joints, in the order of the bodies.

@@ -84,7 +84,7 @@ class RigidBody(NamedTuple):
         return [frame for frame in self.frames if not frame.is_in_place]
 
     def weighing(self, mass: MassDistribution | None) -> "RigidBody":
-        """Return the same body with another mass distribution, that of its first link."""
+        """Return the same body with another mass distribution, assigned to its first link."""
         first, *others = self.parts
         parts = (first._replace(mass=mass), *(part._replace(mass=None) for part in others))
         return self._replace(parts=parts)

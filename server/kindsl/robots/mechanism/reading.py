@@ -29,7 +29,7 @@ NOTHING: Mapping[str, RigidPose] = MappingProxyType({})
 
 
 def whole_linkage(model: Model, values: Mapping[str, float]) -> Linkage:
-    """Return the bodies of a complete document; their order is that of the links' ids.
+    """Return the bodies of a complete document in the order of the links' ids.
 
     Nothing is known of a fixed base's mass, so that total mass and centre of mass are those of what
     moves.
@@ -145,7 +145,7 @@ class _Lenient(NamedTuple):
 
 
 class _Strict(NamedTuple):
-    """Reads every number, or says which is missing."""
+    """Reads every number; raises an error that names the first one missing."""
 
     values: Mapping[str, float]
 

@@ -67,7 +67,7 @@ def _affine(vector: Vector | None, values: Mapping[str, float]) -> tuple[Affine,
 
 
 def affine_component(expression: Expression, values: Mapping[str, float]) -> Affine | None:
-    """Return a value as what it is at zero and factors of its parameters, None if it is not so."""
+    """Return the value at zero and the factor of each parameter, None if it is not affine."""
     names = {str(use.name) for use in symbols(expression) if isinstance(use, ParameterUse)}
     at_zero = {**values, **dict.fromkeys(names, 0.0)}
     constant = expression.value(at_zero)

@@ -49,7 +49,7 @@ def triad(width: float, length: float) -> Mesh:
 
 
 def _band(first: int) -> list[Triangle]:
-    """Return the triangles between two rings of corners, the lower of which begins at `first`."""
+    """Return the triangles between two rings of corners; the lower ring begins at `first`."""
     lower, upper = [], []
     for side in range(SIDES):
         here, following = first + side, first + (side + 1) % SIDES

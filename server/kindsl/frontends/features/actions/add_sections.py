@@ -28,7 +28,7 @@ class _AddedSection(NamedTuple):
 
 
 def add_sections(analysis: Analysis, start: int, _end: int) -> Iterator[CodeAction]:
-    """Offer what the innermost block at a range must have; at its head also what it may have."""
+    """Offer the sections that the block at a range requires, at its head the optional ones too."""
     yield from add_missing(analysis, start)
     place = analysis.syntax.island_at(start)
     block = _innermost_block(place, start)

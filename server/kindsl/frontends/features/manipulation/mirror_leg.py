@@ -81,7 +81,7 @@ def _leg(model: Model, link: str) -> _Leg | Refusal:
 def _mirrored_names(
     model: Model, links: Sequence[Link], children: Sequence[Child]
 ) -> dict[str, str] | Refusal:
-    """Return the new name of each link, joint and frame of a leg, all of which must be free."""
+    """Return the new names of all links, joints and frames of a leg; none may be taken."""
     own = [str(child.link) for child in children] + [str(child.joint) for child in children]
     own += [str(frame.name) for link in links for frame in link.frames]
     names: dict[str, str] = {}
@@ -139,6 +139,6 @@ def _renamed(name: Name, names: Mapping[str, str]) -> TextEdit:
 
 
 def _rewritten(block: Construct, changes: Sequence[TextEdit]) -> str:
-    """Return the text of a block with changes told in its island's offsets."""
+    """Return the text of a block after changes given in its island's offsets."""
     moved = [TextEdit(e.start - block.start, e.end - block.start, e.text) for e in changes]
     return apply_edits(block.island.text[block.start : block.end], sorted(moved))

@@ -42,7 +42,7 @@ def with_frame(analysis: Analysis, body: Link, lines: Sequence[str]) -> TextEdit
 
 
 def behind_last(analysis: Analysis, blocks: Sequence[Construct], texts: Iterable[str]) -> TextEdit:
-    """Return the edit that puts new blocks behind the last of some, of which there is one."""
+    """Return the edit that inserts blocks after the last of some existing ones, at least one."""
     newline = newline_of(analysis.text)
     _, end = max(map(analysis.resolver.span, blocks))
     added = "".join(f"{newline}{newline}{text}" for text in texts)

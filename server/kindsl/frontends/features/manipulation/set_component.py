@@ -84,7 +84,7 @@ def set_component(
 def _of_symbol(
     analysis: Analysis, label: str, carrier: Carrier, value: float, typed: Mapping[str, float]
 ) -> ComponentChange | Refusal:
-    """Return the change of what carries a component, where it has its value from."""
+    """Return the change of the symbol in a component, made where the symbol gets its value."""
     name, is_parameter = str(carrier.use.name), isinstance(carrier.use, ParameterUse)
     binding = analysis.settings.bindings.get(name) if is_parameter else None
     is_bound = binding is not None and name not in typed

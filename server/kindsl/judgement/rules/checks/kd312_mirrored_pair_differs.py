@@ -59,7 +59,7 @@ _UNLIKE = Fact[tuple[object, _Unlike]]("unlike twins")
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each pair of parts of which one has a slip."""
+    """Yield a finding for each mirrored pair in which one part has a slip."""
     verdicts = limb_slips(model, context).verdicts
     told = {place.link for v in verdicts for place in v.places if place.what in OF_A_LINK}
     for left, name in (pair for chunk in model.document.chunks for pair in _twins(chunk)):

@@ -62,7 +62,7 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
 
 @kept
 def _long(chunk: Chunk) -> list[Vector]:
-    """Return the lengths in a chunk that may be told."""
+    """Return the implausible lengths in a chunk."""
     return [
         vector
         for declared in model_part(chunk).declared

@@ -66,7 +66,7 @@ def relative(found: Sighting) -> Iterator[Rewrite]:
 
 
 def _closing(tokens: Sequence[Token], opening: int) -> int:
-    """Return the index after the closing bracket, that of the opening one without such."""
+    """Return the index after the closing bracket, else the index of the opening one."""
     closing = _CLOSING[tokens[opening].kind]
     depth = 0
     for index in range(opening, len(tokens)):

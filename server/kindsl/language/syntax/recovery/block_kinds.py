@@ -84,7 +84,7 @@ def _is_word(token: Token) -> bool:
 
 
 def _checked(tokens: Sequence[Token], index: int, start: str) -> Opening:
-    """Return the opening of a keyword, another one where the block's content says so."""
+    """Return the opening for a keyword, corrected if the block's content contradicts it."""
     if start in ("head", "end"):
         return Opening(start)
     written = "joint" if start == "joint" else "link"

@@ -225,7 +225,7 @@ def _is_removed_on(text: str, last: Edit, edit: Edit) -> bool:
 
 
 def _title(text: str, edits: Sequence[Edit]) -> str:
-    """Return what is written: what is moved, put in place of what, put in, or taken out."""
+    """Return the title of a repair: what it moves, replaces, inserts or removes."""
     old = _side_by_side([text[e.start : e.end] for e in edits if e.start < e.end])
     new = _side_by_side([e.text.strip() for e in edits if e.text.strip()])
     if old and old == new:
