@@ -111,7 +111,7 @@ def check_jax() -> None:
     import jax
 
     jax.config.update("jax_enable_x64", True)
-    for seed in (4, 12, 7):
+    for seed in (4, 7):
         bodies = with_drives(bodies_of_seed(seed, 4), np.random.default_rng(seed))
         some = tuple(x for x in FEW if bodies.is_floating or not x.endswith("_actuated"))
         _assert_right(_language(bodies, "jax", some), library(bodies, some), reference(bodies))
@@ -126,6 +126,18 @@ def check_jax() -> None:
         values["q"], *rest, gravity=values["g"]
     )
     np.testing.assert_allclose(slope, expected.dtau_dq[:, 6:], rtol=1e-10, atol=1e-10)
+    moves = [values[name] for name in ("q", "qd", "tau", "v0", "g")]
+    pulled = np.linspace(1.0, 2.0, bodies.n_links)
+    moved = lambda q: pulled @ module.forward_dynamics(q, *moves[1:])[0]  # noqa: E731
+    expected = reference(bodies).mechanics.forward_dynamics_derivatives(
+        *moves[:4], gravity=values["g"]
+    )
+    np.testing.assert_allclose(
+        jax.jit(jax.grad(moved))(values["q"]),
+        pulled @ expected.dqdd_dq[6:, 6:],
+        rtol=1e-9,
+        atol=1e-9,
+    )
     batch = np.random.default_rng(1).uniform(-1.0, 1.0, (4, bodies.n_links))
     mapped = jax.vmap(call)(batch)
     np.testing.assert_allclose(mapped, call(batch), rtol=1e-12, atol=1e-12)

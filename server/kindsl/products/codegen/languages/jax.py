@@ -9,7 +9,8 @@ from kindsl.products.codegen.python_text import module_text
 from kindsl.products.codegen.reference import Reference
 
 OWN = (
-    "import jax.numpy as np\nimport numpy\nfrom jax.numpy import cos, sign, sin\n",
+    "import jax.numpy as np\nimport numpy\nfrom jax import lax, tree\n"
+    "from jax.numpy import cos, sign, sin\n",
     "jax_answer",
     "poses_in_arrays",
 )
