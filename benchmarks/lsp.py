@@ -93,7 +93,7 @@ def figures(is_quick: bool) -> Iterator[Figure]:
     if not is_quick:
         yield Figure("didChange, ten times the links against 10 x", *growing(rounds), 1.0)
         for what, most, (taken, reading, hover) in zip(
-            ("symbols", "symbols again", "findings"), (20, 10, 1000), searching(2000), strict=True
+            ("symbols", "symbols again", "findings"), (20, 10, 2000), searching(2000), strict=True
         ):
             yield Figure(f"{what} of 2,000 robots against reading", taken, reading, most, "s")
             yield Figure("hover p95 meanwhile, against 50 ms", hover, 50, 1.0)
