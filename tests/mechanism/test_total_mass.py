@@ -84,7 +84,7 @@ def test_everything_that_is_missing_is_listed():
     ],
 )
 def test_a_part_never_reads_like_the_whole(weight, told):
-    assert weight.told(f"{weight.known:g} kg") == told
+    assert weight.in_words(f"{weight.known:g} kg") == told
 
 
 @given(st.integers(0, 500), st.data())

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from kindsl.frontends.preview.changes import Messages, key_of
-from kindsl.robots.scene.encoding import plain
+from kindsl.robots.scene.encoding import as_dict
 from kindsl.robots.scene.messages import Part
 
 
@@ -30,4 +30,4 @@ class Page:
 
     def at(self, path: str) -> dict[str, Any]:
         """Return the properties of a path by type."""
-        return {key.type: plain(value) for key, value in self.state.items() if key.path == path}
+        return {key.type: as_dict(value) for key, value in self.state.items() if key.path == path}

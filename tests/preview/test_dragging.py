@@ -14,7 +14,7 @@ from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.judgement.analysis.translated_robot import analysed_robot
 from kindsl.language.text.edits import apply_edits
-from kindsl.robots.scene.encoding import plain
+from kindsl.robots.scene.encoding import as_dict
 
 URDF = """<robot name="arm"><link name="base"/><link name="upper"/>
 <joint name="lift" type="prismatic"><parent link="base"/><child link="upper"/></joint></robot>"""
@@ -52,10 +52,10 @@ class Page:
         self.tab._waiting.clear()
 
     def last(self, kind: str):
-        return next((plain(m) for m in reversed(self.messages) if m.type == kind), None)
+        return next((as_dict(m) for m in reversed(self.messages) if m.type == kind), None)
 
     def state(self, kind: str):
-        return [plain(m) for m in self.preview.channel.state if m.type == kind]
+        return [as_dict(m) for m in self.preview.channel.state if m.type == kind]
 
     async def _write(self, writing):
         self.writings.append(writing)

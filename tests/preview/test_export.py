@@ -13,7 +13,7 @@ from tests.preview.robots import ARM, mechanics_of, plain_robot, skeleton_in, sk
 from kindsl.frontends.preview.document_preview import DocumentPreview
 from kindsl.frontends.preview.export import exported_page
 from kindsl.judgement.analysis.analysis import analyse
-from kindsl.robots.scene.encoding import plain
+from kindsl.robots.scene.encoding import as_dict
 from kindsl.robots.scene.formulas import formula_messages
 
 
@@ -116,7 +116,9 @@ async def test_its_parameters_move_what_depends_on_them(browser, tmp_path):
 
 def test_formulas_are_those_of_the_document():
     analysis = analyse(PARAMETRIC)
-    formulas = {m.name: plain(m) for m in formula_messages(analysis.model, analysis.context.values)}
+    formulas = {
+        m.name: as_dict(m) for m in formula_messages(analysis.model, analysis.context.values)
+    }
     assert set(formulas) == {"lift", "tool"}
     assert formulas["lift"]["translation"] == [
         (0.0, (("reach", 1.0),)), (0.0, ()), (0.0, (("reach", -0.5),)),

@@ -16,7 +16,7 @@ from tests.preview.robots import (
 )
 from tests.support.spatial import rotation_from_intrinsic_xyz
 
-from kindsl.robots.scene.encoding import plain
+from kindsl.robots.scene.encoding import as_dict
 from kindsl.robots.scene.robot import NOTHING_UNKNOWN, robot_messages
 
 SCRIPT = ROOT / "server" / "kindsl" / "frontends" / "preview" / "page" / "picture" / "kinematics.js"
@@ -86,7 +86,7 @@ def answers_to(inputs, driver=DRIVER, script=SCRIPT):
 def page_input(skeleton, q, unknown=NOTHING_UNKNOWN):
     messages = robot_messages("robot", skeleton, unknown=unknown)
     groups = {
-        kind + "s": [plain(m) for m in messages if m.type == kind]
+        kind + "s": [as_dict(m) for m in messages if m.type == kind]
         for kind in ("link", "joint", "frame")
     }
     values = dict(zip(skeleton.joint_names, q.tolist(), strict=True))

@@ -12,7 +12,7 @@ from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.rules.base import Severity
 from kindsl.language.semantics.unknown import Unknown
 from kindsl.robots.mechanism.total_mass import Weight
-from kindsl.robots.scene.encoding import plain
+from kindsl.robots.scene.encoding import as_dict
 from kindsl.robots.scene.picture import Picture, PictureState
 
 
@@ -28,7 +28,7 @@ class TestFindings:
         assert order == [Severity.ERROR, Severity.WARNING, Severity.HINT, Severity.HINT]
         assert MOST_LISTED == 40 and len(listed([hint] * 41)) == 40
         messages = list(finding_messages([hint, error], text))
-        assert plain(messages[0]) == {
+        assert as_dict(messages[0]) == {
             "type": "finding", "path": "/kindsl/findings/0", "index": 0, "code": "KD005",
             "severity": "error", "message": error.message, "line": 21, "column": 32,
         }  # fmt: skip
@@ -39,15 +39,15 @@ class TestFindings:
         (error,) = analyse(GOOD.replace("(0.5,", "(1,")).findings
         drawn = Picture(None, PictureState.BROKEN, "why", weight=Weight(2.5, 1, Unknown("why not")))
         found = status_message(drawn, [error] * 50, "arm.kindsl")
-        assert plain(found) == {
+        assert as_dict(found) == {
             "type": "status", "path": "/kindsl/status", "state": "broken", "message": "why",
             "total": 50, "counts": {"error": 50}, "label": "arm.kindsl",
             "mass": 2.5, "lacks": "why not", "is_former": False,
         }  # fmt: skip
         lost = {"state": "gone", "message": "gone", "total": 3, "counts": {}, "is_former": True}
         gone = status_message(drawn, [error] * 3, "arm.kindsl", "gone")
-        assert plain(gone) == {**plain(found), **lost}
-        assert plain(status_message(None, [error] * 3, "arm.kindsl", "gone")) == {
+        assert as_dict(gone) == {**as_dict(found), **lost}
+        assert as_dict(status_message(None, [error] * 3, "arm.kindsl", "gone")) == {
             "type": "status", "path": "/kindsl/status", "label": "arm.kindsl",
             "mass": 0.0, "lacks": "", **lost,
         }  # fmt: skip

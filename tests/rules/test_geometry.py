@@ -3,7 +3,7 @@
 import pytest
 
 from kindsl.judgement.analysis.analysis import analyse
-from kindsl.judgement.rules.geometry import lengths, posed, rotations
+from kindsl.judgement.rules.geometry import lengths, posed_things, rotations
 from kindsl.judgement.rules.tiny_values import is_negligible, is_tiny
 from kindsl.language.semantics.declarations import Declarations
 
@@ -30,7 +30,7 @@ def first_values(vectors) -> list[float]:
 @pytest.mark.parametrize("com", ["CoM = (0.3, 0.0, 0.0)", ""])
 def test_what_is_missing_has_no_length_and_no_angle(place: str, turn: str, com: str) -> None:
     body = declared(BODY % (com, place, turn))
-    assert len(list(posed(body))) == 1
+    assert len(list(posed_things(body))) == 1
     assert first_values(rotations(body)) == [0.2] * bool(turn)
     assert first_values(lengths(body)) == [0.1] * bool(place) + [0.3] * bool(com)
 
@@ -41,7 +41,7 @@ def test_a_link_without_inertia_has_no_com() -> None:
 
 def test_a_joint_has_a_pose() -> None:
     joint = declared(JOINT)
-    assert [thing.name for thing in posed(joint)] == ["j"]
+    assert [thing.name for thing in posed_things(joint)] == ["j"]
     assert first_values(rotations(joint)) == [0.2]
     assert first_values(lengths(joint)) == [0.1]
 

@@ -11,7 +11,7 @@ from kindsl.judgement.analysis.analysis import analyse
 from kindsl.language.semantics.parameters import Binding, JointProperties
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.robots.scene.ellipsoids import inertia_ellipsoid
-from kindsl.robots.scene.encoding import plain
+from kindsl.robots.scene.encoding import as_dict
 from kindsl.robots.scene.formulas import affine_component, formula_messages
 from kindsl.robots.scene.geometry import Form, Shape
 from kindsl.robots.scene.guesses import NO_GUESSES, Guesses, guesses
@@ -49,7 +49,7 @@ class TestRobot:
     def test_model(self) -> None:
         (model,) = of_type(robot_messages("Arm", skeleton_of(ARM)), "model")
         size = hypot(0.4, 0.8)
-        assert plain(model) == {
+        assert as_dict(model) == {
             "type": "model", "path": "/kindsl/model", "name": "Arm", "is_floating": False,
             "size": pytest.approx(size), "center": pytest.approx([0.2, 0.0, 0.4]),
             "ground": 0.0, "unit": extent(skeleton_of(ARM)).radius, "density": 300.0,
@@ -97,7 +97,7 @@ class TestRobot:
         guessed = Guesses({}, (), frozenset({"lift"}), frozenset({"tool"}))
         messages = robot_messages("Arm", skeleton_of(ARM), guessed)
         first, second = of_type(messages, "joint")
-        assert {k: v for k, v in plain(first).items() if k != "placement"} == {
+        assert {k: v for k, v in as_dict(first).items() if k != "placement"} == {
             "type": "joint", "path": "/kindsl/robot/joints/shoulder", "name": "shoulder",
             "index": 1, "kind": "revolute", "predecessor": "base", "successor": "upper",
             "is_guess": False,
@@ -116,7 +116,7 @@ class TestRobot:
     def test_limits_are_those_of_joints_that_are_there(self) -> None:
         limits = {"lift": JointProperties(-0.1, 0.4), "other": JointProperties(0.0, 1.0)}
         (found,) = of_type(robot_messages("Arm", skeleton_of(ARM), NO_GUESSES, limits), "limits")
-        assert plain(found) == {
+        assert as_dict(found) == {
             "type": "limits", "path": "/kindsl/limits/lift", "name": "lift",
             "minimum": -0.1, "maximum": 0.4,
         }  # fmt: skip
@@ -307,7 +307,7 @@ class TestParameters:
 
     def test_without_a_value_it_is_the_guess(self) -> None:
         (row,) = rows(PARAMETRIC_ARM, guessed={"reach": 0.5})
-        assert plain(row) == {
+        assert as_dict(row) == {
             "type": "parameter", "path": "/kindsl/parameters/reach", "index": 0, "name": "reach",
             "kind": "length", "value": 0.5, "is_guess": True, "is_bound": False,
             "minimum": 0.0, "maximum": 1.0, "has_range": False, "is_overridden": False,
@@ -316,7 +316,7 @@ class TestParameters:
     def test_a_binding_and_what_is_typed_win(self) -> None:
         bound = {"reach": Binding(0.7, 0.1, 0.9)}
         (row,) = rows(PARAMETRIC_ARM, bound)
-        found = plain(row)
+        found = as_dict(row)
         told = {k: found[k] for k in ("value", "is_guess", "is_bound", "minimum", "maximum")}
         assert told == {
             "value": 0.7, "is_guess": False, "is_bound": True, "minimum": 0.1, "maximum": 0.9,
@@ -367,7 +367,7 @@ class TestFormulas:
         text = text.replace("(0.0, 0.5 - 2.0*h, 0.3)", "(0.0, -h/2.0, 0.3)")
         found = formulas(text)
         assert list(found) == ["lift", "tool"]
-        assert plain(found["lift"]) == {
+        assert as_dict(found["lift"]) == {
             "type": "formula", "path": "/kindsl/formulas/joints/lift", "group": "joints",
             "name": "lift", "link": "upper",
             "translation": [(0.0, (("reach", 1.0),)), (0.0, ()), (0.0, ())],

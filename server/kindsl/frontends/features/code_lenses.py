@@ -55,7 +55,7 @@ def _subtree_title(subtree: Subtree, body: Link) -> str:
     if not subtree.dof:
         return ""
     joints, weight = counted(subtree.dof, "joint"), subtree.weight
-    mass = weight.told(f"{number(weight.known)} {KILOGRAMS}")
+    mass = weight.in_words(f"{number(weight.known)} {KILOGRAMS}")
     if mass == UNKNOWN:
         return f"carries {joints}, mass unknown"
     counts = body.is_floating or not body.is_base

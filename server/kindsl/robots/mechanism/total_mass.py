@@ -44,7 +44,7 @@ class Weight(NamedTuple):
         """The missing parts in plain text, empty if complete."""
         return Unknown(self.reason_text).plain
 
-    def told(self, known: str) -> str:
+    def in_words(self, known: str) -> str:
         """Return the words for a total whose known part reads `known`: never like the whole."""
         if self.is_whole:
             return known
@@ -52,8 +52,8 @@ class Weight(NamedTuple):
 
     def explained(self, known: str) -> str:
         """Return the same with what is missing behind it, in plain text."""
-        told = self.told(known)
-        return told if self.is_whole else f"{told} ({self.plain_reason})"
+        words = self.in_words(known)
+        return words if self.is_whole else f"{words} ({self.plain_reason})"
 
 
 NO_MASS = Weight(0.0)

@@ -14,9 +14,9 @@ from kindsl.robots.scene.messages import Change, Part
 _EXTENSIONS = {"f": 0x17, "I": 0x16}
 
 
-def plain(message: Part | Change) -> dict[str, Any]:
+def as_dict(message: Part | Change) -> dict[str, Any]:
     """Return a message as dictionaries and lists, with its shapes in meshcat's form."""
-    fields = {name: _plain(getattr(message, name)) for name in message.__slots__}
+    fields = {name: _as_plain(getattr(message, name)) for name in message.__slots__}
     return {"type": message.type, **fields}
 
 
@@ -28,11 +28,11 @@ def encode(message: Part | Change) -> bytes:
         return umsgpack.Ext(_EXTENSIONS[numbers.typecode], numbers.tobytes())
 
     handlers = {array: extension}
-    told = plain(message)
+    content = as_dict(message)
     try:
-        packed: bytes = umsgpack.packb(told, ext_handlers=handlers)
+        packed: bytes = umsgpack.packb(content, ext_handlers=handlers)
     except UnicodeEncodeError:
-        packed = umsgpack.packb(_printable(told), ext_handlers=handlers)
+        packed = umsgpack.packb(_printable(content), ext_handlers=handlers)
     return packed
 
 
@@ -41,25 +41,25 @@ def as_json(message: Part | Change) -> str:
 
     What is no finite number becomes null, since JSON has no other word for it.
     """
-    told = plain(message)
+    content = as_dict(message)
     try:
-        return _json(told)
+        return _json(content)
     except ValueError:
-        return _json(_finite(told))
+        return _json(_finite(content))
 
 
-def _plain(value: Any) -> Any:
+def _as_plain(value: Any) -> Any:
     if isinstance(value, Shape):
         return lowered(value)
     if type(value) is tuple:
         # Numbers and texts, of which there are most, are plain already.
         has_more = bool(value) and not isinstance(value[0], float | str)
-        return [_plain(item) for item in value] if has_more else value
+        return [_as_plain(item) for item in value] if has_more else value
     if isinstance(value, tuple):
-        return {name: _plain(item) for name, item in value._asdict().items()}  # type: ignore[attr-defined]
+        return {name: _as_plain(item) for name, item in value._asdict().items()}  # type: ignore[attr-defined]
     if isinstance(value, Mapping):
         return dict(value)
-    return plain(value) if is_dataclass(value) else value  # type: ignore[arg-type]
+    return as_dict(value) if is_dataclass(value) else value  # type: ignore[arg-type]
 
 
 def _json(value: object) -> str:

@@ -54,7 +54,7 @@ def _robot_lines(analysis: Analysis) -> Iterator[str]:
 
 
 def _robot_mass(weight: Weight) -> str:
-    mass = weight.told(f"{number(weight.known)} {KILOGRAMS}")
+    mass = weight.in_words(f"{number(weight.known)} {KILOGRAMS}")
     return f"total mass {mass}" + ("" if weight.is_whole else f" ({weight.reason_text})")
 
 
@@ -111,7 +111,7 @@ def _mass_lines(analysis: Analysis, body: Link) -> Iterator[str]:
 def _subtree_text(weight: Weight, dof: int) -> str:
     if not dof:
         return ""
-    mass = weight.told(f"{number(weight.known)} {KILOGRAMS}")
+    mass = weight.in_words(f"{number(weight.known)} {KILOGRAMS}")
     lack = "" if weight.is_whole else f" ({weight.reason_text})"
     subtree = f"subtree {mass}" if mass != UNKNOWN else "subtree of unknown mass"
     return f"{subtree} with {counted(dof, 'joint')}{lack}"

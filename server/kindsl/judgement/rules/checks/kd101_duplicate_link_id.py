@@ -52,7 +52,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         if copied is None:
             yield _finding(first, again, renumbering(model, len(pairs)))
         else:
-            yield _finding(copied.owner, copied.copy, _written(copied))
+            yield _finding(copied.owner, copied.copy, _new_id(copied))
 
 
 def _finding(owner: Link, again: Link, fix: Fix | None) -> Finding:
@@ -65,7 +65,7 @@ def _finding(owner: Link, again: Link, fix: Fix | None) -> Finding:
     return Finding(again.id_place or again.name, message, (related,), fix)
 
 
-def _written(copied: "CopiedId") -> Fix | None:
+def _new_id(copied: "CopiedId") -> Fix | None:
     place = copied.copy.id_place
     if place is None or not copied.copy.name:
         return None
