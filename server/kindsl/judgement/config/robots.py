@@ -20,16 +20,6 @@ TOOLS_FOLDERS = frozenset((
 _VERSION_CONTROL = frozenset((".bzr", ".git", ".git-rewrite", ".hg", ".jj", ".svn"))
 
 
-class _Wanted(NamedTuple):
-    """Files that a walk looks for, and folders that it skips."""
-
-    excluded: frozenset[str]
-    suffixes: tuple[str, ...]
-
-    def is_wanted(self, name: str) -> bool:
-        return name.lower().endswith(self.suffixes)
-
-
 class Obstacle(NamedTuple):
     """A possible robot, or folder of robots, that cannot be read.
 
@@ -59,8 +49,8 @@ def walked(
     """
     from kindsl.judgement.config.gitignore import Ignored
 
-    wanted = _Wanted(frozenset(excluded) | _VERSION_CONTROL, suffixes)
-    yield from _walk(folder, wanted, Ignored.above(folder))
+    skipped = frozenset(excluded) | _VERSION_CONTROL
+    yield from _walk(folder, skipped, suffixes, Ignored.above(folder))
 
 
 def robots_below(folder: "Path") -> "Iterator[Path]":
@@ -97,7 +87,9 @@ def robot_beside(path: str, robot: str | None, name_of: Callable[[str], str | No
     return chosen[0] if len(chosen) == 1 else None
 
 
-def _walk(folder: str, wanted: _Wanted, ignored: "Ignored") -> Iterator[str | Obstacle]:
+def _walk(
+    folder: str, skipped: frozenset[str], suffixes: tuple[str, ...], ignored: "Ignored"
+) -> Iterator[str | Obstacle]:
     try:
         with os.scandir(folder) as listing:
             entries = sorted(listing, key=lambda entry: entry.name)
@@ -107,12 +99,13 @@ def _walk(folder: str, wanted: _Wanted, ignored: "Ignored") -> Iterator[str | Ob
     ignored = ignored.below(folder)
     for entry in entries:
         is_folder = entry.is_dir(follow_symlinks=False)
-        if entry.name in wanted.excluded if is_folder else not wanted.is_wanted(entry.name):
+        is_wanted = is_folder or entry.name.lower().endswith(suffixes)
+        if not is_wanted or (is_folder and entry.name in skipped):
             continue
         if ignored.covers(entry.path, is_folder):
             continue
         if is_folder:
-            yield from _walk(entry.path, wanted, ignored)
+            yield from _walk(entry.path, skipped, suffixes, ignored)
         else:
             yield from _robot(entry)
 
