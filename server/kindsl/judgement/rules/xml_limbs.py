@@ -20,7 +20,6 @@ from kindsl.mechanics.rigid.pose import angles
 from kindsl.robots.interchange.robot_island import RobotIsland
 from kindsl.robots.limbs.attachments import Attachment, LimbNames, Misplaced
 from kindsl.robots.limbs.limb import Body, Limbs, assembled, groups_of
-from kindsl.robots.limbs.slips import n_retyped
 from kindsl.robots.limbs.verdicts import ComparedLimbs, LimbVerdict, verdicts
 from kindsl.robots.limbs.weighing import Suspect
 
@@ -129,10 +128,7 @@ def _accused(verdict: LimbVerdict) -> Suspect:
 
 
 def _meant(verdict: LimbVerdict, body: XmlBody, parent: XmlBody) -> str:
-    """Return a translation as it would be written, nothing of anything else.
-
-    Of two sides only a sign, an order or a unit tells that one is wrong.
-    """
+    """Return a translation as it would be written, nothing of anything else."""
     meant = verdict.repairs[0].meant[0] if verdict.repairs else ()
     if _accused(verdict).what != "translation" or len(meant) != 3 or body.carrier is None:
         return ""
@@ -142,7 +138,7 @@ def _meant(verdict: LimbVerdict, body: XmlBody, parent: XmlBody) -> str:
     carrier = next(p for p in parent.parts if p.link.name == body.carrier.parent)
     there = carrier.pose.inverse().point(parent.axis_pose.turn((x, y, z)))
     own = written_pose(body.carrier.joint.pose, {})
-    if own is None or (not verdict.is_convicted and n_retyped(own.translation, there)):
+    if own is None:
         return ""
     return f": it would be {' '.join(f'{_clean(each):.5g}' for each in there)}"
 
