@@ -33,6 +33,7 @@ from kindsl.judgement.diagnosis.evidence import (
     of_anything,
     of_spread,
     quantities_of,
+    quantities_of_place,
     shape_of,
     ways_to_lie,
 )
@@ -79,6 +80,7 @@ OF_SORTS, OF_PARTS = 10.0, 3.0
 WEIGHT_OF_PUBLISHED, DOUBT = 8.0, 0.1
 AS_WRITTEN, UNKNOWN = "as written", "unknown"
 TRACELESS = (Slip.PLACEHOLDER, Slip.COPY)
+OF_PLACE = [list(RANGES).index(name) for name in ("mass", "distance", "reach", "side")]
 LEFT_BY = {"placeholder 0.001": Slip.PLACEHOLDER, "copied from another link": Slip.COPY}
 
 
@@ -167,10 +169,18 @@ class Parts(NamedTuple):
 
 
 class Row(NamedTuple):
-    """A suspect: what may have been, what leaves no trace, and how much it counts."""
+    """A suspect.
+
+    Attributes:
+        tried: What may have been.
+        traceless: What leaves no trace of the numbers that were meant.
+        place: The parts of mass and CoM as written.
+        weight: How much it counts.
+    """
 
     tried: list[Parts]
     traceless: list[Parts]
+    place: list[float]
     weight: float
 
 
@@ -208,7 +218,10 @@ def row_of(
         told = parts_of(as_written, found, around, known)
         tried.append(Parts(AS_WRITTEN, 0.0, told, is_unknown))
     tried.append(Parts(UNKNOWN, 0.0, [0.0] * N_PARTS, is_unknown))
-    return Row(tried, traceless, 1.0 if meant is not None else WEIGHT_OF_PUBLISHED)
+    written = dict(quantities_of_place(found.body, around.end, around.mass))
+    names = [list(RANGES)[i] for i in OF_PLACE]
+    place = [known[name].at(written[name]) if name in written else 0.0 for name in names]
+    return Row(tried, traceless, place, 1.0 if meant is not None else WEIGHT_OF_PUBLISHED)
 
 
 def rows(robots: Sequence[Published], known: Tables, number: int) -> list[Row]:
@@ -240,6 +253,14 @@ def rows(robots: Sequence[Published], known: Tables, number: int) -> list[Row]:
     return found
 
 
+def _with_place(parts: Array, place: Sequence[float]) -> Array:
+    """Return parts of hypotheses beside the mass and CoM as written, without counterparts."""
+    placed = parts.copy()
+    placed[:-1, OF_PLACE] = place
+    placed[:, -2:] = 0.0
+    return placed
+
+
 class Fit:
     """A logarithm to add for each sort, and a factor for each part of the evidence."""
 
@@ -255,6 +276,7 @@ class Fit:
                 np.array([place[each.sort] for each in row.tried]),
                 np.array([each.weight for each in row.tried]),
                 np.array([each.parts for each in row.tried]),
+                _with_place(np.array([each.parts for each in row.tried]), row.place),
                 np.array([place[each.sort] for each in row.traceless], int),
                 np.array([each.weight for each in row.traceless]),
                 np.array([each.is_right for each in (*row.tried, *row.traceless)]),
@@ -266,12 +288,13 @@ class Fit:
     def cost(self, at: Array) -> tuple[float, Array]:
         """Return what is left to gain, and its gradient."""
         total, slope, n = 0.0, np.zeros_like(at), len(self.sorts)
-        for sorts, weights, parts, traceless, others, is_right, weight in self.known:
-            seen = weights + parts @ at[n:]
-            logs = seen + at[sorts]
-            # What leaves no trace is as likely as the likeliest.
-            best = int(np.argmax(seen))
-            logs = np.concatenate([logs, seen[best] + others + at[traceless]])
+        for sorts, weights, parts, placed, traceless, others, is_right, weight in self.known:
+            logs = weights + parts @ at[n:] + at[sorts]
+            # What leaves no trace is as likely as the likeliest moments, and as all else.
+            is_rest = self.is_free[sorts]
+            alone = placed @ at[n:] + np.where(is_rest, at[sorts], 0.0)
+            best = int(np.argmax(alone))
+            logs = np.concatenate([logs, alone[best] + others + at[traceless]])
             shares = np.exp(logs - logs.max())
             shares /= shares.sum()
             doubt = DOUBT if weight != 1.0 else 1e-6
@@ -281,7 +304,9 @@ class Fit:
             total += weight * log(gain)
             np.add.at(slope, sorts, change[: len(sorts)])
             np.add.at(slope, traceless, change[len(sorts) :])
-            slope[n:] += change[: len(sorts)] @ parts + change[len(sorts) :].sum() * parts[best]
+            left = change[len(sorts) :].sum()
+            slope[sorts[best]] += left * is_rest[best]
+            slope[n:] += change[: len(sorts)] @ parts + left * placed[best]
         held = at - self.start
         stiff = np.where(self.is_free, 0.0, OF_SORTS)
         stiff = np.concatenate([stiff, [OF_PARTS] * (N_PARTS - 2), [0.0] * 2])

@@ -216,8 +216,9 @@ def test_no_fix_for_robcogen2_writes_what_it_treats_as_zero(
     targets: tuple[str, ...], is_fixed: bool
 ) -> None:
     causes = Settings(frozenset(targets), select=("KD308",))
-    (found,) = analyse(arm_with(LIGHT, 0.06), causes).findings
-    assert "the moments were in g·cm²" in found.message
+    text = arm_with(LIGHT.replace("Ix=60.0 Iy=55.0 Iz=20.0", "Ix=6000.0 Iy=5500.0 Iz=2000.0"), 0.06)
+    (found,) = analyse(text, causes).findings
+    assert "the moments were in g·mm²" in found.message
     assert (found.fix is not None) == is_fixed
 
 
@@ -339,7 +340,7 @@ def judged(monkeypatch):
         ("0.5", "0.6", (0, 0, 0)),
         ("r_joint elbow {", "r_joint elbow { id = 7", (0, 0, 0)),
         ("0.7", "0.8", (1, 1, 1)),
-        ("mass = 2.1", "mass = 2.2", (1, 1, 1)),
+        ("mass = 2.1", "mass = 2.2", (1, 2, 2)),
         ("mass = 2.1", "mass = 0.1", (0, 1, 1)),
     ],
 )

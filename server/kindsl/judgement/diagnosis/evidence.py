@@ -125,25 +125,40 @@ def quantities_of(
         yield "density", log(max(seeming, _USUAL_DENSITY) if shape.is_thin else seeming)
     yield "thickness", log(a / c)
     yield "width", log(b / c)
+    distance, gyration = _distance(body), sqrt((a + b + c) / body.mass)
+    yield "gyration", log(gyration)
+    yield from quantities_of_place(body, end, other_mass)
+    if end is not None:
+        yield "size", log(gyration / hypot(*end))
+        if c > _ELONGATED * b:
+            yield "direction", abs(dot(shape.pairs[2].axis, end)) / hypot(*end)
+    elif distance:
+        yield "place", log(max(distance / gyration, _NOTHING))
+
+
+def quantities_of_place(
+    body: MassDistribution, end: Vector3 | None, other_mass: float
+) -> Iterator[tuple[str, float]]:
+    """Yield the quantities of a mass and its centre alone, which no moments change."""
     if other_mass > 0.0:
         yield "mass", log(body.mass / other_mass)
-    distance, gyration = hypot(*body.com), sqrt((a + b + c) / body.mass)
-    if distance < _NEXT_TO_ORIGIN:
-        distance = 0.0
-    yield "gyration", log(gyration)
+    distance = _distance(body)
     if distance:
         yield "distance", log(distance)
-    if end is None:
-        if distance:
-            yield "place", log(max(distance / gyration, _NOTHING))
-        return
-    length = hypot(*end)
-    yield "size", log(gyration / length)
-    if distance:
-        yield "reach", log(distance / length)
-        yield "side", dot(body.com, end) / (distance * length)
-    if c > _ELONGATED * b:
-        yield "direction", abs(dot(shape.pairs[2].axis, end)) / length
+    if end is not None and distance:
+        yield "reach", log(distance / hypot(*end))
+        yield "side", dot(body.com, end) / (distance * hypot(*end))
+
+
+def of_place(body: MassDistribution, end: Vector3 | None, other_mass: float) -> float:
+    """Return the part of `of_matter` that a mass and its centre alone have."""
+    quantities = quantities_of_place(body, end, other_mass)
+    return sum(TABLES[name].at(value) for name, value in quantities)
+
+
+def _distance(body: MassDistribution) -> float:
+    distance = hypot(*body.com)
+    return distance if distance >= _NEXT_TO_ORIGIN else 0.0
 
 
 def of_anything(moments: Symmetric) -> float:

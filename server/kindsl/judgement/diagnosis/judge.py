@@ -18,7 +18,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from math import exp, isclose, log
 from typing import NamedTuple
 
-from kindsl.judgement.diagnosis.evidence import MassShape, of_anything, of_matter, shape_of
+from kindsl.judgement.diagnosis.evidence import (
+    MassShape,
+    of_anything,
+    of_matter,
+    of_place,
+    shape_of,
+)
 from kindsl.judgement.diagnosis.fitted import AS_WRITTEN, TRUST, UNKNOWN
 from kindsl.judgement.diagnosis.judgements import (
     IMPOSSIBLE,
@@ -139,11 +145,11 @@ def candidates(found: Judgement, around: LinkSurroundings) -> list[Cause]:
     """Return all mistakes that explain an inertia, in no order."""
     is_open = found.is_impossible or around.twins
     tried = hypotheses(found.body, found.half, frozenset(Slip) if is_open else _OF_SIZE)
-    kept = _merged([cause for h in tried if (cause := _weighed(h, found, around)) is not None])
+    kept = merged([cause for h in tried if (cause := weighed(h, found, around)) is not None])
     return [*kept, *_without_meaning(found, around, kept)]
 
 
-def _weighed(h: Hypothesis, found: Judgement, around: LinkSurroundings) -> Cause | None:
+def weighed(h: Hypothesis, found: Judgement, around: LinkSurroundings) -> Cause | None:
     """Return what speaks for a hypothesis, None where the numbers would be those of no body."""
     if not max(map(abs, h.body.moments)) < _BEYOND_COUNTING:
         return None
@@ -164,7 +170,7 @@ def weighed_as_written(found: Judgement, around: LinkSurroundings) -> Cause | No
     """Return what speaks for numbers that are meant so, None where no body has them."""
     if found.is_impossible:
         return None
-    return _weighed(Hypothesis((), found.body, found.half, 1.0), found, around)
+    return weighed(Hypothesis((), found.body, found.half, 1.0), found, around)
 
 
 def weight_of_rest(found: Judgement, around: LinkSurroundings) -> float:
@@ -180,13 +186,15 @@ def weight_of_rest(found: Judgement, around: LinkSurroundings) -> float:
 def _without_meaning(
     found: Judgement, around: LinkSurroundings, causes: Sequence[Cause]
 ) -> Iterator[Cause]:
-    """Yield what leaves no trace of the numbers that were meant, as likely as the likeliest cause.
+    """Yield what leaves no trace of the numbers that were meant.
 
-    Numbers that may be right are no more likely to be so than to be without meaning.
+    Moments without meaning are as likely as the likeliest ones that are tried, beside the mass and
+    the CoM that are written. Numbers that may be right are no more likely to be so.
     """
-    body = found.body
-    log_weight = max((cause.log_likelihood for cause in causes), default=0.0)
-    log_weight = max(log_weight, weight_of_rest(found, around))
+    body, others = found.body, (around.end, around.mass)
+    alone = [c.log_alone - of_place(c.hypothesis.body, *others) for c in causes]
+    as_tried = max(alone, default=0.0) + of_place(body, *others)
+    log_weight = max(as_tried, weight_of_rest(found, around))
     slips: list[tuple[Slip, tuple[str, ...]]] = []
     if found.is_impossible:
         slips += [(Slip.COPY, copy) for copy in around.copies[:1]]
@@ -226,7 +234,7 @@ def ranked(causes: Sequence[Cause], others: Mapping[Kind, float], rest: float) -
     return [c for c in kept if c.probability >= _NEGLIGIBLE * kept[0].probability]
 
 
-def _merged(causes: Sequence[Cause]) -> list[Cause]:
+def merged(causes: Sequence[Cause]) -> list[Cause]:
     """Return the causes with those that mean the same numbers taken together."""
     kept: list[Cause] = []
     for cause in sorted(causes, key=lambda c: -log(c.hypothesis.weight) - c.log_likelihood):

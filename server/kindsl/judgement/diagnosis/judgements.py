@@ -248,12 +248,18 @@ def _judge(link: Link, values: Mapping[str, float]) -> Judgement | None:
         body.mass, second_moments
     ):
         return None
-    pairs = eigensystem(second_moments)
+    found = judgement_of(link, inertia, body, values)
+    return None if found.verdict is Verdict.POSSIBLE else found
+
+
+def judgement_of(
+    link: Link, inertia: Inertia, body: MassDistribution, values: Mapping[str, float]
+) -> Judgement:
+    """Return the judgement on a complete inertia with a positive mass, possible or not."""
+    pairs = eigensystem(second_moments_about_com(body))
     half = likely_half_widths(numbers_written(inertia, values))
     verdict = verdict_of(body, half, pairs)
-    if verdict is Verdict.POSSIBLE:
-        if can_be_of_matter(body, half, pairs):
-            return None
+    if verdict is Verdict.POSSIBLE and not can_be_of_matter(body, half, pairs):
         verdict = Verdict.IMPLAUSIBLE
     is_proved = verdict in IMPOSSIBLE and _is_proved_impossible(inertia, values, pairs)
     return Judgement(link, inertia, body, half, pairs, verdict, is_proved)

@@ -1,11 +1,20 @@
 """Evidence from the rest of the robot on a link's inertia: its children's joints, its twins."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
-from itertools import islice
-from math import hypot, isclose, isfinite, log, log10
+from math import hypot, log
 from typing import NamedTuple
 
+from kindsl.judgement.diagnosis.counterparts import (
+    are_near,
+    bodies_with,
+    counterparts,
+    is_mirror_image,
+    is_same_body,
+    may_be_image,
+    namesakes,
+    telling_numbers,
+)
 from kindsl.judgement.diagnosis.evidence import MassShape
 from kindsl.judgement.diagnosis.fitted import EXPECTED, MIRRORED
 from kindsl.judgement.diagnosis.judgements import Judgement, is_impossible, is_moving
@@ -14,11 +23,9 @@ from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import mass_distribution, written_pose
-from kindsl.language.text.decimals import significant_digits
 from kindsl.language.text.facts import Fact, kept
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import Rotation, Vector3, dot, transposed
-from kindsl.robots.limbs.mounts import REFLECTIONS
 from kindsl.robots.limbs.names import label_of, other_side
 from kindsl.robots.limbs.twin_frames import twin_frames
 from kindsl.robots.limbs.weighing import seen_by
@@ -27,15 +34,10 @@ from kindsl.robots.mechanism.body_verdicts import GREATEST_LENGTH
 _Inertia = tuple[Link, MassDistribution]
 _FRAMES = Fact[tuple[object, dict[tuple[str, str], list[Rotation]]]]("frames of twins, by names")
 _FEWEST_MASSES = 3
-_FEWEST_DIGITS = 7
-# Numbers are copied with their digits rounded, too.
-_ROUNDED, _NEXT = 5e-5, 1e-3
-_MOST_PARTS = 8
 _NEAR = 0.02
 _ELONGATED = 2.5
 _ALONG = 0.85
 _ACROSS = 0.2
-_SAME = 0.02
 
 
 class Twin(NamedTuple):
@@ -95,34 +97,35 @@ class Evidence(NamedTuple):
 
 def surroundings(model: Model, values: Mapping[str, float], found: Judgement) -> LinkSurroundings:
     """Return what is known of a link besides its inertia; looked at again where that changes."""
-    link, namesakes = found.link, _namesakes(model, found.link)
+    link, named = found.link, namesakes(model, found.link)
     made_of = (
         found,
         values,
         model.edition.facts(Aspect.STRUCTURE | Aspect.PLACES),
         model.tree.joints_on(link),
-        namesakes,
-        [_bodies_with(model, telling) for telling in _telling_numbers(link)],
+        named,
+        [bodies_with(model, telling) for telling in telling_numbers(link)],
         middle_mass(model),
     )
-    look = partial(_surroundings, model, values, found, namesakes)
+    look = partial(_surroundings, model, values, found, named)
     return link.facts.made_of(_SURROUNDINGS, made_of, look)
 
 
 def _surroundings(
-    model: Model, values: Mapping[str, float], found: Judgement, namesakes: Iterable[Link]
+    model: Model, values: Mapping[str, float], found: Judgement, named: Sequence[Link]
 ) -> LinkSurroundings:
     link = found.link
     points = _points(model, values, link)
-    alike = list(_with_inertia(namesakes, values))
+    alike = list(_with_inertia(counterparts(model, link), values))
     possible = [each for each in alike if not is_impossible(each[0], values)]
-    twins = _twins(model, values, found, possible)
+    twins = _twins(model, values, found, possible, named)
+    names = {twin.name for twin in twins}
     return LinkSurroundings(
         points,
         twins,
         len(possible) / len(alike) if twins else 0.0,
         middle_mass(model),
-        tuple(copies(model, values, link)),
+        tuple(each for each in copies(model, values, link) if each[0] not in names),
     )
 
 
@@ -176,50 +179,6 @@ def _of_image(body: MassDistribution, twin: Twin, share: float) -> Evidence:
     )
 
 
-def is_mirror_image(one: MassDistribution, other: MassDistribution) -> bool:
-    """Return whether axes turned round by some signs, or none, make one body the other."""
-    return (
-        _is_near(one.mass, other.mass)
-        and _are_near([*map(abs, one.com)], [*map(abs, other.com)])
-        and _are_near([*map(abs, one.moments)], [*map(abs, other.moments)])
-        and any(is_same_body(image, other) for image in images(one))
-    )
-
-
-def images(body: MassDistribution) -> Iterator[MassDistribution]:
-    """Yield a body with some, or none, of its axes turned round."""
-    return (seen_by(body, C) for C in REFLECTIONS)
-
-
-def may_be_image(one: MassDistribution, other: MassDistribution) -> bool:
-    """Return whether a mistake of the table may be all that keeps one body from being the other.
-
-    It may change the order and the signs of a CoM, a mass by powers of ten, and any moment.
-    """
-    power = round(log10(one.mass / other.mass))
-    return _is_near(one.mass, other.mass * 10.0**power) and _are_near(
-        sorted(map(abs, one.com)), sorted(map(abs, other.com))
-    )
-
-
-def is_same_body(one: MassDistribution, other: MassDistribution) -> bool:
-    """Return whether all ten numbers agree but for a little of the greatest of their kind."""
-    return (
-        _is_near(one.mass, other.mass)
-        and _are_near(one.com, other.com)
-        and _are_near(one.moments, other.moments)
-    )
-
-
-def _is_near(one: float, other: float) -> bool:
-    return abs(one - other) <= _SAME * max(abs(one), abs(other))
-
-
-def _are_near(one: Sequence[float], other: Sequence[float]) -> bool:
-    size = max(map(abs, (*one, *other)))
-    return all(abs(a - b) <= _SAME * size for a, b in zip(one, other, strict=True))
-
-
 @kept
 def middle_mass(model: Model) -> float:
     """Return the lower median of the masses that are written as numbers, zero of one or two."""
@@ -234,11 +193,11 @@ def copies(model: Model, values: Mapping[str, float], link: Link) -> Iterator[tu
 
     What a twin of the link has besides, but for signs, is their own.
     """
-    owned = [numbers for twin in _namesakes(model, link) for numbers in _telling_numbers(twin)]
+    owned = [numbers for twin in namesakes(model, link) for numbers in telling_numbers(twin)]
     part = label_of(str(link.name)).part
-    for telling in _telling_numbers(link):
+    for telling in telling_numbers(link):
         if not any(telling.is_as(each, abs) for each in owned):
-            for other in _bodies_with(model, telling):
+            for other in bodies_with(model, telling):
                 is_other = label_of(str(other.name)).part != part
                 if is_other and not is_impossible(other, values):
                     yield str(other.name), telling.what
@@ -247,59 +206,10 @@ def copies(model: Model, values: Mapping[str, float], link: Link) -> Iterator[tu
 def same_moments(model: Model, link: Link) -> Iterator[str]:
     """Yield the names of links that have the moments of a link and are not its twins by name."""
     words = label_of(str(link.name)).words
-    for telling in _telling_numbers(link)[:1]:
-        names = map(str, (other.name for other in _bodies_with(model, telling)))
+    for telling in telling_numbers(link)[:1]:
+        names = map(str, (other.name for other in bodies_with(model, telling)))
         if telling.what == "moments":
             yield from (name for name in names if label_of(name).words != words)
-
-
-class _Telling(NamedTuple):
-    """Numbers that no two bodies have by chance: the `moments` or the `CoM`."""
-
-    what: str
-    numbers: tuple[float, ...]
-
-    @property
-    def size(self) -> int:
-        """The order of magnitude, finely: what is the same has this one, or one next to it."""
-        return round(log(max(map(abs, self.numbers))) / _NEXT)
-
-    def is_as(self, other: "_Telling", seen: Callable[[float], float] = float) -> bool:
-        """Return whether others are the same, as far as copies with fewer digits are."""
-        pairs = zip(map(seen, self.numbers), map(seen, other.numbers), strict=False)
-        return self.what == other.what and all(isclose(a, b, rel_tol=_ROUNDED) for a, b in pairs)
-
-
-def _bodies_with(model: Model, telling: _Telling) -> list[Link]:
-    """Return some links that have these numbers."""
-    near = (telling.size + step for step in (-1, 0, 1))
-    known = _bodies_by_size(model)
-    found = (each for size in near for each in known.get((telling.what, size), ()))
-    return list(islice((body for body, own in found if telling.is_as(own)), _MOST_PARTS))
-
-
-@kept
-def _bodies_by_size(model: Model) -> dict[tuple[str, int], list[tuple[Link, _Telling]]]:
-    found: dict[tuple[str, int], list[tuple[Link, _Telling]]] = {}
-    for body in model.bodies:
-        for telling in _telling_numbers(body):
-            found.setdefault((telling.what, telling.size), []).append((body, telling))
-    return found
-
-
-@kept
-def _telling_numbers(body: Link) -> list[_Telling]:
-    """Return the moments and the CoM of a body where no two bodies have them by chance."""
-    inertia, found = body.inertia, []
-    if inertia is None or inertia.com is None:
-        return []
-    moments = tuple(inertia.moments.values())
-    for what, group in (("moments", moments), ("CoM", inertia.com.components)):
-        digits = {abs(v.literal): significant_digits(v.text) for v in group if v.literal}
-        is_told = len(digits) > 1 and sum(digits.values()) >= _FEWEST_DIGITS
-        if is_told and all(map(isfinite, digits)):
-            found.append(_Telling(what, tuple(value.literal or 0.0 for value in group)))
-    return found
 
 
 def _with_inertia(links: Iterable[Link], values: Mapping[str, float]) -> Iterator[_Inertia]:
@@ -312,11 +222,16 @@ def _with_inertia(links: Iterable[Link], values: Mapping[str, float]) -> Iterato
 
 
 def _twins(
-    model: Model, values: Mapping[str, float], found: Judgement, possible: Sequence[_Inertia]
+    model: Model,
+    values: Mapping[str, float],
+    found: Judgement,
+    possible: Sequence[_Inertia],
+    namesakes: Sequence[Link],
 ) -> tuple[Twin, ...]:
-    """Return those that may be images, and what all possible links let expect of this one."""
+    """Return those that may be images, and what all possible namesakes let expect of this one."""
     twins = [each for each in possible if may_be_image(found.body, each[1])]
-    expected = _expected(model, values, found.link, possible) if twins else None
+    named = [each for each in possible if each[0] in namesakes] if twins else ()
+    expected = _expected(model, values, found.link, named)
     mirror = other_side(str(found.link.name)) if len(twins) > 1 else None
     nearest_first = sorted(twins, key=lambda twin: twin[0].name != mirror)
     return tuple(Twin(str(other.name), body, expected) for other, body in nearest_first)
@@ -328,7 +243,7 @@ def _expected(
     """Return the inertia that all twins let expect, None where they do not agree."""
     masses = [body.mass for _, body in twins]
     agreed: list[MassDistribution] | None = None
-    for other, body in twins if all(_is_near(mass, masses[0]) for mass in masses) else ():
+    for other, body in twins if are_near(masses, masses[:1] * len(masses)) else ():
         seen = [seen_by(body, transposed(C)) for C in _frames(model, values, link, other)]
         if agreed is None:
             agreed = seen
@@ -349,22 +264,3 @@ def _frames(model: Model, values: Mapping[str, float], link: Link, other: Link) 
     if names not in known:
         known[names] = twin_frames(model.tree, link, other, values)
     return known[names]
-
-
-def _namesakes(model: Model, link: Link) -> list[Link]:
-    """Return the same part on the other side or at other legs: with its numbers, else without."""
-    label, parts = label_of(str(link.name)), _parts(model)
-    numbered = [other for other in parts.get((True, label.words), ()) if other is not link]
-    return numbered or [o for o in parts.get((False, label.part), ()) if o is not link]
-
-
-@kept
-def _parts(model: Model) -> dict[tuple[bool, tuple[str, ...]], list[Link]]:
-    """Return some bodies of each name without sides, with their numbers and without."""
-    parts: dict[tuple[bool, tuple[str, ...]], list[Link]] = {}
-    for body in model.bodies:
-        label = label_of(str(body.name))
-        for key in ((True, label.words), (False, label.part)) if label.part else ():
-            if len(parts.setdefault(key, [])) < _MOST_PARTS:
-                parts[key].append(body)
-    return parts

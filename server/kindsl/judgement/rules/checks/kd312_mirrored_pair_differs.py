@@ -10,7 +10,9 @@ Such parts are copied and then edited by hand. One number that was changed on on
 sign that was forgotten, makes the robot drift to that side.
 
 A slip that explains the difference, such as a sign, a unit or moments shifted twice, is told
-instead, with its rivals, and where many numbers differ, moments that are those of another part.
+instead, with its probability and its rivals on either side, and where many numbers differ, moments
+that are those of another part. Parts with equal digits are compared whatever their names. Where
+more pairs of a robot differ than agree, they are meant to.
 Else many that differ were measured part by part and are not reported, nor are differences below 5 %
 of the greatest number of their kind. Impossible inertias are left to
 KD301 and KD302, a centre of mass behind its joint to KD511, and where more limbs than two are alike
@@ -23,17 +25,17 @@ link right_arm { id = 2 inertia_params { mass = 1.42 ... } children {} }
 ```
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from functools import partial
-from typing import TYPE_CHECKING
 
+from kindsl.judgement.diagnosis.counterparts import is_mirror_image
 from kindsl.judgement.diagnosis.judgements import keyword
-from kindsl.judgement.diagnosis.suspects import suspects_of
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import link, robot
 from kindsl.judgement.rules.inertia.mirror_images import mirror_difference
 from kindsl.judgement.rules.inertia.shapes import is_told_of
+from kindsl.judgement.rules.inertia.told_causes import explained, has_cause
 from kindsl.judgement.rules.limb_places import OF_A_LINK
 from kindsl.judgement.rules.limb_verdicts import limb_slips
 from kindsl.language.semantics.aspects import Aspect
@@ -42,90 +44,68 @@ from kindsl.language.semantics.model import Model, model_part
 from kindsl.language.semantics.unknown import Unknown
 from kindsl.language.syntax.document import Chunk
 from kindsl.language.text.facts import Fact, kept
-from kindsl.robots.limbs.comparison import Tolerance
-from kindsl.robots.limbs.mounts import REFLECTIONS
 from kindsl.robots.limbs.names import label_of, other_side
-from kindsl.robots.limbs.weighing import differing, seen_by
 from kindsl.robots.mechanism.link_inertia import link_inertia
 
-if TYPE_CHECKING:
-    from kindsl.judgement.diagnosis.slips import Hypothesis
-
-_NEARLY = Tolerance(5e-4, 0.05, 0.05)
-# How the two are no mirror images: the numbers that differ, or the slip of either.
-_Slips = list["Hypothesis"]
-_Unlike = tuple[str, tuple[_Slips, ...]]
-_UNLIKE = Fact[tuple[object, _Unlike]]("unlike twins")
+_DIFFERENCES = Fact[tuple[object, tuple[str, bool]]]("differences of pairs")
+_NEARLY = 0.05
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each mirrored pair in which one part has a slip."""
+    yield from explained(model, context, "KD312")
     verdicts = limb_slips(model, context).verdicts
     told = {place.link for v in verdicts for place in v.places if place.what in OF_A_LINK}
     for left, name in (pair for chunk in model.document.chunks for pair in _twins(chunk)):
         right = model.body_named.get(name)
         if right is None or left.inertia is None or right.inertia is None:
             continue
-        given, compare = (right, context.values), partial(_unlike, left, right, context.values)
-        numbers, slips = left.facts.made_of(_UNLIKE, given, compare)
-        if not (numbers or slips) or any(
-            b.name in told or is_told_of(b, model, context) for b in (left, right)
+        compare = partial(_difference, left, right, context.values)
+        numbers, are_images = left.facts.made_of(_DIFFERENCES, (right, context.values), compare)
+        if are_images or any(
+            body.name in told
+            or is_told_of(body, model, context)
+            or has_cause(model, context, body, "KD312", "KD509")
+            for body in (left, right)
         ):
             continue
-        is_suspect = any(
-            found.link in (left, right) for found in suspects_of(model, context.values)
-        )
-        explained = None if is_suspect else _explained(model, slips, left, right)
-        if explained is not None:
-            yield explained
+        found = _copied(model, left, right)
+        if len(found) == 1:
+            own, twin, message = found[0]
+            yield _finding(own, twin, message)
         elif numbers:
             yield _finding(right, left, numbers)
 
 
-def _unlike(left: Link, right: Link, values: Mapping[str, float]) -> _Unlike:
+def _difference(left: Link, right: Link, values: Mapping[str, float]) -> tuple[str, bool]:
+    """Return the numbers that differ, in words, and whether all is alike or not known."""
     here, there = (link_inertia(body, values) for body in (left, right))
     if isinstance(here, Unknown) or isinstance(there, Unknown):
-        return "", ()
+        return "", True
     numbers = mirror_difference((str(left.name), str(right.name)), here, there)
-    if not numbers and any(not differing(seen_by(here, C), there, _NEARLY) for C in REFLECTIONS):
-        return "", ()
+    return numbers, not numbers and is_mirror_image(here, there, _NEARLY)
+
+
+def _copied(model: Model, *pair: Link) -> list[tuple[Link, Link, str]]:
+    """Return each side that has another part's moments, with its twin and what is said of it."""
     # Imported for twins that are unlike only, since it delays the linter's start.
-    from kindsl.judgement.diagnosis.surroundings import images
-    from kindsl.judgement.rules.inertia.unlike_twins import slips_of
+    from kindsl.judgement.diagnosis.surroundings import same_moments
 
-    return numbers, (slips_of(here, images(there)), slips_of(there, images(here)))
-
-
-def _explained(model: Model, slips: Sequence[_Slips], *pair: Link) -> Finding | None:
-    """Return what explains numbers that differ: slips, or else another part's moments."""
-    from kindsl.judgement.rules.inertia.unlike_twins import copied_from, without
-
-    sides = list(zip(pair, pair[::-1], slips, strict=True))
-    likely = sorted((side for side in sides if side[2]), key=lambda side: -side[2][0].weight)
-    copied = [(own, twin, why) for own, twin, _ in sides if (why := copied_from(model, own, ()))]
-    if likely:
-        own, twin, found = likely[0]
-        why, *others = without(found, "it would be")
-        rivals = [(own, each) for each in others]
-        rivals += [
-            (o, each) for o, _, s in likely[1:] for each in without(s, f"'{o.name}' would be")
-        ]
-    elif len(copied) == 1:
-        (own, twin, why), rivals = copied[0], []
-    else:
-        return None
-    return _finding(
-        own, twin, f"'{own.name}' is not the mirror image of '{twin.name}': {why}", rivals
-    )
+    found = []
+    for own, twin in (pair, pair[::-1]):
+        copy = next(same_moments(model, own), None)
+        said = f"its moments are those of '{copy}', which is another part"
+        if copy:
+            found.append(
+                (own, twin, f"'{own.name}' is not the mirror image of '{twin.name}': {said}")
+            )
+    return found
 
 
-def _finding(
-    own: Link, twin: Link, message: str, rivals: Sequence[tuple[Link, str]] = ()
-) -> Finding:
-    told = [*((link, f"or {rival}") for link, rival in rivals), (twin, f"inertia of '{twin.name}'")]
-    related = (Related(keyword(b.inertia), each) for b, each in told if b.inertia is not None)
-    assert own.inertia is not None
-    return Finding(keyword(own.inertia), message, tuple(related))
+def _finding(own: Link, twin: Link, message: str) -> Finding:
+    assert own.inertia is not None and twin.inertia is not None
+    related = Related(keyword(twin.inertia), f"inertia of '{twin.name}'")
+    return Finding(keyword(own.inertia), message, (related,))
 
 
 @kept

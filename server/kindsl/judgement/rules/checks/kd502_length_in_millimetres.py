@@ -95,6 +95,6 @@ RULE = Rule(
     bad=(
         Example(joint("elbow", 425.0), fixed=joint("elbow", 0.425)),
         Example(_block("150.0"), fixed=_block("0.15")),
-        Example(_block("5.9"), fixed=_block("0.15")),
+        Example(_block("15.0"), fixed=_block("0.15")),
     ),
 )

@@ -8,6 +8,10 @@ numbers those of its twins. Where all limbs agree but one, and one translation o
 would make it agree too, that one is reported; where all joints agree, the mass, the centre of mass
 and the moments that one limb only has so.
 
+Links that two others or more are images of but for one mistake, such as a sign, a unit or two
+moments swapped, count as twins whatever their names: equal digits tell that parts are equal. The
+mistake is told with its probability.
+
 ## Why is this bad?
 Limbs are copied and then edited by hand. A sign that was forgotten or a number that was changed in
 one limb only makes a robot that looks right and moves wrong.
@@ -31,11 +35,11 @@ fix is unsafe: it changes the robot. There is none where the twins' inertias are
 
 from collections.abc import Iterator
 
-from kindsl.judgement.diagnosis.judgements import TEN, is_impossible, is_round
+from kindsl.judgement.diagnosis.judgements import TEN, is_impossible, is_round, keyword
 from kindsl.judgement.rules.base import Example, Finding, Fix, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import four_legs
-from kindsl.judgement.rules.inertia.told_causes import told_causes
+from kindsl.judgement.rules.inertia.told_causes import explained, has_cause, told_causes
 from kindsl.judgement.rules.limb_places import OF_A_LINK, PARTS, located, numbers_at, place_at, told
 from kindsl.judgement.rules.limb_verdicts import limb_slips
 from kindsl.judgement.rules.limb_writing import as_numbers, rewriting, written
@@ -56,14 +60,20 @@ _THEIRS = "would be theirs"
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each limb that its twins outvote."""
-    slips = limb_slips(model, context)
-    for verdict in slips.verdicts:
+    verdicts = limb_slips(model, context).verdicts
+    accused = [model.body_named[v.places[0].link].inertia for v in verdicts if v.is_convicted]
+    places = {keyword(inertia) for inertia in accused if inertia is not None}
+    for finding in explained(model, context, "KD509"):
+        # Limbs lie in known ways: what they say of one of them is surer than what may be.
+        if finding.fix or places.isdisjoint((finding.at, *(each.at for each in finding.related))):
+            yield finding
+    for verdict in verdicts:
         place = verdict.places[0]
         if verdict.is_convicted and place.what != "kind":
             if place.what in OF_A_LINK and _is_told_better(model, context, verdict):
                 continue
             message, fix = _message(model, context, verdict)
-            if fix is None and _is_cause_told(model, context, verdict):
+            if fix is None and has_cause(model, context, model.body_named[place.link]):
                 continue
             others = [Related(located(model, p), f"or {told(p)}") for p in verdict.places[1:]]
             twins = [place_at(model, twin, place.what) for twin in verdict.twins]
@@ -163,16 +173,14 @@ def _as_written(body: Link, meant: MassDistribution, context: Context) -> MassDi
 
 
 def _is_told_better(model: Model, context: Context, verdict: LimbVerdict) -> bool:
-    """Return whether a cause is looked for that makes a body possible, as its twins are."""
+    """Return whether a cause is told that makes one of the limbs as the others, or looked for."""
     body = model.body_named[verdict.places[0].link]
+    at = keyword(body.inertia) if body.inertia is not None else None
+    for _, finding in told_causes(model, context):
+        if finding.fix is not None and at in (finding.at, *(each.at for each in finding.related)):
+            return True
     is_told = is_impossible(body, context.values)
     return is_told and not _are_impossible(model, context, verdict.twins)
-
-
-def _is_cause_told(model: Model, context: Context, verdict: LimbVerdict) -> bool:
-    """Return whether a cause is told of the inertia that differs, by its own numbers."""
-    at = located(model, verdict.places[0])
-    return any(told.at == at for _, told in told_causes(model, context))
 
 
 def _are_impossible(model: Model, context: Context, twins: tuple[str, ...]) -> bool:

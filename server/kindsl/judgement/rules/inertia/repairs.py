@@ -19,10 +19,19 @@ from kindsl.judgement.diagnosis.judgements import (
     keyword,
     verdict_of,
 )
+from kindsl.judgement.diagnosis.misfits import misfits
 from kindsl.judgement.diagnosis.slips import Slip
+from kindsl.judgement.diagnosis.unlike import Unlike, unlike_links
 from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Severity
 from kindsl.judgement.rules.context import ROBCOGEN, ROBCOGEN2, Context
-from kindsl.judgement.rules.inertia.told import likely_cause, rivals, shared_cause, title
+from kindsl.judgement.rules.inertia.told import (
+    likely_cause,
+    rivals,
+    shared_cause,
+    title,
+    unlike_cause,
+    unlike_rivals,
+)
 from kindsl.judgement.rules.number_writing import rescaled, rewritten
 from kindsl.judgement.rules.tiny_values import is_negligible, is_tiny
 from kindsl.language.semantics.expressions import Expression
@@ -41,6 +50,8 @@ _AIR, _OSMIUM = 1.2, 22_600.0
 _MOST_RELATED = 20
 _LEAST_SHARED = 3
 _EVIDENCE = frozenset(("KD311",))
+# The codes of a link that two counterparts or more outvote, and of one of a pair.
+_OF_MANY, _OF_TWO = "KD509", "KD312"
 # The code of the rule that tells it, and what it tells.
 _Told = tuple[str, Finding]
 _TELLINGS = Fact[tuple[object, _Told | None]]("told causes")
@@ -51,7 +62,12 @@ def findings(suspects: Sequence[Judgement], model: Model, context: Context) -> l
     diagnosed = diagnoses(suspects, model, context.values)
     told = [each for d in diagnosed if (each := _told(d, context)) is not None]
     shared = _shared(diagnosed, told, model)
-    return told if shared is None else [shared]
+    if shared is not None:
+        return [shared]
+    places = {finding.at for _, finding in told}
+    known = {d.found.link for d in diagnosed if keyword(d.found.inertia) in places}
+    unlike = [u for u in unlike_links(model) if known.isdisjoint((u.link, *dict(u.twins)))]
+    return told + [each for u in unlike if (each := _of_unlike(u, model, context)) is not None]
 
 
 def length_unit(causes: Sequence[Cause]) -> tuple[str, bool]:
@@ -74,6 +90,22 @@ def _told(diagnosis: Diagnosis, context: Context) -> _Told | None:
         return causes[0].hypothesis.code, _finding(diagnosis, at, context)
 
     return found.link.facts.made_of(_TELLINGS, (causes, at, context.targets), telling)
+
+
+def _of_unlike(unlike: Unlike, model: Model, context: Context) -> _Told | None:
+    """Return what is told of a link that is not as its counterparts, None if all may be meant."""
+    found = misfits(unlike, model, context.values)
+    if not found or sum(each.cause.probability for each in found) < _LIKELY:
+        return None
+    first, *others = found
+    at, sides = keyword(first.found.inertia), [keyword(m.found.inertia) for m in others]
+    related = list(map(Related, sides, unlike_rivals(found)))
+    twins = [model.body_named[name] for name in first.twins[:_MOST_RELATED]]
+    related += [Related(keyword(t.inertia), f"inertia of '{t.name}'") for t in twins if t.inertia]
+    fix = _fix(first.found, first.cause, context)
+    code = _OF_MANY if unlike.is_outvoted else _OF_TWO
+    probability = first.cause.probability
+    return code, Finding(at, unlike_cause(first), tuple(related), fix, probability=probability)
 
 
 def _is_told(found: Judgement, causes: Sequence[Cause]) -> bool:

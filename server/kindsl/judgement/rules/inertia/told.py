@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from kindsl.judgement.diagnosis.evidence import density, vanishing_products
 from kindsl.judgement.diagnosis.judge import Cause
+from kindsl.judgement.diagnosis.misfits import Misfit
 from kindsl.judgement.diagnosis.slips import Hypothesis, Slip
 from kindsl.language.text.phrases import listed
 from kindsl.language.text.quantities import with_unit
@@ -51,6 +52,32 @@ def _verb(probability: float) -> str:
     if probability >= _SURE:
         return "would be consistent"
     return "would most likely be consistent" if probability >= _LIKELY else "might be consistent"
+
+
+def unlike_cause(first: Misfit) -> str:
+    """Return what the most likely explanation says of a link that is not as its counterparts."""
+    own, said = first.found.link.name, clause(first.cause.hypothesis)
+    if first.cause.hypothesis.slips[0] in _WITHOUT_MEANING:
+        return f"inertia of '{own}' {said}, unlike that of {_quoted(first.twins)}"
+    verb = _verb(first.cause.probability).removesuffix(" consistent")
+    if len(first.twins) == 1:
+        return f"'{own}' is not the mirror image of '{first.twins[0]}': it {verb} if {said}"
+    return f"inertia of '{own}' {verb} that of {_quoted(first.twins)} if {said}"
+
+
+def unlike_rivals(misfits: Sequence[Misfit]) -> list[str]:
+    """Return a sentence for each explanation but the first."""
+    said = ((m.found.link.name, m.cause.hypothesis) for m in misfits[1:])
+    return [
+        f"or '{own}' {clause(h)}"
+        if h.slips[0] in _WITHOUT_MEANING
+        else f"or '{own}' would be if {clause(h)}"
+        for own, h in said
+    ]
+
+
+def _quoted(names: Sequence[str]) -> str:
+    return listed([f"'{name}'" for name in names])
 
 
 def rivals(causes: Sequence[Cause]) -> list[str]:

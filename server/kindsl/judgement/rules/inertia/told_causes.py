@@ -4,10 +4,12 @@ from collections.abc import Iterator
 from functools import partial
 from typing import NamedTuple
 
+from kindsl.judgement.diagnosis.judgements import keyword
 from kindsl.judgement.diagnosis.suspects import suspects_of
+from kindsl.judgement.diagnosis.unlike import unlike_links
 from kindsl.judgement.rules.base import Finding
 from kindsl.judgement.rules.context import Context
-from kindsl.language.semantics.declarations import Vector
+from kindsl.language.semantics.declarations import Link, Vector
 from kindsl.language.semantics.model import Model
 from kindsl.language.text.facts import Fact
 
@@ -22,6 +24,15 @@ def explained(model: Model, context: Context, code: str) -> Iterator[Finding]:
 def told_causes(model: Model, context: Context) -> list[tuple[str, Finding]]:
     """Return all that is told of mistakes in inertias, with the code of its rule."""
     return model.facts.made_of(_CAUSES, context, partial(_findings, model, context))
+
+
+def has_cause(model: Model, context: Context, link: Link, *codes: str) -> bool:
+    """Return whether a rule, of some or any, tells a mistake of a link's inertia, or its pair's."""
+    at = keyword(link.inertia) if link.inertia is not None else None
+    return at is not None and any(
+        (not codes or code in codes) and at in (told.at, *(each.at for each in told.related))
+        for code, told in told_causes(model, context)
+    )
 
 
 class SuspectCom(NamedTuple):
@@ -54,7 +65,7 @@ def suspect_coms(model: Model, context: Context) -> dict[Vector, SuspectCom]:
 
 def _findings(model: Model, context: Context) -> list[tuple[str, Finding]]:
     suspects = suspects_of(model, context.values)
-    if not suspects:
+    if not suspects and not unlike_links(model):
         return []
     # Imported for suspects only, since it delays the linter's start.
     from kindsl.judgement.rules.inertia.repairs import findings

@@ -2,8 +2,9 @@
 
 from collections.abc import Container, Iterable, Sequence
 
+from kindsl.judgement.diagnosis.counterparts import may_be_image
 from kindsl.judgement.diagnosis.slips import Hypothesis, Slip, hypotheses
-from kindsl.judgement.diagnosis.surroundings import may_be_image, same_moments
+from kindsl.judgement.diagnosis.surroundings import same_moments
 from kindsl.judgement.rules.inertia.told import clause
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model

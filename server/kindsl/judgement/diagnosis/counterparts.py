@@ -1,0 +1,150 @@
+"""Links that may be images of one another: by their names, or by digits no two have by chance."""
+
+from collections.abc import Callable, Iterator, Sequence
+from itertools import islice, permutations
+from math import isclose, isfinite, log
+from typing import NamedTuple
+
+from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.model import Model
+from kindsl.language.text.decimals import significant_digits
+from kindsl.language.text.facts import kept
+from kindsl.mechanics.rigid.body import MassDistribution
+from kindsl.robots.limbs.mounts import REFLECTIONS
+from kindsl.robots.limbs.names import label_of
+from kindsl.robots.limbs.weighing import seen_by
+
+_FEWEST_DIGITS = 7
+# Numbers are copied with their digits rounded, too.
+_ROUNDED, _NEXT = 5e-5, 1e-3
+_MOST_PARTS = 8
+_SAME = 0.02
+
+
+def namesakes(model: Model, link: Link) -> list[Link]:
+    """Return the same part on the other side or at other legs: with its numbers, else without."""
+    label, parts = label_of(str(link.name)), _parts(model)
+    numbered = [other for other in parts.get((True, label.words), ()) if other is not link]
+    return numbered or [o for o in parts.get((False, label.part), ()) if o is not link]
+
+
+def counterparts(model: Model, link: Link) -> list[Link]:
+    """Return the namesakes of a link, and other links with the same moments or CoM."""
+    shared = (other for telling in telling_numbers(link) for other in bodies_with(model, telling))
+    return list(dict.fromkeys((*namesakes(model, link), *(o for o in shared if o is not link))))
+
+
+@kept
+def _parts(model: Model) -> dict[tuple[bool, tuple[str, ...]], list[Link]]:
+    """Return some bodies of each name without sides, with their numbers and without."""
+    parts: dict[tuple[bool, tuple[str, ...]], list[Link]] = {}
+    for body in model.bodies:
+        label = label_of(str(body.name))
+        for key in ((True, label.words), (False, label.part)) if label.part else ():
+            if len(parts.setdefault(key, [])) < _MOST_PARTS:
+                parts[key].append(body)
+    return parts
+
+
+class TellingNumbers(NamedTuple):
+    """Numbers that no two bodies have by chance: the `moments` or the `CoM`."""
+
+    what: str
+    numbers: tuple[float, ...]
+
+    @property
+    def size(self) -> int:
+        """The order of magnitude, finely: what is the same has this one, or one next to it."""
+        return round(log(max(map(abs, self.numbers))) / _NEXT)
+
+    def is_as(self, other: "TellingNumbers", seen: Callable[[float], float] = float) -> bool:
+        """Return whether others are the same, as far as copies with fewer digits are."""
+        pairs = zip(map(seen, self.numbers), map(seen, other.numbers), strict=False)
+        return self.what == other.what and all(isclose(a, b, rel_tol=_ROUNDED) for a, b in pairs)
+
+
+def bodies_with(model: Model, telling: TellingNumbers) -> list[Link]:
+    """Return some links that have these numbers."""
+    near = (telling.size + step for step in (-1, 0, 1))
+    known = _bodies_by_size(model)
+    found = (each for size in near for each in known.get((telling.what, size), ()))
+    return list(islice((body for body, own in found if telling.is_as(own)), _MOST_PARTS))
+
+
+@kept
+def _bodies_by_size(model: Model) -> dict[tuple[str, int], list[tuple[Link, TellingNumbers]]]:
+    found: dict[tuple[str, int], list[tuple[Link, TellingNumbers]]] = {}
+    for body in model.bodies:
+        for telling in telling_numbers(body):
+            found.setdefault((telling.what, telling.size), []).append((body, telling))
+    return found
+
+
+@kept
+def telling_numbers(body: Link) -> list[TellingNumbers]:
+    """Return the moments and the CoM of a body where no two bodies have them by chance."""
+    inertia, found = body.inertia, []
+    if inertia is None or inertia.com is None:
+        return []
+    moments = tuple(inertia.moments.values())
+    for what, group in (("moments", moments), ("CoM", inertia.com.components)):
+        digits = {abs(v.literal): significant_digits(v.text) for v in group if v.literal}
+        is_told = len(digits) > 1 and sum(digits.values()) >= _FEWEST_DIGITS
+        if is_told and all(map(isfinite, digits)):
+            found.append(TellingNumbers(what, tuple(value.literal or 0.0 for value in group)))
+    return found
+
+
+def is_mirror_image(one: MassDistribution, other: MassDistribution, within: float = _SAME) -> bool:
+    """Return whether flipping axis signs, or none, maps one body onto the other."""
+    return all(_agreeing(one, other, within)) and any(
+        is_same_body(image, other, within) for image in images(one)
+    )
+
+
+def is_turned_image(one: MassDistribution, other: MassDistribution, within: float) -> bool:
+    """Return whether some order and signs of the axes map one body onto the other."""
+    (a, b, c), (xx, yy, zz, xy, xz, yz) = one.com, one.moments
+    com, moments = (a, b, c), ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
+    for i, j, k in permutations(range(3)):
+        diagonal = moments[i][i], moments[j][j], moments[k][k]
+        turned = (*diagonal, moments[i][j], moments[i][k], moments[j][k])
+        if is_mirror_image(
+            one._replace(com=(com[i], com[j], com[k]), moments=turned), other, within
+        ):
+            return True
+    return False
+
+
+def images(body: MassDistribution) -> Iterator[MassDistribution]:
+    """Yield a body with some, or none, of its axes turned round."""
+    return (seen_by(body, C) for C in REFLECTIONS)
+
+
+def may_be_image(one: MassDistribution, other: MassDistribution, within: float = _SAME) -> bool:
+    """Return whether one mistake may keep one body from being the image of the other.
+
+    It changes the mass, the CoM or the moments, so that the two others agree but for signs.
+    """
+    return sum(_agreeing(one, other, within)) > 1
+
+
+def _agreeing(one: MassDistribution, other: MassDistribution, within: float) -> list[bool]:
+    """Return whether mass, CoM and moments agree but for signs."""
+    pairs = zip(([one.mass], one.com, one.moments), ([other.mass], *other[1:]), strict=True)
+    return [are_near([*map(abs, a)], [*map(abs, b)], within) for a, b in pairs]
+
+
+def is_same_body(one: MassDistribution, other: MassDistribution, within: float = _SAME) -> bool:
+    """Return whether all ten numbers agree but for a share of the greatest of their kind."""
+    return (
+        are_near([one.mass], [other.mass], within)
+        and are_near(one.com, other.com, within)
+        and are_near(one.moments, other.moments, within)
+    )
+
+
+def are_near(one: Sequence[float], other: Sequence[float], within: float = _SAME) -> bool:
+    """Return whether numbers of one kind agree but for a share of the greatest."""
+    size = max(map(abs, (*one, *other)), default=0.0)
+    return all(abs(a - b) <= within * size for a, b in zip(one, other, strict=True))

@@ -1,0 +1,100 @@
+"""Links that agree with others of the robot in two of mass, CoM and moments, not in the third."""
+
+from typing import NamedTuple
+
+from kindsl.judgement.diagnosis.counterparts import (
+    counterparts,
+    is_mirror_image,
+    is_turned_image,
+    may_be_image,
+)
+from kindsl.judgement.diagnosis.judgements import is_impossible, is_moving, is_plain
+from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.numbers import mass_distribution
+from kindsl.language.text.decimals import significant_digits
+from kindsl.language.text.facts import kept
+from kindsl.mechanics.rigid.body import MassDistribution
+from kindsl.robots.limbs.names import label_of
+
+# Numbers that were made alike agree in their digits.
+EXACTLY = 1e-3
+# Of numbers that agree: between links of one name, and of any.
+_OF_NAMESAKES, _OF_ANY = 4, 8
+
+
+class Unlike(NamedTuple):
+    """A link that no other one of its part is the image of.
+
+    Attributes:
+        link: The link.
+        body: Its numbers.
+        twins: Links that are images of one another, and nearly of it, with their numbers.
+    """
+
+    link: Link
+    body: MassDistribution
+    twins: tuple[tuple[Link, MassDistribution], ...]
+
+    @property
+    def is_outvoted(self) -> bool:
+        """Whether there are two of them or more; of a pair either may be wrong."""
+        return len(self.twins) > 1
+
+
+@kept
+def unlike_links(model: Model) -> list[Unlike]:
+    """Return the links whose numbers are plain and differ from those of their counterparts.
+
+    Of a pair the first one is returned. Frames that lie otherwise explain a difference, and where
+    more pairs differ than agree they are meant to.
+    """
+    found: dict[Link, Unlike] = {}
+    n_alike = 0
+    for link in model.bodies:
+        body = _body(link)
+        if body is not None:
+            others = [(o, b) for o in counterparts(model, link) if (b := _body(o)) is not None]
+            near = [each for each in others if may_be_image(body, each[1], EXACTLY)]
+            n_alike += any(is_mirror_image(body, each, EXACTLY) for _, each in near)
+            unlike = _unlike(link, body, near)
+            if unlike is not None and (unlike.is_outvoted or near[0][0] not in found):
+                found[link] = unlike
+    n_pairs = sum(not each.is_outvoted for each in found.values())
+    is_usual = n_pairs > max(1, n_alike // 2)
+    return [each for each in found.values() if each.is_outvoted or not is_usual]
+
+
+def _unlike(
+    link: Link, body: MassDistribution, near: list[tuple[Link, MassDistribution]]
+) -> Unlike | None:
+    if not near or any(is_mirror_image(body, each, EXACTLY) for _, each in near):
+        return None
+    other, first = near[0]
+    are_named = label_of(str(link.name)).words == label_of(str(other.name)).words
+    if (
+        all(is_mirror_image(first, each, EXACTLY) for _, each in near[1:])
+        and not is_turned_image(body, first, EXACTLY)
+        and _n_digits_shared(body, first) >= (_OF_NAMESAKES if are_named else _OF_ANY)
+        and not any(is_impossible(each, {}) for each in (link, *(twin for twin, _ in near)))
+    ):
+        return Unlike(link, body, tuple(near))
+    return None
+
+
+def _n_digits_shared(one: MassDistribution, other: MassDistribution) -> int:
+    """Return how many digits of different numbers two bodies have alike."""
+    pairs = zip(
+        (one.mass, *one.com, *one.moments), (other.mass, *other.com, *other.moments), strict=True
+    )
+    same = {f"{abs(a):.6g}" for a, b in pairs if a and abs(abs(a) - abs(b)) <= EXACTLY * abs(a)}
+    return sum(map(significant_digits, same))
+
+
+@kept
+def _body(link: Link) -> MassDistribution | None:
+    inertia = link.inertia
+    if inertia is None or inertia.frame is not None or not is_moving(link) or not is_plain(inertia):
+        return None
+    body = mass_distribution(inertia, {})
+    return body if body is not None and body.mass > 0.0 else None
