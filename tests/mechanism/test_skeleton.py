@@ -26,7 +26,7 @@ from kindsl.robots.scene.picture import picture
 from kindsl.robots.scene.robot import robot_messages
 analysis = analyse(open(sys.argv[1]).read())
 shown = picture(analysis.model, analysis.context.values, None)
-print(sum(len(encode(m)) for m in robot_messages("robot", shown.skeleton).values()) > 1000)
+print(sum(len(encode(m)) for m in robot_messages("robot", shown.skeleton)) > 1000)
 """
 
 
