@@ -3,9 +3,9 @@
 import numpy as np
 
 from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.rigid.pose import Vector3, pose_from
 from kindsl.mechanics.spatial.arrays import Array
 from kindsl.mechanics.spatial.inertia import point_inertia
-from kindsl.mechanics.spatial.transforms import rotation_from_intrinsic_xyz
 
 RIGHT = np.pi / 2
 
@@ -25,7 +25,7 @@ def arm() -> Bodies:
 def quadruped() -> Bodies:
     """Return a floating trunk with four legs of three joints: abduction, hip, knee."""
     parents: list[int] = []
-    angles: list[tuple[float, ...]] = []
+    angles: list[Vector3] = []
     offsets: list[tuple[float, ...]] = []
     for leg, (front, left) in enumerate(((1, 1), (1, -1), (-1, 1), (-1, -1))):
         parents += [0, 3 * leg + 1, 3 * leg + 2]
@@ -45,7 +45,7 @@ def chain(n_links: int = 100) -> Bodies:
 
 def _bodies(
     parents: range | list[int],
-    angles: list[tuple[float, ...]],
+    angles: list[Vector3],
     offsets: list[tuple[float, ...]],
     is_floating: bool,
 ) -> Bodies:
@@ -57,7 +57,7 @@ def _bodies(
         joint_names=tuple(f"joint{i}" for i in range(1, n_links + 1)),
         joint_kinds=("revolute",) * n_links,
         parents=tuple(parents),
-        p_R_j=rotation_from_intrinsic_xyz(np.array(angles)),
+        p_R_j=np.array([pose_from((0.0, 0.0, 0.0), turns).rotation for turns in angles]),
         p_r_j=np.array(offsets),
         masses=masses,
         coms=coms,
