@@ -15,7 +15,7 @@ are full of, are tried together.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from math import exp, isclose, log
+from math import exp, log
 from typing import NamedTuple
 
 from kindsl.judgement.diagnosis.evidence import (
@@ -236,20 +236,20 @@ def ranked(causes: Sequence[Cause], others: Mapping[Kind, float], rest: float) -
 
 def merged(causes: Sequence[Cause]) -> list[Cause]:
     """Return the causes with those that mean the same numbers taken together."""
-    kept: list[Cause] = []
+    kept: list[tuple[Cause, float]] = []
     for cause in sorted(causes, key=lambda c: -log(c.hypothesis.weight) - c.log_likelihood):
-        if not any(_are_equal(cause.hypothesis.body, k.hypothesis.body) for k in kept):
-            kept.append(cause)
-    return kept
+        body = cause.hypothesis.body
+        size = max(map(abs, body.moments))
+        if not any(_are_equal(body, k.hypothesis.body, max(size, other)) for k, other in kept):
+            kept.append((cause, size))
+    return [cause for cause, _ in kept]
 
 
-def _are_equal(one: MassDistribution, other: MassDistribution) -> bool:
+def _are_equal(one: MassDistribution, other: MassDistribution, size: float) -> bool:
     if one[:2] != other[:2]:
         return False
-    size = max(map(abs, (*one.moments, *other.moments)))
-    return all(
-        isclose(a, b, abs_tol=1e-9 * size) for a, b in zip(one.moments, other.moments, strict=True)
-    )
+    slack = 1e-9 * size
+    return all(abs(a - b) <= slack for a, b in zip(one.moments, other.moments, strict=True))
 
 
 def said_by(causes: Sequence[Cause]) -> dict[Kind, float]:
