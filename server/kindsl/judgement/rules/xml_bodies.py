@@ -1,8 +1,6 @@
 """The bodies of a robot in XML: links that are fixed together, and the joint that moves them."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from functools import cached_property
 from typing import NamedTuple
 
 from kindsl.language.semantics.declarations import Joint, Link
@@ -31,8 +29,7 @@ class XmlPart(NamedTuple):
     mass: MassDistribution | None
 
 
-@dataclass(frozen=True)
-class XmlBody:
+class XmlBody(NamedTuple):
     """Links that are fixed together; the body's frame is that of the joint that carries it.
 
     Attributes:
@@ -42,6 +39,7 @@ class XmlBody:
         parent: The index of the body that carries it, less than its own; None without one.
         placement: The joint's frame in the parent's.
         ends: The origins of the joints by which it carries others.
+        mass: The mass distribution of all parts, None where nothing is known of any.
     """
 
     parts: tuple[XmlPart, ...]
@@ -50,17 +48,12 @@ class XmlBody:
     parent: int | None
     placement: RigidPose
     ends: tuple[Vector3, ...]
+    mass: MassDistribution | None
 
     @property
     def link(self) -> Link:
         """The first link, which names it."""
         return self.parts[0].link
-
-    @cached_property
-    def mass(self) -> MassDistribution | None:
-        """The mass distribution of all parts, None where nothing is known of any."""
-        known = [seen_from(part.mass, part.pose) for part in self.parts if part.mass is not None]
-        return lumped(known) if known else None
 
     @property
     def heaviest(self) -> XmlPart:
@@ -122,7 +115,9 @@ class _BodyWalk:
             above, ends = self._carried.get(name), tuple(pose.translation for _, pose in moving)
             moves = above is not None and not above.is_fixed
             index = len(self._bodies)
-            self._bodies.append(XmlBody(parts, moves, carrier, parent, placement, ends))
+            self._bodies.append(
+                XmlBody(parts, moves, carrier, parent, placement, ends, _mass(parts))
+            )
             pending += [(each.child, index, each, pose) for each, pose in reversed(moving)]
 
     def _parts(
@@ -142,6 +137,11 @@ class _BodyWalk:
                 elif not each.is_fixed:
                     moving.append((each, pose.then(each.child_T_joint)))
         return tuple(parts), moving
+
+
+def _mass(parts: Sequence[XmlPart]) -> MassDistribution | None:
+    known = [seen_from(part.mass, part.pose) for part in parts if part.mass is not None]
+    return lumped(known) if known else None
 
 
 def _part(link: Link, pose: RigidPose) -> XmlPart:

@@ -1,7 +1,6 @@
 """A format of other tools: its name, its reader, its writer."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
@@ -156,8 +155,7 @@ def file_reader(parse: Parser) -> Reader:
     return lambda path, choices: parse(path.read_bytes(), path.stem, choices)
 
 
-@dataclass(frozen=True, slots=True)
-class Format:
+class Format(NamedTuple):
     """One format; a module of the folder `interchange` holds it as `FORMAT`.
 
     Attributes:

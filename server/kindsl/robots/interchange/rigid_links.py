@@ -12,18 +12,9 @@ from kindsl.mechanics.rigid.body import MassDistribution, Symmetric, seen_from
 from kindsl.mechanics.rigid.joint_kind import JointKind
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3, rotation_from_z
 from kindsl.robots.interchange.format import FormatError
+from kindsl.robots.interchange.xml_terms import LinkJoint
 from kindsl.robots.mechanism.linkage import BodyPart, Linkage, RigidBody
 
-LinkJoint = Literal["", "fixed", "revolute", "prismatic"]
-# What URDF and SDF call the kinds of joints that there are here.
-JOINT_KINDS: dict[str, LinkJoint] = {
-    "revolute": "revolute",
-    "continuous": "revolute",
-    "prismatic": "prismatic",
-    "fixed": "fixed",
-}
-# What both call the moments of `Symmetric`.
-TENSOR = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 BaseKind = Literal["fixed", "floating"]
 _GREATEST = 1e60
 _AT_ORIGIN = (0.0, 0.0, 0.0)

@@ -16,7 +16,6 @@ from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.rigid.pose import IDENTITY, fixed_axis_angles
 from kindsl.robots.interchange.format import FormatError
-from kindsl.robots.interchange.rigid_links import JOINT_KINDS, TENSOR
 from kindsl.robots.interchange.robot_island import RobotIsland
 from kindsl.robots.interchange.sdf.elements import SdfError, is_true, pose_of, text_of
 from kindsl.robots.interchange.sdf.frame_graph import WORLD, FrameGraph
@@ -31,6 +30,7 @@ from kindsl.robots.interchange.xml_document import (
     unreadable,
 )
 from kindsl.robots.interchange.xml_reading import XmlElement, XmlError, parsed_xml
+from kindsl.robots.interchange.xml_terms import JOINT_KINDS, TENSOR
 
 _NAMED = ("link", "joint", "frame")
 _TAG_OR_COMMENT = re.compile(r"""<!--.*?-->|<(?:[^"'>]|"[^"]*"|'[^']*')*>""", re.DOTALL)

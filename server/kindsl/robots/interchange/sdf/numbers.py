@@ -6,10 +6,10 @@ from typing import Any
 from kindsl.robots.comparison.quantities import AXIS, INERTIA, POSE, TURNS
 from kindsl.robots.comparison.written import WrittenNumber
 from kindsl.robots.interchange.format import FormatError
-from kindsl.robots.interchange.rigid_links import TENSOR
 from kindsl.robots.interchange.sdf.frame_graph import FrameGraph
 from kindsl.robots.interchange.sdf.nesting import flatten
 from kindsl.robots.interchange.written_numbers import FileNumbers, XmlNumbers, implied, keyed
+from kindsl.robots.interchange.xml_terms import TENSOR
 
 _Found = Iterator[tuple[tuple[str, str, str], WrittenNumber]]
 

@@ -10,8 +10,6 @@ from kindsl.mechanics.rigid.body import MassDistribution, Symmetric
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3
 from kindsl.robots.interchange.format import FormatError, ReadRobot, told_joints
 from kindsl.robots.interchange.rigid_links import (
-    JOINT_KINDS,
-    TENSOR,
     BaseKind,
     RigidLink,
     about_origin,
@@ -35,6 +33,7 @@ from kindsl.robots.interchange.sdf.including import include, not_found
 from kindsl.robots.interchange.sdf.joint_properties import joint_properties
 from kindsl.robots.interchange.sdf.losses import losses, world_losses
 from kindsl.robots.interchange.sdf.nesting import flatten
+from kindsl.robots.interchange.xml_terms import JOINT_KINDS, TENSOR
 
 _Z = (0.0, 0.0, 1.0)
 _UNIT: Symmetric = (1.0, 1.0, 1.0, 0.0, 0.0, 0.0)

@@ -14,7 +14,6 @@ from kindsl.language.semantics.places import Name, Place
 from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.rigid.pose import IDENTITY
-from kindsl.robots.interchange.rigid_links import JOINT_KINDS, TENSOR
 from kindsl.robots.interchange.robot_island import RobotIsland
 from kindsl.robots.interchange.urdf.checking import WORLD, UrdfDefect, defects, end_of, root_links
 from kindsl.robots.interchange.xml_document import (
@@ -26,6 +25,7 @@ from kindsl.robots.interchange.xml_document import (
     unreadable,
 )
 from kindsl.robots.interchange.xml_reading import XmlElement, XmlError, parsed_xml
+from kindsl.robots.interchange.xml_terms import JOINT_KINDS, TENSOR
 
 # A body smaller than a micrometre is a point: moments of 1e-20 are what a program left of zero.
 _DUST = 1e-12

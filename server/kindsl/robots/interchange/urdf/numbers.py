@@ -3,8 +3,8 @@
 from kindsl.mechanics.rigid.pose import IDENTITY, Rotation, pose_from_fixed_axes
 from kindsl.robots.comparison.quantities import AXIS, INERTIA, POSE, TURNS
 from kindsl.robots.comparison.written import WrittenNumber
-from kindsl.robots.interchange.rigid_links import TENSOR
 from kindsl.robots.interchange.written_numbers import FileNumbers, XmlNumbers, implied, keyed
+from kindsl.robots.interchange.xml_terms import TENSOR
 
 
 def numbers_of_urdf(content: bytes | str) -> FileNumbers:

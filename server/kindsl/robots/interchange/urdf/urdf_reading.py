@@ -17,8 +17,6 @@ from kindsl.mechanics.rigid.pose import (
 )
 from kindsl.robots.interchange.format import ReadRobot, mimic_dropped, told_joints
 from kindsl.robots.interchange.rigid_links import (
-    JOINT_KINDS,
-    TENSOR,
     BaseKind,
     RigidLink,
     about_origin,
@@ -37,6 +35,7 @@ from kindsl.robots.interchange.urdf.checking import (
     rotation_of,
 )
 from kindsl.robots.interchange.urdf.commenting import comments_of
+from kindsl.robots.interchange.xml_terms import JOINT_KINDS, TENSOR
 from kindsl.robots.mechanism.linkage import Linkage
 
 __all__ = ["UrdfError", "read_urdf", "robot_of_urdf"]
