@@ -30,8 +30,11 @@ def namesakes(model: Model, link: Link) -> list[Link]:
 
 def counterparts(model: Model, link: Link) -> list[Link]:
     """Return the namesakes of a link, and other links with the same moments or CoM."""
-    shared = (other for telling in telling_numbers(link) for other in bodies_with(model, telling))
-    return list(dict.fromkeys((*namesakes(model, link), *(o for o in shared if o is not link))))
+    named, telling = namesakes(model, link), telling_numbers(link)
+    if not telling:
+        return named
+    shared = (other for each in telling for other in bodies_with(model, each) if other is not link)
+    return list(dict.fromkeys((*named, *shared)))
 
 
 @kept
@@ -81,6 +84,7 @@ def _bodies_by_size(model: Model) -> dict[tuple[str, int], list[tuple[Link, Tell
 
 
 @kept
+@kept
 def telling_numbers(body: Link) -> list[TellingNumbers]:
     """Return the moments and the CoM of a body where no two bodies have them by chance."""
     inertia, found = body.inertia, []
@@ -129,10 +133,11 @@ def may_be_image(one: MassDistribution, other: MassDistribution, within: float =
     return sum(_agreeing(one, other, within)) > 1
 
 
-def _agreeing(one: MassDistribution, other: MassDistribution, within: float) -> list[bool]:
-    """Return whether mass, CoM and moments agree but for signs."""
-    pairs = zip(([one.mass], one.com, one.moments), ([other.mass], *other[1:]), strict=True)
-    return [are_near([*map(abs, a)], [*map(abs, b)], within) for a, b in pairs]
+def _agreeing(one: MassDistribution, other: MassDistribution, within: float) -> Iterator[bool]:
+    """Yield whether mass, CoM and moments agree but for signs."""
+    yield abs(one.mass - other.mass) <= within * max(one.mass, other.mass)
+    for here, there in ((one.com, other.com), (one.moments, other.moments)):
+        yield are_near([*map(abs, here)], [*map(abs, there)], within)
 
 
 def is_same_body(one: MassDistribution, other: MassDistribution, within: float = _SAME) -> bool:

@@ -1,5 +1,6 @@
 """Links that agree with others of the robot in two of mass, CoM and moments, not in the third."""
 
+from functools import partial
 from typing import NamedTuple
 
 from kindsl.judgement.diagnosis.counterparts import (
@@ -13,7 +14,7 @@ from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import mass_distribution
 from kindsl.language.text.decimals import significant_digits
-from kindsl.language.text.facts import kept
+from kindsl.language.text.facts import Fact, kept
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.robots.limbs.names import label_of
 
@@ -21,6 +22,9 @@ from kindsl.robots.limbs.names import label_of
 EXACTLY = 1e-3
 # Of numbers that agree: between links of one name, and of any.
 _OF_NAMESAKES, _OF_ANY = 4, 8
+
+_Compared = tuple[bool, "Unlike | None"]
+_COMPARED = Fact[tuple[object, _Compared]]("counterparts compared")
 
 
 class Unlike(NamedTuple):
@@ -52,24 +56,25 @@ def unlike_links(model: Model) -> list[Unlike]:
     found: dict[Link, Unlike] = {}
     n_alike = 0
     for link in model.bodies:
-        body = _body(link)
-        if body is not None:
-            others = [(o, b) for o in counterparts(model, link) if (b := _body(o)) is not None]
-            near = [each for each in others if may_be_image(body, each[1], EXACTLY)]
-            n_alike += any(is_mirror_image(body, each, EXACTLY) for _, each in near)
-            unlike = _unlike(link, body, near)
-            if unlike is not None and (unlike.is_outvoted or near[0][0] not in found):
-                found[link] = unlike
+        others = counterparts(model, link)
+        is_alike, unlike = link.facts.made_of(_COMPARED, others, partial(_compared, link, others))
+        n_alike += is_alike
+        if unlike is not None and (unlike.is_outvoted or unlike.twins[0][0] not in found):
+            found[link] = unlike
     n_pairs = sum(not each.is_outvoted for each in found.values())
     is_usual = n_pairs > max(1, n_alike // 2)
     return [each for each in found.values() if each.is_outvoted or not is_usual]
 
 
-def _unlike(
-    link: Link, body: MassDistribution, near: list[tuple[Link, MassDistribution]]
-) -> Unlike | None:
+def _compared(link: Link, counterparts: list[Link]) -> _Compared:
+    """Return whether a link is the image of another one, and of which it is nearly."""
+    body = _body(link)
+    if body is None:
+        return False, None
+    others = [(o, b) for o in counterparts if (b := _body(o)) is not None]
+    near = [each for each in others if may_be_image(body, each[1], EXACTLY)]
     if not near or any(is_mirror_image(body, each, EXACTLY) for _, each in near):
-        return None
+        return bool(near), None
     other, first = near[0]
     are_named = label_of(str(link.name)).words == label_of(str(other.name)).words
     if (
@@ -78,8 +83,8 @@ def _unlike(
         and _n_digits_shared(body, first) >= (_OF_NAMESAKES if are_named else _OF_ANY)
         and not any(is_impossible(each, {}) for each in (link, *(twin for twin, _ in near)))
     ):
-        return Unlike(link, body, tuple(near))
-    return None
+        return False, Unlike(link, body, tuple(near))
+    return False, None
 
 
 def _n_digits_shared(one: MassDistribution, other: MassDistribution) -> int:
