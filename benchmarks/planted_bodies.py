@@ -358,7 +358,7 @@ before, `a cause told` those that say what was done, `the cause told` those of t
 slip, first or among rivals, `fix right` fixes that restore the numbers within 2 %, at once or with
 the one that is offered then. What leaves a possible body is not found without a twin. Robots and
 halves are those of the limbs below:
-`python benchmarks/planted_bodies.py --half 1 --number 60 --seed 7 --write FOLDER` makes the table.
+`python benchmarks/planted_bodies.py --half 1 --number 40 --seed 7 --write FOLDER` makes the table.
 """
 
 
