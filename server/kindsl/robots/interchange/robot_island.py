@@ -56,9 +56,7 @@ class RobotIsland(XmlIsland):
     def lowered(self, element: XmlElement) -> Iterator[Node]:
         """Yield the block of a link or joint."""
         if element.tag == "link":
-            link = self._link(element)
-            self._declared = Declarations(None, (), (link,), (), (link,))
-            yield link.node
+            yield self.declare_link(self.link_with(element, element.find("inertial")))
         elif element.tag == "joint":
             joint = self._joint(element)
             self._declared = Declarations(None, (), (), (joint,), (joint,))
@@ -89,10 +87,15 @@ class RobotIsland(XmlIsland):
         at = self.place(element, "name")
         return Name.at(self.full_name, self, at.start, at.end)
 
-    def _link(self, element: XmlElement) -> Link:
+    def declare_link(self, link: Link) -> Node:
+        """Keep a link as the one that is declared, and return its block."""
+        self._declared = Declarations(None, (), (link,), (), (link,))
+        return link.node
+
+    def link_with(self, element: XmlElement, inertial: Any) -> Link:
+        """Return the link of an element, with its `<inertial>` if there is one."""
         link = Link(self.block("link", element), self, self._name(element), "")
         link.id, link.id_place, link.inertia, link.children, link.frames = None, None, None, (), ()
-        inertial: Any = element.find("inertial")
         inertia = None if inertial is None else self.inertia_in(inertial, link.name)
         if inertia is not None:
             self._loosen_zeros(inertia)

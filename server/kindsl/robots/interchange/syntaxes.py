@@ -14,8 +14,8 @@ JUDGED_SUFFIXES = (".urdf", ".sdf")
 XACRO_SUFFIX = ".xacro"
 _DOCTYPE = r"!DOCTYPE[^\[>]*(?:\[[^\]]*\]\s*)?"
 _BEFORE_ROOT = rf"\ufeff?\s*(?:<(?:\?.*?\?|!--.*?--|{_DOCTYPE})>\s*)*"
-_ROOT = re.compile(rf"{_BEFORE_ROOT}<(robot|sdf|mujoco)[\s/>]", re.DOTALL)
-_FORMATS = {"robot": "urdf", "sdf": "sdf", "mujoco": "mjcf"}
+_ROOT = re.compile(rf"{_BEFORE_ROOT}<(robot|sdf|mujoco(?:include)?)[\s/>]", re.DOTALL)
+_FORMATS = {"robot": "urdf", "sdf": "sdf", "mujoco": "mjcf", "mujocoinclude": "mjcf"}
 
 
 def other_format(name: str, text: str) -> "Format | None":
@@ -63,6 +63,10 @@ def syntax_of(name: str, text: str) -> "SyntaxDocument":
         from kindsl.robots.interchange.sdf.document import sdf_document
 
         return sdf_document(text)
+    if lower.endswith(".mjcf") or kind.startswith("mujoco"):
+        from kindsl.robots.interchange.mjcf.document import mjcf_document
+
+        return mjcf_document(text)
     from kindsl.language.syntax.document import parse
 
     return parse(text)

@@ -1,0 +1,116 @@
+"""An MJCF as a document: each `<inertial>` is judged where it is written.
+
+MuJoCo makes the inertia of other bodies of their shapes: of those there is nothing to say. Nor is
+there of bodies at rest, and where a compiler's option replaces or turns what is written.
+"""
+
+from collections.abc import Iterator
+from typing import Any
+
+from kindsl.language.semantics.declarations import FixedAxes, Inertia, Pose, Vector
+from kindsl.language.semantics.places import Name
+from kindsl.language.syntax.document import SyntaxDocument
+from kindsl.language.syntax.tree import Node
+from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.mechanics.rigid.pose import fixed_axis_angles, rotation_from_quaternion
+from kindsl.robots.interchange.robot_island import RobotIsland
+from kindsl.robots.interchange.xml_document import XmlDocument, XmlPiece, rest_of_line, unreadable
+from kindsl.robots.interchange.xml_reading import XmlElement, XmlError, finite_number, parsed_xml
+
+_JOINTS = ("joint", "freejoint")
+_TURNED_OTHERWISE = ("axisangle", "euler", "xyaxes", "zaxis")
+
+
+class MjcfIsland(RobotIsland):
+    """The inertia of a body, whose name is the prefix, with what stands before it; or the rest."""
+
+    __slots__ = ()
+
+    def lowered(self, element: XmlElement) -> Iterator[Node]:
+        """Yield the block of a body's inertia."""
+        yield self.declare_link(self.link_with(element, element))
+
+    def inertia_in(self, inertial: XmlElement, owner: str) -> Inertia | None:
+        """Return an inertia, None where it is turned in a way that depends on options."""
+        mass, diagonal = (self.numbers(inertial, name) for name in ("mass", "diaginertia"))
+        full, opposite = (self.numbers(inertial, "fullinertia", sign) for sign in (1, -1))
+        self.negated.difference_update(value.start for value in full[:3])
+        numbers = [*diagonal, *self.zeros(inertial, 3)] if len(diagonal) == 3 else []
+        numbers = [*full[:3], *opposite[3:]] if len(full) == 6 else numbers
+        is_turned = any(inertial.get(name) is not None for name in _TURNED_OTHERWISE)
+        if len(mass) != 1 or not numbers or is_turned:
+            return None
+        inertia = Inertia(self.block("inertia", inertial), self, Name(""), owner)
+        x, y, z = self.zeros(inertial, 3)
+        inertia.mass, inertia.com = mass[0], Vector(inertia.node, self, (x, y, z))
+        inertia.moments = dict(zip(MOMENTS, numbers, strict=True))
+        return inertia
+
+    def pose_in(self, parent: XmlElement) -> Pose:
+        """Return the pose that an inertial has in its body."""
+        pos, quat = (self.numbers(parent, name) for name in ("pos", "quat"))
+        x, y, z = pos if len(pos) == 3 else self.zeros(parent, 3)
+        rotation = None
+        if len(quat) == 4:
+            w, *axis = (each.literal or 0.0 for each in quat)
+            rotation = rotation_from_quaternion(axis[0], axis[1], axis[2], w)
+        turns = map(repr, fixed_axis_angles(rotation)) if rotation is not None else None
+        rx, ry, rz = self.zeros(parent, 3) if turns is None else self.constants(parent, turns)
+        block = self.block("vector", parent)
+        return Pose(Vector(block, self, (x, y, z)), FixedAxes(block, self, (rx, ry, rz)))
+
+
+def mjcf_document(text: str, former: SyntaxDocument | None = None) -> XmlDocument:
+    """Return the document of an MJCF; never raises, whatever the text.
+
+    Args:
+        text: The text.
+        former: An earlier version: inertias with the same text are taken from it.
+    """
+    try:
+        root = parsed_xml(text)
+    except XmlError as error:
+        document = unreadable(text, error)
+    else:
+        islands = MjcfIsland.made_of(_pieces(text, root), former)
+        document = XmlDocument(islands, former.versions if former is not None else None)
+    document.make = mjcf_document
+    return document
+
+
+def _pieces(text: str, root: XmlElement) -> Iterator[tuple[XmlPiece, str]]:
+    """Yield what ends with the inertia of a body, with the body's name, and then the rest."""
+    start = 0
+    for body in _moving_bodies(root):
+        inertial: Any = body.find("inertial")
+        is_frame = inertial is not None and not _has_joint(body) and _is_nothing(inertial)
+        if inertial is not None and not is_frame and inertial.offset >= start:
+            end = rest_of_line(text, inertial)
+            yield XmlPiece(text[start:end], start, inertial), body.get("name") or ""
+            start = end
+    yield XmlPiece(text[start:], start, None), ""
+
+
+def _moving_bodies(root: XmlElement) -> Iterator[XmlElement]:
+    """Yield the bodies whose inertia matters, in the order of the file: of one at rest it does not.
+
+    All of a part that another file includes: where that hangs is not known.
+    """
+    if root.find("compiler[@inertiafromgeom='true']") is not None:
+        return
+    is_part = root.tag == "mujocoinclude"
+    pending = [(each, is_part) for each in reversed(root.findall("*"))]
+    while pending:
+        element, moves = pending.pop()
+        moves = moves or _has_joint(element)
+        if element.tag == "body" and moves:
+            yield element
+        pending += [(each, moves) for each in reversed(element.findall("*"))]
+
+
+def _has_joint(body: XmlElement) -> bool:
+    return any(body.find(kind) is not None for kind in _JOINTS)
+
+
+def _is_nothing(inertial: XmlElement) -> bool:
+    return finite_number(inertial.get("mass") or "") == 0.0

@@ -1,0 +1,99 @@
+"""An MJCF is judged where its inertias are written, and nowhere else."""
+
+import pytest
+
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.analysis.fixing import fixed, is_fixable
+from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.text.edits import TextEdit
+from kindsl.robots.interchange.syntaxes import syntax_of
+
+POSSIBLE = 'fullinertia="0.02 0.03 0.04 -0.001 0 0.002"'
+
+
+def robot(inertia: str, mass: str = "4", compiler: str = "") -> str:
+    return f"""<mujoco model="arm">{compiler}<worldbody><body name="base">
+<geom type="box" size="1 1 1"/>
+<body name="upper"><joint/>
+  <inertial pos="0 0 0.1" mass="{mass}" {inertia}/>
+  <body name="lower"><joint/><inertial pos="0 0 0.1" mass="4" {POSSIBLE}/></body>
+</body></body></worldbody></mujoco>
+"""
+
+
+def analysis(text: str, name: str = "arm.xml") -> Analysis:
+    return Analysis(syntax_of(name, text), Settings())
+
+
+def told(text: str) -> list[tuple[str, str, str]]:
+    """Return codes and subjects of the findings, and the text at which they are."""
+    found: list[Diagnostic] = list(analysis(text).findings)
+    return [(f.code, f.subject.name, text[f.start : f.end]) for f in found]
+
+
+def test_nothing_is_said_of_possible_bodies_and_of_those_made_of_shapes() -> None:
+    assert told(robot(POSSIBLE)) == []
+    assert told(robot(POSSIBLE.replace("fullinertia", 'quat="1 1 0 0" fullinertia'))) == []
+    assert told(robot('diaginertia="0.02 0.03 0.04"')) == []
+
+
+@pytest.mark.parametrize(
+    ("inertia", "code"),
+    [
+        ('diaginertia="0.02 0.03 0.06"', "KD302"),
+        ('fullinertia="0.02 0.03 0.04 0.028 0 0"', "KD301"),
+        ('diaginertia="2e4 3e4 4e4"', "KD311"),
+    ],
+)
+def test_an_inertia_that_no_body_has(inertia: str, code: str) -> None:
+    first, *_ = told(robot(inertia))
+    assert first[:2] == (code, "upper") and first[2].startswith("<inertial pos")
+
+
+def test_what_a_compiler_replaces_or_turns_by_its_options_is_left_alone() -> None:
+    odd = 'diaginertia="0.02 0.03 0.06"'
+    assert told(robot(odd, compiler='<compiler inertiafromgeom="true"/>')) == []
+    assert told(robot(f'{odd} euler="0 0 30"')) == []
+
+
+def test_what_stands_still_is_left_alone_and_a_part_of_a_file_is_not() -> None:
+    odd = robot('diaginertia="0.02 0.03 0.06"')
+    assert told(odd.replace("<joint/>", "")) == []
+    assert told(odd.replace("<joint/>", "", 1)) == []
+    assert told(odd.replace('"base">', '"base"><freejoint/>')) == told(odd) != []
+    camera = robot('diaginertia="0 0 0"', mass="0")
+    assert [code for code, *_ in told(camera)] == ["KD303"]
+    fixed_to_it = camera.replace("<joint/>", "", 1).replace('"base">', '"base"><joint/>')
+    assert told(fixed_to_it) == []
+    part = odd.replace("mujoco", "mujocoinclude").replace("<joint/>", "")
+    assert [code for code, *_ in told(part)] == ["KD302"]
+
+
+def test_comments_silence_and_broken_xml_is_told_at_its_place() -> None:
+    odd = robot('diaginertia="0.02 0.03 0.06"')
+    silent = odd.replace("  <inertial", "<!-- kindsl: ignore[KD302] as measured -->\n<inertial", 1)
+    assert told(silent) == []
+    broken = odd.replace("</worldbody>", "")
+    assert [code for code, *_ in told(broken)] == ["KD001"]
+
+
+def test_a_fix_changes_the_numbers_that_are_meant() -> None:
+    text = robot(POSSIBLE, mass="4100")
+    repaired = fixed(analysis(text), is_fixable).analysis
+    assert repaired.text == robot(POSSIBLE, mass="4.1")
+
+
+def test_a_sign_is_written_as_the_file_has_it() -> None:
+    leg = (
+        '<body name="{}_leg"><joint/><inertial pos="0.1 {} 0.02" mass="4" fullinertia="{}"/></body>'
+    )
+    left = leg.format("left", 0.05, "0.02 -0.03 0.04 -0.001 0.002 0.003")
+    right = leg.format("right", -0.05, "0.02 0.03 0.04 0.001 0.002 -0.003")
+    pair = f"<mujoco><worldbody>{left}\n{right}</worldbody></mujoco>"
+    assert fixed(analysis(pair), is_fixable).analysis.text == pair.replace("-0.03", "0.03")
+
+
+def test_equal_inertias_are_kept_in_the_next_version() -> None:
+    before = analysis(robot(POSSIBLE)).syntax
+    assert before.islands[0] in before.edited([TextEdit(0, 0, "")]).islands
