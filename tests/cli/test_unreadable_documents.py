@@ -299,7 +299,7 @@ def test_any_bytes_are_linted_and_mended_without_a_defect(content: bytes) -> Non
         path = Path(file.name)
         path.write_bytes(content)
         task = Task(file.name, "x.kindsl", Settings(), FixMode.WRITTEN, with_unsafe=True)
-        linted, failure = check(task)
+        linted, failure, _ = check(task)
         written = path.read_bytes()
         path.write_bytes(content)
     assert failure is None

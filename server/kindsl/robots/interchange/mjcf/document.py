@@ -99,6 +99,7 @@ def _moving_bodies(root: XmlElement) -> Iterator[XmlElement]:
     if root.find("compiler[@inertiafromgeom='true']") is not None:
         return
     is_part = root.tag == "mujocoinclude"
+    pending: list[tuple[Any, bool]]
     pending = [(each, is_part) for each in reversed(root.findall("*"))]
     while pending:
         element, moves = pending.pop()
