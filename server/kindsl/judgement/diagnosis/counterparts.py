@@ -84,7 +84,6 @@ def _bodies_by_size(model: Model) -> dict[tuple[str, int], list[tuple[Link, Tell
 
 
 @kept
-@kept
 def telling_numbers(body: Link) -> list[TellingNumbers]:
     """Return the moments and the CoM of a body where no two bodies have them by chance."""
     inertia, found = body.inertia, []

@@ -149,18 +149,28 @@ def _value(name: str, kind: object, n: int) -> float:
 
 
 _COPIED = Fact[tuple[object, list[PairOfLimbs]]]("copied limbs")
+_MIRRORED = Fact[tuple[object, list[list[Limbs]]]]("limbs by carrier, where some are mirrored")
 
 
 def copied_limbs(model: Model, context: Context) -> list[PairOfLimbs]:
     """Return the pair of limbs that is copied where all others are mirrored, if there is one."""
 
     def found() -> list[PairOfLimbs]:
-        carried = limbs_of(model, context.values).values()
-        every = (pair for groups in carried for limbs in groups for pair in limbs.pairs())
-        names = limb_names(model)
-        if names.elsewhere or names.crossed or not any(how == "LR" for *_, how in every):
+        places = model.edition.facts(Aspect.STRUCTURE | Aspect.PLACES)
+        mirrored = partial(_limbs_with_sides, model, context.values)
+        carried = places.made_of(_MIRRORED, context.values, mirrored)
+        if not carried:
             return []
         pairs = pairs_of(carried, _masses(model.bodies, context.values))
         return list(unmirrored(pairs))
 
     return model.facts.made_of(_COPIED, context, found)
+
+
+def _limbs_with_sides(model: Model, values: Values) -> list[list[Limbs]]:
+    """Return the limbs of each body that carries some, none where no two are left and right."""
+    names = limb_names(model)
+    carried = list(limbs_of(model, values).values())
+    pairs = (pair for groups in carried for limbs in groups for pair in limbs.pairs())
+    is_whole = not names.elsewhere and not names.crossed
+    return carried if is_whole and any(how == "LR" for *_, how in pairs) else []
