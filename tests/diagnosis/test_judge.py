@@ -218,6 +218,26 @@ def test_each_link_is_told_what_the_others_say(monkeypatch: pytest.MonkeyPatch) 
                 assert others.get(kind, 0.0) == pytest.approx(expected, abs=1e-9)
 
 
+def test_links_that_nothing_explains_make_a_cause_less_sure(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    own = "Ix=0.0171364731454 Iy=0.033822 Iz=0.0171364731454 Ixy=0.0 Ixz=0.0 Iyz=0.0"
+    odd = "Ix=0.111172755531 Iy=0.111172755531 Iz=0.21942 Ixy=0.0 Ixz=0.0 Iyz=0.0"
+    wrist = f"inertia_params {{ mass = 0.1879 CoM = (0.0, 0.0, 0.0) {own} }}"
+    unknown = f"inertia_params {{ mass = 1.219 CoM = (0.0, 0.0, 0.0) {odd} }}"
+
+    def probability(*inertias: str) -> float:
+        analysis = analyse(document_of_bodies(inertias))
+        model, values = analysis.model, analysis.context.values
+        first, *_ = judge.diagnoses(suspects_of(model, values), model, values)
+        return first.causes[0].probability
+
+    alone, among = probability(wrist), probability(wrist, unknown)
+    monkeypatch.setattr(judge._Tried, "doubt", property(lambda _: 0.0))
+    assert probability(wrist) == alone
+    assert probability(wrist, unknown) > 1.2 * among
+
+
 def test_all_that_is_no_cause_is_a_rival() -> None:
     """That the numbers are right, unless they are impossible, and that nothing is known."""
     body = ball(1000.0)

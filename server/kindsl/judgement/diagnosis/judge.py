@@ -15,7 +15,7 @@ are full of, are tried together.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from math import exp, log
+from math import exp, log, log1p
 from typing import NamedTuple
 
 from kindsl.judgement.diagnosis.evidence import (
@@ -45,6 +45,8 @@ from kindsl.language.text.facts import Fact
 from kindsl.mechanics.rigid.body import MassDistribution, second_moments_about_com, shifted
 
 _NEGLIGIBLE = 0.1
+# Of a logarithm of a ratio: beyond it exp overflows, and nothing is left of the rest.
+_SURELY = 700.0
 _MOST = 4
 _SHARED = 0.8
 _UNLIKELY = 0.01
@@ -96,6 +98,13 @@ class _Tried(NamedTuple):
     said: dict[Kind, float]
     rest: float
 
+    @property
+    def doubt(self) -> float:
+        """How likely none of the causes is, seeing nothing of the other links."""
+        greatest = max((cause.log_likelihood for cause in self.causes), default=self.rest)
+        told = (c.hypothesis.weight * exp(c.log_likelihood - greatest) for c in self.causes)
+        return 1.0 / (1.0 + exp(min(greatest - self.rest, _SURELY)) * sum(told))
+
 
 def diagnoses(
     suspects: Sequence[Judgement], model: Model, values: Mapping[str, float]
@@ -110,8 +119,13 @@ def diagnoses(
         for kind, said in each.said.items():
             by_all[kind] = by_all.get(kind, 0.0) + said
     together = tuple(by_all.items()) if len(unlike) > 1 else ()
+    # In tenths, which a keystroke at another link seldom changes.
+    doubts = {key: round(each.doubt, 1) for key, each in unlike.items()} if together else {}
+    doubt = sum(doubts.values())
     return [
-        Diagnosis(found, _likely(found, each, together))
+        Diagnosis(
+            found, _likely(found, each, together, doubt - doubts.get(_sizes(found.body), 0.0))
+        )
         for found, each in zip(suspects, tried, strict=True)
     ]
 
@@ -132,13 +146,15 @@ def _tried(found: Judgement, around: LinkSurroundings, alike: dict[object, _Trie
 
 
 def _likely(
-    found: Judgement, tried: _Tried, together: tuple[tuple[Kind, float], ...]
+    found: Judgement, tried: _Tried, together: tuple[tuple[Kind, float], ...], doubt: float
 ) -> list[Cause]:
+    """Return the causes of a link; each other one that nothing explains makes it likelier here."""
+
     def ranking() -> list[Cause]:
         others = {kind: said - tried.said.get(kind, 0.0) for kind, said in together}
-        return ranked(tried.causes, others, tried.rest)
+        return ranked(tried.causes, others, tried.rest + log1p(max(doubt, 0.0)))
 
-    return found.link.facts.made_of(_RANKINGS, (tried, together), ranking)
+    return found.link.facts.made_of(_RANKINGS, (tried, together, doubt), ranking)
 
 
 def candidates(found: Judgement, around: LinkSurroundings) -> list[Cause]:
