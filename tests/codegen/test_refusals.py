@@ -23,18 +23,17 @@ from kindsl.products.codegen.resistance import refuse_unresisted
 from kindsl.products.codegen.robcogen.robot import GeneratedRobot
 from kindsl.products.codegen.writing import refuse_foreign, write_files
 from kindsl.robots.interchange.generated_folder import digest
+from kindsl.robots.mechanism.errors import ModelError
 
 POSES = Options("c", ("poses",), "double", False, "unbound", "arm")
 FRAMES = "Robot Arm\nFrames { fr_upper, tool }\n"
 MASSLESS = LIFT.replace("mass = 2.0", "mass = 0.0").replace("mass = 1.0", "mass = 0.0")
 
-# Twice the largest number away, along the first joint.
-FAR = LIFT.replace("0.0, 0.0, 0.5", "0.0, -1.7e+308, 0.5").replace(
-    "0.4, 0.0, 0.0", "0.4, 0.0, 1.7e+308"
-)
+# Farther along the first joint than any robot is.
+FAR = LIFT.replace("0.0, 0.0, 0.5", "0.0, -1.7e+308, 0.5")
 
-# The product of its mass and its centre is more.
-HEAVY = LIFT.replace("CoM = (0.2", "CoM = (1.0e+200").replace("mass = 2.0", "mass = 1.0e+200")
+# One by its mass is more than the largest number.
+LIGHT = LIFT.replace("mass = 2.0", "mass = 0.0").replace("mass = 1.0", "mass = 1.0e-310")
 
 
 def source(text: str = LIFT, transforms: str | None = None, **settings: object) -> Source:
@@ -49,9 +48,8 @@ def source(text: str = LIFT, transforms: str | None = None, **settings: object) 
         (source(MASSLESS), {"quantities": ("poses", "center_of_mass")},
          "'center_of_mass' is not defined: the total mass is zero; "
          "use --quantities to choose others, such as poses,jacobians"),
-        (source(FAR), {"language": "python"}, "'poses': the values of the document are too large"),
-        (source(HEAVY), {"language": "python", "quantities": ("gravity_torque",)},
-         "'gravity_torque': the values of the document are too large"),
+        (source(LIGHT), {"language": "python", "quantities": ("center_of_mass",)},
+         "'center_of_mass': values of the document are too large or too small"),
         (source(DOCUMENTS["reach"]), {"parameters": "reach, zzz, reech"},
          "--parameters: there is no parameter 'reech'; did you mean 'reach'?"),
         (source(), {"frames": ("upper", "fr_uper", "zzz")},
@@ -70,6 +68,11 @@ def test_one_sentence_tells_why_there_is_no_code(
     with pytest.raises(GenerationError) as told:
         generate(given, replace(POSES, **options))
     assert str(told.value) == message
+
+
+def test_a_number_that_no_robot_has_is_named() -> None:
+    with pytest.raises(ModelError, match="pose of joint 'shoulder' holds a value that is beyond"):
+        generate(source(FAR), POSES)
 
 
 def test_a_rotor_resists_where_the_code_has_rotors() -> None:

@@ -257,7 +257,7 @@ def _recorded(robot: Robot, inputs: Inputs, name: str) -> list[Function]:
         entries = _entries(function)
         operands = (x for node in needed(graph, entries) for x in graph.nodes[node][1:])
         if not all(math.isfinite(x) for x in (*entries, *operands) if isinstance(x, float)):
-            raise GenerationError(f"'{name}': the values of the document are too large")
+            raise GenerationError(f"'{name}': values of the document are too large or too small")
     return [_with_safe_results(function) for function in functions]
 
 
