@@ -107,7 +107,9 @@ class LimbNames:
             count = Counter(views.values())
             crossed = [a for a, view in views.items() if view.side == "other"]
             accused = crossed or [a for a, view in views.items() if count[view] == 1]
-            found = [self._judged(a, views, accused, sided) for a in accused]
+            apart = frozenset(accused)
+            others = tuple(a for a in views if a not in apart)
+            found = [self._judged(a, views, others, sided) for a in accused]
             if crossed:
                 across += found
             elif len(count) > 1:
@@ -152,11 +154,10 @@ class LimbNames:
         self,
         accused: Attachment,
         views: Mapping[Attachment, _View],
-        among: Sequence[Attachment],
+        twins: tuple[Attachment, ...],
         sided: _Sided,
     ) -> Misplaced:
         """Return an attachment with what its twins, which are not accused, let expect."""
-        twins = tuple(a for a in views if a not in among)
         meant = None
         if len({views[a] for a in twins}) == 1:
             words, side = views[twins[0]]
