@@ -233,7 +233,7 @@ def test_links_that_nothing_explains_make_a_cause_less_sure(
         return first.causes[0].probability
 
     alone, among = probability(wrist), probability(wrist, unknown)
-    monkeypatch.setattr(judge._Tried, "doubt", property(lambda _: 0.0))
+    monkeypatch.setattr(judge, "doubt_of", lambda *_: 0.0)
     assert probability(wrist) == alone
     assert probability(wrist, unknown) > 1.2 * among
 

@@ -92,18 +92,13 @@ class _Tried(NamedTuple):
         causes: In no order.
         said: Their evidence for each kind of mistake, as `said_by` returns it.
         rest: Logarithm of the weight of all else: that it is right, and that nothing is known.
+        doubt: How likely all else is, as `doubt_of` returns it.
     """
 
     causes: list[Cause]
     said: dict[Kind, float]
     rest: float
-
-    @property
-    def doubt(self) -> float:
-        """How likely none of the causes is, seeing nothing of the other links."""
-        greatest = max((cause.log_likelihood for cause in self.causes), default=self.rest)
-        told = (c.hypothesis.weight * exp(c.log_likelihood - greatest) for c in self.causes)
-        return 1.0 / (1.0 + exp(min(greatest - self.rest, _SURELY)) * sum(told))
+    doubt: float
 
 
 def diagnoses(
@@ -119,13 +114,9 @@ def diagnoses(
         for kind, said in each.said.items():
             by_all[kind] = by_all.get(kind, 0.0) + said
     together = tuple(by_all.items()) if len(unlike) > 1 else ()
-    # In tenths, which a keystroke at another link seldom changes.
-    doubts = {key: round(each.doubt, 1) for key, each in unlike.items()} if together else {}
-    doubt = sum(doubts.values())
+    doubt = sum(each.doubt for each in unlike.values()) if together else 0.0
     return [
-        Diagnosis(
-            found, _likely(found, each, together, doubt - doubts.get(_sizes(found.body), 0.0))
-        )
+        Diagnosis(found, _likely(found, each, together, doubt - unlike[_sizes(found.body)].doubt))
         for found, each in zip(suspects, tried, strict=True)
     ]
 
@@ -138,8 +129,8 @@ def _tried(found: Judgement, around: LinkSurroundings, alike: dict[object, _Trie
     def trial() -> _Tried:
         key = found.body, found.half, found.verdict, around
         if key not in alike:
-            causes = candidates(found, around)
-            alike[key] = _Tried(causes, said_by(causes), weight_of_rest(found, around))
+            causes, rest = candidates(found, around), weight_of_rest(found, around)
+            alike[key] = _Tried(causes, said_by(causes), rest, doubt_of(causes, rest))
         return alike[key]
 
     return found.link.facts.made_of(_TRIALS, (found, around), trial)
@@ -280,6 +271,16 @@ def said_by(causes: Sequence[Cause]) -> dict[Kind, float]:
         for kind in cause.hypothesis.kinds
     }
     return {kind: value for kind, value in logs.items() if value > 0.0}
+
+
+def doubt_of(causes: Sequence[Cause], rest: float) -> float:
+    """Return how likely none of the causes is, seeing nothing of the other links.
+
+    In tenths, which a keystroke at another link seldom changes.
+    """
+    greatest = max((cause.log_likelihood for cause in causes), default=rest)
+    told = sum(c.hypothesis.weight * exp(c.log_likelihood - greatest) for c in causes)
+    return round(1.0 / (1.0 + exp(min(greatest - rest, _SURELY)) * told), 1)
 
 
 def _shared(causes: Sequence[Cause], others: Mapping[Kind, float]) -> dict[Kind, float]:
