@@ -5,8 +5,16 @@ from collections.abc import Iterable, Iterator
 from math import log10
 from typing import Any, Self
 
-from kindsl.language.semantics.declarations import Declarations, Frame, Inertia, Joint, Link, Pose
-from kindsl.language.semantics.expressions import half_unit
+from kindsl.language.semantics.declarations import (
+    Declarations,
+    Frame,
+    Inertia,
+    Joint,
+    Link,
+    Pose,
+    Vector,
+)
+from kindsl.language.semantics.expressions import Expression, half_unit
 from kindsl.language.semantics.places import Name, Place
 from kindsl.language.semantics.sections import JointFrame
 from kindsl.language.syntax.document import SyntaxDocument
@@ -65,6 +73,20 @@ class RobotIsland(XmlIsland):
     @abstractmethod
     def inertia_in(self, inertial: XmlElement, owner: str) -> Inertia | None:
         """Return the inertia of an `<inertial>`, None where it is left to others."""
+
+    def inertia_of(
+        self,
+        inertial: XmlElement,
+        owner: str,
+        mass: Expression | None,
+        moments: dict[str, Expression],
+    ) -> Inertia:
+        """Return an inertia about the centre of mass, in the frame of an `<inertial>`."""
+        inertia = Inertia(self.block("inertia", inertial), self, Name(""), owner)
+        x, y, z = self.zeros(inertial, 3)
+        inertia.mass, inertia.com = mass, Vector(inertia.node, self, (x, y, z))
+        inertia.moments = moments
+        return inertia
 
     @abstractmethod
     def pose_in(self, parent: XmlElement) -> Pose:

@@ -6,6 +6,7 @@ A comment before an element belongs to its island, and one behind it in the line
 import re
 from abc import abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 from kindsl.language.semantics.declarations import Joint
@@ -18,7 +19,7 @@ from kindsl.language.syntax.tree import Island, Node, Token
 from kindsl.language.text.edits import TextEdit, apply_edits
 from kindsl.language.text.facts import Facts
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3
-from kindsl.robots.interchange.xml_reading import XmlElement, XmlError, finite_number
+from kindsl.robots.interchange.xml_reading import XmlElement, XmlError, finite_number, parsed_xml
 
 _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _REST_OF_LINE = re.compile(r"(?:[^\S\r\n]|<!--[^\r\n]*?-->)*")
@@ -269,6 +270,28 @@ def end_of_element(text: str, element: Any) -> int:
     if tag is not None and not tag[0].endswith("/>"):
         tag = _TAG.match(text, element.end)
     return tag.end() if tag else len(text)
+
+
+def xml_document(
+    text: str,
+    former: SyntaxDocument | None,
+    of_elements: Callable[[str, XmlElement, SyntaxDocument | None], XmlDocument],
+) -> XmlDocument:
+    """Return the document of a text, of what is no XML one that says so; never raises.
+
+    Args:
+        text: The text.
+        former: An earlier version: what has the same text is taken from it.
+        of_elements: Makes it of the root element, as a format has it.
+    """
+    try:
+        root = parsed_xml(text)
+    except XmlError as error:
+        document = unreadable(text, error)
+    else:
+        document = of_elements(text, root, former)
+    document.make = partial(xml_document, of_elements=of_elements)
+    return document
 
 
 def unreadable(text: str, error: XmlError) -> XmlDocument:

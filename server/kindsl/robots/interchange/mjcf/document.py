@@ -8,14 +8,13 @@ from collections.abc import Iterator
 from typing import Any
 
 from kindsl.language.semantics.declarations import FixedAxes, Inertia, Pose, Vector
-from kindsl.language.semantics.places import Name
 from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.language.syntax.tree import Node
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.rigid.pose import fixed_axis_angles, rotation_from_quaternion
 from kindsl.robots.interchange.robot_island import RobotIsland
-from kindsl.robots.interchange.xml_document import XmlDocument, XmlPiece, rest_of_line, unreadable
-from kindsl.robots.interchange.xml_reading import XmlElement, XmlError, finite_number, parsed_xml
+from kindsl.robots.interchange.xml_document import XmlDocument, XmlPiece, rest_of_line, xml_document
+from kindsl.robots.interchange.xml_reading import XmlElement, finite_number
 
 _JOINTS = ("joint", "freejoint")
 _TURNED_OTHERWISE = ("axisangle", "euler", "xyaxes", "zaxis")
@@ -40,11 +39,7 @@ class MjcfIsland(RobotIsland):
         is_turned = any(inertial.get(name) is not None for name in _TURNED_OTHERWISE)
         if len(mass) != 1 or not numbers or is_turned:
             return None
-        inertia = Inertia(self.block("inertia", inertial), self, Name(""), owner)
-        x, y, z = self.zeros(inertial, 3)
-        inertia.mass, inertia.com = mass[0], Vector(inertia.node, self, (x, y, z))
-        inertia.moments = dict(zip(MOMENTS, numbers, strict=True))
-        return inertia
+        return self.inertia_of(inertial, owner, mass[0], dict(zip(MOMENTS, numbers, strict=True)))
 
     def pose_in(self, parent: XmlElement) -> Pose:
         """Return the pose that an inertial has in its body."""
@@ -65,17 +60,14 @@ def mjcf_document(text: str, former: SyntaxDocument | None = None) -> XmlDocumen
 
     Args:
         text: The text.
-        former: An earlier version: inertias with the same text are taken from it.
+        former: An earlier version: elements with the same text are taken from it.
     """
-    try:
-        root = parsed_xml(text)
-    except XmlError as error:
-        document = unreadable(text, error)
-    else:
-        islands = MjcfIsland.made_of(_pieces(text, root), former)
-        document = XmlDocument(islands, former.versions if former is not None else None)
-    document.make = mjcf_document
-    return document
+    return xml_document(text, former, _of_elements)
+
+
+def _of_elements(text: str, root: XmlElement, former: SyntaxDocument | None) -> XmlDocument:
+    islands = MjcfIsland.made_of(_pieces(text, root), former)
+    return XmlDocument(islands, former.versions if former is not None else None)
 
 
 def _pieces(text: str, root: XmlElement) -> Iterator[tuple[XmlPiece, str]]:

@@ -11,7 +11,7 @@ from typing import Any
 
 from kindsl.language.semantics.declarations import FixedAxes, Inertia, Joint, Pose, Vector
 from kindsl.language.semantics.expressions import Expression
-from kindsl.language.semantics.places import Name, Place
+from kindsl.language.semantics.places import Place
 from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.rigid.pose import IDENTITY, fixed_axis_angles
@@ -27,9 +27,9 @@ from kindsl.robots.interchange.xml_document import (
     XmlDocument,
     XmlPiece,
     rest_of_line,
-    unreadable,
+    xml_document,
 )
-from kindsl.robots.interchange.xml_reading import XmlElement, XmlError, parsed_xml
+from kindsl.robots.interchange.xml_reading import XmlElement, parsed_xml
 from kindsl.robots.interchange.xml_terms import JOINT_KINDS, TENSOR
 
 _NAMED = ("link", "joint", "frame")
@@ -48,18 +48,15 @@ class SdfIsland(RobotIsland):
         """Return an inertia, None where the simulator computes it."""
         if (inertial.get("auto") or "").lower() in ("1", "true"):
             return None
-        inertia = Inertia(self.block("inertia", inertial), self, Name(""), owner)
         tensor = inertial.find("inertia")
-        inertia.moments = {}
+        moments: dict[str, Expression] = {}
         for name, theirs in zip(MOMENTS, TENSOR, strict=True):
             is_product = theirs[1] != theirs[2]
             found = self._number_in(inertial, tensor, theirs, -1 if is_product else 1)
             if found is not None:
-                inertia.moments[name] = found
-        inertia.mass = self._number_in(inertial, inertial, "mass", 1)
-        x, y, z = self.zeros(inertial, 3)
-        inertia.com = Vector(inertia.node, self, (x, y, z))
-        return inertia
+                moments[name] = found
+        mass = self._number_in(inertial, inertial, "mass", 1)
+        return self.inertia_of(inertial, owner, mass, moments)
 
     def _number_in(self, at: Any, parent: Any, tag: str, sign: int) -> Expression | None:
         """Return the number of a child; SDFormat's default is 1, and 0 of a product."""
@@ -94,14 +91,7 @@ def sdf_document(text: str, former: SyntaxDocument | None = None) -> XmlDocument
         text: The text.
         former: An earlier version: elements with the same text are taken from it.
     """
-    try:
-        root = parsed_xml(text)
-    except XmlError as error:
-        document = unreadable(text, error)
-    else:
-        document = _of_elements(text, root, former)
-    document.make = sdf_document
-    return document
+    return xml_document(text, former, _of_elements)
 
 
 def _of_elements(text: str, root: Any, former: SyntaxDocument | None) -> XmlDocument:

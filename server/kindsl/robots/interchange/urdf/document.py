@@ -10,7 +10,7 @@ from typing import Any
 from kindsl.language.semantics.declarations import FixedAxes, Inertia, Pose, Vector
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.numbers import written_pose
-from kindsl.language.semantics.places import Name, Place
+from kindsl.language.semantics.places import Place
 from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.rigid.pose import IDENTITY
@@ -22,9 +22,9 @@ from kindsl.robots.interchange.xml_document import (
     XmlDocument,
     pieces,
     refused,
-    unreadable,
+    xml_document,
 )
-from kindsl.robots.interchange.xml_reading import XmlElement, XmlError, parsed_xml
+from kindsl.robots.interchange.xml_reading import XmlElement
 from kindsl.robots.interchange.xml_terms import JOINT_KINDS, TENSOR
 
 # A body smaller than a micrometre is a point: moments of 1e-20 are what a program left of zero.
@@ -53,11 +53,7 @@ class UrdfIsland(RobotIsland):
             moments = dict(zip(moments, self.zeros(inertial, len(moments)), strict=True))
             if not mass and values:
                 return None
-        inertia = Inertia(self.block("inertia", inertial), self, Name(""), owner)
-        x, y, z = self.zeros(inertial, 3)
-        inertia.mass = values[0] if len(values) == 1 else None
-        inertia.com, inertia.moments = Vector(inertia.node, self, (x, y, z)), moments
-        return inertia
+        return self.inertia_of(inertial, owner, values[0] if len(values) == 1 else None, moments)
 
     def connection(self) -> Connection | None:
         """Return the joint with its links, None of anything else."""
@@ -91,27 +87,15 @@ def urdf_document(text: str, former: SyntaxDocument | None = None) -> XmlDocumen
         text: The text.
         former: An earlier version: elements with the same text are taken from it.
     """
-    try:
-        root = parsed_xml(text)
-    except XmlError as error:
-        document = unreadable(text, error)
-    else:
-        document = _of_xacro(text, root) or _of_elements(text, root, former)
-    document.make = urdf_document
-    return document
-
-
-def _of_xacro(text: str, root: XmlElement) -> XmlDocument | None:
-    """Return the document of a xacro, of which a URDF is yet to be made; None of any other."""
-    own = (each for each in root.iter() if each.tag.startswith("xacro:"))
-    first: Any = next(own, None)
-    if first is None:
-        return None
-    message = f"a xacro, not a URDF: <{first.tag}> has to be expanded before it is judged"
-    return refused(text, "KD001", message, first.offset, first.offset + len(first.tag) + 1)
+    return xml_document(text, former, _of_elements)
 
 
 def _of_elements(text: str, root: XmlElement, former: SyntaxDocument | None) -> XmlDocument:
+    own = (each for each in root.iter() if each.tag.startswith("xacro:"))
+    first: Any = next(own, None)
+    if first is not None:
+        message = f"a xacro, not a URDF: <{first.tag}> has to be expanded before it is judged"
+        return refused(text, "KD001", message, first.offset, first.offset + len(first.tag) + 1)
     islands = UrdfIsland.made_of(((piece, "") for piece in pieces(text, root)), former)
     document = XmlDocument(islands, former.versions if former is not None else None)
     document.flaws = tuple(_flaws(root, islands))
