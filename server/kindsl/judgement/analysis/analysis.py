@@ -211,7 +211,7 @@ class Analysis:
             where = self.syntax, self.model, self.context, self.settings
             found = [*xml_findings(*where, of_rules)]
         else:
-            found = [*syntax_findings(self.syntax, self.model, self.settings.targets)]
+            found = [*syntax_findings(self.model, self.settings.targets)]
             found += (entry for entry in run.findings() if not is_explained(entry[1]))
         return [self._resolve(rule, finding) for rule, finding in found]
 

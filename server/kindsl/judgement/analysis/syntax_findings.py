@@ -17,14 +17,12 @@ _NAME_PLACE = 1
 _PASTED = Fact[dict[int, Finding]]("findings of pasted passages")
 
 
-def syntax_findings(
-    document: SyntaxDocument, model: Model, targets: frozenset[str]
-) -> Iterator[tuple[Rule, Finding]]:
-    """Yield the problems of the islands and of the document as a whole.
+def syntax_findings(model: Model, targets: frozenset[str]) -> Iterator[tuple[Rule, Finding]]:
+    """Yield the problems of a document's islands and of the document as a whole.
 
     What robcogen2 reads all the same is no error, unless the document is for robcogen too.
     """
-    problems = list(all_problems(document))
+    problems = list(all_problems(model.document))
     if not problems:
         return
     rules = {rule.code: rule for rule in all_rules()}

@@ -63,9 +63,9 @@ def robot_messages(
     ellipsoids = [inertia_ellipsoid(body) for body in skeleton.masses]
     messages: list[Part] = [_model(name, skeleton, size, unknown)]
     messages.extend(_numbers("robot", skeleton, size, ellipsoids, guessed, unknown))
-    messages.extend(_solids("robot", skeleton, size, unknown))
     messages.extend(_limits(skeleton, limits))
     messages.extend(_robot_marks(skeleton, size, ellipsoids))
+    messages.extend(_solids("robot", skeleton, size, unknown))
     return messages
 
 
