@@ -65,8 +65,10 @@ def load(path: "str | os.PathLike[str]", settings: "Settings | None" = None) -> 
         OSError: The file cannot be read.
         kindsl.judgement.config.configuration.ConfigurationError: The kindsl.toml is wrong.
     """
+    from kindsl.language.text.encodings import decoded
+
     with open(path, "rb") as file:
-        text = file.read().decode("utf-8", "surrogateescape")
+        text = decoded(file.read())
     if settings is None:
         settings = _settings_for(path)
     return parse(text, settings)

@@ -11,7 +11,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kindsl.language.text.writing import encoded, write_file, write_files, write_folder
+from kindsl.language.text.encodings import encoded
+from kindsl.language.text.writing import write_file, write_files, write_folder
 
 OLD, NEW = b"old " * 600, b"new " * 9000
 is_superuser = hasattr(os, "geteuid") and os.geteuid() == 0

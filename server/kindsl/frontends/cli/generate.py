@@ -238,7 +238,8 @@ def _generate(args: argparse.Namespace, source: "Source") -> int:
 def _write_transforms(args: argparse.Namespace, source: "Source") -> int:
     """Write the transforms document of a robot, unless there is a file already."""
     from kindsl.language.semantics.transforms import transforms_document
-    from kindsl.language.text.writing import encoded, write_file
+    from kindsl.language.text.encodings import encoded
+    from kindsl.language.text.writing import write_file
 
     path, model = args.write_transforms, source.analysis.model
     if not model.bodies or not model.name:

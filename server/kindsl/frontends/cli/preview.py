@@ -26,7 +26,8 @@ from kindsl.frontends.cli.documents.sources import STDIN, read_source
 from kindsl.frontends.cli.options import add_floating_argument, add_parameter_arguments
 from kindsl.frontends.cli.outcome import Failure
 from kindsl.judgement.config.configuration import ConfigurationError
-from kindsl.language.text.writing import encoded, write_file
+from kindsl.language.text.encodings import encoded
+from kindsl.language.text.writing import write_file
 
 if TYPE_CHECKING:
     from kindsl.frontends.preview.comparing import OtherRobot

@@ -5,8 +5,9 @@ from pathlib import Path
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.judgement.config.discovery import Configurations, nearest_configuration
 from kindsl.judgement.config.errors import ConfigurationError
+from kindsl.language.text.encodings import decoded, encoded
 from kindsl.language.text.regular import NotRegularError, require_regular
-from kindsl.language.text.writing import encoded, write_file
+from kindsl.language.text.writing import write_file
 
 _LARGEST = 10_000_000  # bytes: larger than any robot, smaller than what stops a machine
 
@@ -46,7 +47,7 @@ class Folder:
             require_regular(str(path))
             if path.stat().st_size > _LARGEST:
                 raise ToolError(f"'{given}' is larger than {_LARGEST // 1_000_000} MB")
-            return path.read_bytes().decode("utf-8", "surrogateescape")
+            return decoded(path.read_bytes())
         except FileNotFoundError:
             raise ToolError(f"there is no file '{given}' in {self.root}") from None
         except IsADirectoryError:

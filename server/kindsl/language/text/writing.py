@@ -9,6 +9,8 @@ import stat
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
+from kindsl.language.text.encodings import encoded
+
 # Paths of what the process has open already: written to as it is, never replaced.
 _STREAMS = ("/dev/stdout", "/dev/stderr", "/dev/fd/", "/proc/")
 
@@ -60,11 +62,6 @@ def write_folder(folder: str, texts: Mapping[str, str]) -> None:
         if is_new:
             shutil.rmtree(folder, ignore_errors=True)
         raise
-
-
-def encoded(text: str) -> bytes:
-    """Return a text in UTF-8; bytes that were not UTF-8 when read stay as they were."""
-    return text.encode("utf-8", "surrogateescape")
 
 
 @contextlib.contextmanager

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from kindsl.language.semantics.expressions import half_unit
+from kindsl.language.text.encodings import decoded
 from kindsl.language.text.lines import LineIndex
 from kindsl.mechanics.rigid.pose import Rotation
 from kindsl.robots.comparison.written import TextPlace, WrittenNumber
@@ -38,7 +39,7 @@ class XmlNumbers:
     """
 
     def __init__(self, content: bytes | str) -> None:
-        self._text = content if isinstance(content, str) else content.decode("utf-8", "replace")
+        self._text = content if isinstance(content, str) else decoded(content)
         self._lines = LineIndex(self._text)
         try:
             self.root: Any = parsed_xml(self._text)

@@ -17,6 +17,7 @@ from kindsl.language.syntax.comment_problems import UNDECODABLE, bytes_message
 from kindsl.language.syntax.document import Chunk, SyntaxDocument
 from kindsl.language.syntax.tree import Island, Node, Token
 from kindsl.language.text.edits import TextEdit, apply_edits
+from kindsl.language.text.encodings import declared_encoding
 from kindsl.language.text.facts import Facts
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3
 from kindsl.robots.interchange.xml_reading import XmlElement, XmlError, finite_number, parsed_xml
@@ -298,7 +299,12 @@ def unreadable(text: str, error: XmlError) -> XmlDocument:
     """Return the document of a text that is no XML, with the flaw that says so."""
     strange = None if text.isascii() else UNDECODABLE.search(text)
     if strange is not None:
-        return refused(text, "KD004", bytes_message(strange[0]), *strange.span())
+        message, declared = bytes_message(strange[0]), declared_encoding(text)
+        if declared.lower() not in ("", "utf-8"):
+            message = (
+                f"{message.partition(',')[0]}, in UTF-8 and the declared encoding '{declared}'"
+            )
+        return refused(text, "KD004", message, *strange.span())
     ends = [match.span() for match in _LINE_END.finditer(text)]
     starts, stops = [0, *(end for _, end in ends)], [*(start for start, _ in ends), len(text)]
     start, stop = starts[error.line - 1], stops[error.line - 1]

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from kindsl.frontends.cli.documents.document_reading import CommandError
 from kindsl.frontends.cli.outcome import Failure
+from kindsl.language.text.encodings import decoded
 
 _PATIENCE = 60  # seconds
 _SHORT = 12
@@ -70,7 +71,7 @@ def _text_at(commit: str, place: str, path: str, folder: str) -> str | None:
     if b" blob " not in listed:
         return None
     content = _git(path, folder, "git fails", "show", f"{commit}:{place}")
-    return content.decode("utf-8", "surrogateescape")
+    return decoded(content)
 
 
 def _former_name(place: str, commits: Commits, path: str, folder: str) -> str | None:

@@ -5,6 +5,7 @@ import sys
 from typing import NamedTuple
 
 from kindsl.frontends.cli.outcome import Failure
+from kindsl.language.text.encodings import decoded
 from kindsl.language.text.lines import LineIndex
 from kindsl.language.text.regular import NotRegularError, content_of
 
@@ -82,13 +83,13 @@ def is_decodable(text: str) -> bool:
 
 
 def _text_of(content: bytes) -> str | NotText:
+    text = decoded(content)
     for mark, encoding in _BYTE_ORDER_MARKS:
-        if content.startswith(mark):
+        if content.startswith(mark) and not text.startswith("<"):
             return _encoded(content, encoding)
-    text = content.decode("utf-8", "surrogateescape")
     if len(text) == len(content) and "\0" not in text and text.isascii():
         return text
-    n_strange = len(text) - len(content.decode("utf-8", "ignore")) + text.count("\0")
+    n_strange = len(text) - len(text.encode("utf-8", "ignore").decode()) + text.count("\0")
     return _strange(content, text) if n_strange > 1 + _MOST_STRANGE * len(text) else text
 
 

@@ -8,7 +8,8 @@ from kindsl.frontends.cli.console import write
 from kindsl.frontends.cli.documents.document_reading import CommandError
 from kindsl.frontends.cli.documents.sources import STDIN, reason
 from kindsl.frontends.cli.outcome import Failure
-from kindsl.language.text.writing import encoded, write_file, write_files
+from kindsl.language.text.encodings import encoded
+from kindsl.language.text.writing import write_file, write_files
 
 
 def write_text(path: str, shown: str, old: str, new: str) -> Failure | None:

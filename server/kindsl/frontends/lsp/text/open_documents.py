@@ -8,6 +8,7 @@ from pygls.exceptions import JsonRpcInvalidParams
 
 from kindsl.frontends.lsp.text import uris
 from kindsl.frontends.lsp.text.document import Document, document
+from kindsl.language.text.encodings import decoded
 from kindsl.language.text.saves import Stamp, stamp
 
 # An editor takes it off and puts it back; in the text that it shows it does not count.
@@ -89,7 +90,7 @@ class Documents:
             present = stamp(str(path))
             known = self._files.get(path)
             if known is None or known[0] != present:
-                text = path.read_bytes().decode("utf-8", "surrogateescape").removeprefix(_BOM)
+                text = decoded(path.read_bytes()).removeprefix(_BOM)
                 if known is None or known[1].text != text:
                     known = (present, document(uri, None, text, self.encoding))
                 known = self._files[path] = (present, known[1])
