@@ -257,6 +257,10 @@ def test_pages_have_the_words_of_xml(code: str, is_of_xml: bool) -> None:
     assert ("`ixx`" in page) is is_of_xml and (f"kindsl: ignore[{code}]" in page) is is_of_xml
 
 
+def test_a_link_that_nothing_moves_may_have_no_mass() -> None:
+    assert found(f'<robot name="stand">{link("foot", mass="0")}</robot>') == []
+
+
 def test_the_density_of_what_no_joint_moves_is_a_hint() -> None:
     light = 'ixx="5" ixy="0" ixz="0" iyy="5" iyz="0" izz="5"'
     alone = f'<robot name="stand">{link("foot", tensor=light)}</robot>'

@@ -50,6 +50,7 @@ def xml_findings(
         found: What the rules found that concern it.
     """
     flaws = document.flaws if isinstance(document, XmlDocument) else ()
+    has_moving_only = isinstance(document, XmlDocument) and document.has_moving_only
     bodies = xml_bodies(model)
     own = [(flaw.code, Finding(flaw.at, flaw.message)) for flaw in flaws]
     own += ((_PLACEHOLDER, finding) for finding in _placeholders(model))
@@ -58,7 +59,9 @@ def xml_findings(
     own += body_findings(model, bodies, context)
     rules = {rule.code: rule for rule in rules_with(frozenset(code for code, _ in own))}
     enabled = [(rules[code], each) for code, each in own if is_enabled(rules[code], settings)]
-    light, at_rest = _light_parts(bodies), _parts_at_rest(bodies)
+    light, at_rest = _light_parts(bodies), set() if has_moving_only else _parts_at_rest(bodies)
+    # Where nothing moves but a base may float its density matters.
+    has_joints = any(body.moves for body in bodies)
     massless = {id(link.island) for link in _massless(bodies)} if _MISSING in rules else set()
     copied = {id(finding.at.island) for rule, finding in found if rule.code == _COPIED}
     explained = {(id(f.at.island), code) for _, f in (*enabled, *found) for code in f.explains}
@@ -75,7 +78,7 @@ def xml_findings(
         if rule.code == _NO_MASS and island in at_rest and finding.severity is Severity.WARNING:
             continue
         is_light = is_of_part and island in light
-        is_light = is_light or (rule.code == _DENSITY and island in at_rest)
+        is_light = is_light or (rule.code == _DENSITY and has_joints and island in at_rest)
         fix = xml_fix(finding.fix) if finding.probability and not is_light else None
         severity = Severity.HINT if is_light else finding.severity
         told.append((rule, finding._replace(fix=fix, choices=(), severity=severity)))
@@ -132,13 +135,10 @@ def _light_parts(bodies: Iterable[XmlBody]) -> set[int]:
 
 
 def _parts_at_rest(bodies: Sequence[XmlBody]) -> set[int]:
-    """Return the islands of what no joint moves though some move others: mostly a fixed base.
-
-    Where such a base floats its density matters, which the file does not say.
+    """Return the islands of what no joint moves: mostly a base, of which the file does not say
+    whether it floats.
     """
-    resting = (body for body in bodies if not body.moves)
-    has_joints = any(body.moves for body in bodies)
-    return {id(part.link.island) for b in resting for part in b.parts} if has_joints else set()
+    return {id(part.link.island) for b in bodies if not b.moves for part in b.parts}
 
 
 def _placeholders(model: Model) -> Iterator[Finding]:

@@ -221,9 +221,11 @@ class XmlDocument(SyntaxDocument):
     Attributes:
         flaws: What keeps it from being in its format.
         connections: Its joints with the links that they connect.
+        has_moving_only: Whether all links in it move, though it tells no connections.
     """
 
     is_xml = True
+    has_moving_only = False
 
     def __init__(self, islands: Sequence[Island], versions: Facts | None = None) -> None:
         firsts = range(0, len(islands), _CHUNK)

@@ -67,7 +67,9 @@ def mjcf_document(text: str, former: SyntaxDocument | None = None) -> XmlDocumen
 
 def _of_elements(text: str, root: XmlElement, former: SyntaxDocument | None) -> XmlDocument:
     islands = MjcfIsland.made_of(_pieces(text, root), former)
-    return XmlDocument(islands, former.versions if former is not None else None)
+    document = XmlDocument(islands, former.versions if former is not None else None)
+    document.has_moving_only = True
+    return document
 
 
 def _pieces(text: str, root: XmlElement) -> Iterator[tuple[XmlPiece, str]]:
