@@ -9,6 +9,8 @@ from tests.vscode.browser import UNDRAWN, missing
 from tests.vscode.code_server import CodeServer
 from tests.vscode.extension_host import HOST, run_suite, write_interpreters
 
+from kindsl.judgement.rules.xml_elements import urdf_link
+
 BROWSER_ARGUMENTS = UNDRAWN
 
 
@@ -23,6 +25,14 @@ def folder(tmp_path: Path) -> Path:
 
 def test_features(browser: Browser, server: CodeServer, folder: Path) -> None:
     outcome = run_suite(browser, server, folder, HOST / "features.js")
+    assert outcome.code == 0, str(outcome)
+
+
+def test_waking(browser: Browser, server: CodeServer, tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text('<?xml version="1.0"?>\n<package/>\n')
+    inertia = 'ixx="0.01" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.09"'
+    (tmp_path / "arm.urdf").write_text('<?xml version="1.0"?>\n' + urdf_link(inertia))
+    outcome = run_suite(browser, server, tmp_path, HOST / "waking.js")
     assert outcome.code == 0, str(outcome)
 
 

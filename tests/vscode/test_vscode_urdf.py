@@ -2,7 +2,6 @@
 
 from playwright.sync_api import expect
 from tests.analysis.test_urdf_fixes import LEGS, spoilt
-from tests.vscode import models
 from tests.vscode.browser import UNDRAWN
 from tests.vscode.workbench import Workbench
 
@@ -11,8 +10,6 @@ MOMENT = 'iyy="0.0046023457"'
 
 
 def test_a_urdf_is_underlined_explained_and_fixed(workbench: Workbench) -> None:
-    # Here no folder wakes the extension by what is in it: VS Code searches with what is not there.
-    workbench.open("arm.kindsl", models.ARM)
     path = workbench.open("legs.urdf", spoilt(MOMENT, MOMENT.replace('"0', '"-0')))
     expect(workbench.squiggles("error")).to_have_count(1)
     expect(workbench.problems().filter(has_text="KD301")).to_contain_text("'left_thigh'")

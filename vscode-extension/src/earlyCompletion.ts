@@ -33,7 +33,7 @@ export class EarlyCompletion implements vscode.Disposable, vscode.CompletionItem
   /** Take questions until the client has a provider of its own, or there will be none. */
   async #standIn(): Promise<void> {
     this.#registered ??= vscode.languages.registerCompletionItemProvider({ language: LANGUAGE }, this);
-    await this.server.client();
+    await this.server.settled();
     this.#registered?.dispose();
     this.#registered = undefined;
   }

@@ -11,6 +11,7 @@ import type { Home } from "./home";
 import { onSelectionChange } from "./msPython";
 import { readPage } from "./pageScreen";
 import { registerPasting } from "./pasting";
+import { startWhenNeeded } from "./need";
 import { askForPreview, Previews } from "./preview";
 import { report, type Problem } from "./problems";
 import { Server } from "./server";
@@ -52,8 +53,7 @@ export function activate(context: vscode.ExtensionContext): Api {
     ...restartOnChange(own),
   );
   void followPythonExtension(context, own);
-  void own.restart();
-  context.subscriptions.push(new EarlyCompletion(own));
+  context.subscriptions.push(startWhenNeeded(own), new EarlyCompletion(own));
   openFirstPreview(context, previews);
   return api;
 }
@@ -71,16 +71,17 @@ function exported(own: Server, context: vscode.ExtensionContext): Api {
   });
   context.subscriptions.push(reporting);
   const settled = async () => {
-    await own.client();
+    await own.settled();
     return own.state;
   };
   return { settled, interpreter: () => own.interpreter?.command, isBuiltIn: () => own.isBuiltIn, problems };
 }
 
 function restartOnChange(own: Server): vscode.Disposable[] {
+  const restart = () => own.isWanted && void own.restart();
   return [
-    vscode.workspace.onDidChangeConfiguration((event) => needsRestart(event) && void own.restart()),
-    vscode.workspace.onDidGrantWorkspaceTrust(() => void own.restart()),
+    vscode.workspace.onDidChangeConfiguration((event) => needsRestart(event) && restart()),
+    vscode.workspace.onDidGrantWorkspaceTrust(restart),
   ];
 }
 
@@ -102,7 +103,7 @@ async function openInBrowser(ask: (origin?: string) => Promise<string>): Promise
 
 async function followPythonExtension(context: vscode.ExtensionContext, own: Server): Promise<void> {
   const subscription = await onSelectionChange(() => {
-    if (readSettings().interpreter.length === 0) void own.restart();
+    if (own.isWanted && readSettings().interpreter.length === 0) void own.restart();
   });
   if (subscription !== undefined) context.subscriptions.push(subscription);
 }

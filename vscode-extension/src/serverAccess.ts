@@ -20,8 +20,10 @@ export interface ServerAccess {
   /** Whether it runs in the Python that the extension brings along, on a machine that has none. */
   readonly isBuiltIn?: boolean;
   readonly onDidChange: vscode.Event<ServerState>;
-  /** The running client, once all that was asked before is done. */
+  /** The running client, once all that was asked before is done; a server is started for who asks first. */
   client(): Promise<BaseLanguageClient | undefined>;
+  /** All that was asked before is done. */
+  settled(): Promise<void>;
 }
 
 /** A server that serves no page: the extension passes on what the two say to each other. */

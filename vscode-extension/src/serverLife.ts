@@ -10,18 +10,34 @@ export abstract class ServerLife<Client extends BaseLanguageClient> implements S
   /** The client of the server that runs or starts. */
   protected current: Client | undefined;
   #state: ServerState = "stopped";
+  #isWanted = false;
   #queue: Promise<void> = Promise.resolve();
 
   get state(): ServerState {
     return this.#state;
   }
 
+  /** Whether a server was ever asked for: until then none is started again either. */
+  get isWanted(): boolean {
+    return this.#isWanted;
+  }
+
   async client(): Promise<Client | undefined> {
-    await this.#queue;
+    await this.start();
     return this.#state === "running" ? this.current : undefined;
   }
 
+  settled(): Promise<void> {
+    return this.#queue;
+  }
+
+  /** Start a server unless one was asked for before. */
+  start(): Promise<void> {
+    return this.#isWanted ? this.#queue : this.restart();
+  }
+
   restart(): Promise<void> {
+    this.#isWanted = true;
     return this.#enqueue(async () => {
       await this.end();
       await this.begin();

@@ -3,6 +3,7 @@ import * as vscode from "vscode";
 import { registerCommands } from "../commands";
 import { EarlyCompletion } from "../earlyCompletion";
 import { PageScreen, readPage } from "../pageScreen";
+import { startWhenNeeded } from "../need";
 import { registerPasting } from "../pasting";
 import { Previews } from "../preview";
 import { StatusItems } from "../status";
@@ -22,8 +23,7 @@ export function activate(context: vscode.ExtensionContext): void {
   const status = new StatusItems(own);
   context.subscriptions.push(log, own, previews, status, new KinematicTree(own));
   context.subscriptions.push(...registerCommands(own, previews, log), ...registerPasting(own));
-  void own.restart();
-  context.subscriptions.push(new EarlyCompletion(own));
+  context.subscriptions.push(startWhenNeeded(own), new EarlyCompletion(own));
 }
 
 export async function deactivate(): Promise<void> {
