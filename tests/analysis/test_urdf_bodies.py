@@ -5,6 +5,7 @@ import pytest
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.rules.registry import page_of, rule_named
 from kindsl.judgement.rules.subject import link_subject
+from kindsl.judgement.rules.xml_bodies import xml_bodies
 
 ROD = 'ixx="0.009" ixy="0" ixz="0" iyy="0.009" iyz="0" izz="0.0003"'
 ODD = 'ixx="0.021" ixy="{}0.004" ixz="0" iyy="0.031" iyz="0" izz="0.041"'
@@ -53,6 +54,19 @@ def arm(com: str) -> str:
 def test_a_rod_behind_its_joint() -> None:
     assert found(arm("0 0 0.15")) == [("KD304", '<link name="lower"/>')]
     assert found(arm("0 0 -0.15"))[0] == ("KD511", '<link name="upper"><inertial>')
+
+
+def test_a_quaternion_turns_as_angles_do() -> None:
+    turns = 'rpy="0.5 1.5707963267948966 0"', 'quat_xyzw="0.17494 0.68512 -0.17494 0.68512"'
+    by_angles, by_quaternion = (
+        xml_bodies(analyse(arm("0 0 0.15").replace('"/>', f'" {turn}/>')).model)[1]
+        for turn in turns
+    )
+    assert by_angles.mass is not None and by_quaternion.mass is not None
+    poses = by_angles.placement.numbers, by_quaternion.placement.numbers
+    assert poses[0][0] == pytest.approx(0.0, abs=1e-9)
+    assert poses[1] == pytest.approx(poses[0], abs=1e-4)
+    assert by_quaternion.mass.moments == pytest.approx(by_angles.mass.moments, abs=1e-5)
 
 
 def test_parts_fixed_together_are_judged_as_one_and_the_heaviest_is_to_blame() -> None:

@@ -7,6 +7,7 @@ from typing import Any, Self
 
 from kindsl.language.semantics.declarations import (
     Declarations,
+    FixedAxes,
     Frame,
     Inertia,
     Joint,
@@ -20,6 +21,7 @@ from kindsl.language.semantics.sections import JointFrame
 from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.language.syntax.tree import Node
 from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.mechanics.rigid.pose import Rotation, fixed_axis_angles
 from kindsl.robots.interchange.xml_document import EXACT_ZERO, XmlIsland, XmlPiece
 from kindsl.robots.interchange.xml_reading import XmlElement
 
@@ -91,6 +93,21 @@ class RobotIsland(XmlIsland):
     @abstractmethod
     def pose_in(self, parent: XmlElement) -> Pose:
         """Return the pose that an element gives, whatever that is relative to."""
+
+    def turned_pose(self, at: Any, position: list[Expression], rotation: Rotation) -> Pose:
+        """Return a pose whose turn is written otherwise than by angles, if it is written.
+
+        Args:
+            at: The element that says it.
+            position: The numbers that are written of its position, three unless they are wrong.
+            rotation: Its turn.
+        """
+        angles = fixed_axis_angles(rotation)
+        turns = self.constants(at, map(repr, angles)) if any(angles) else self.zeros(at, 3)
+        x, y, z = position if len(position) == 3 else self.zeros(at, 3)
+        rx, ry, rz = turns
+        node = self.block("vector", at)
+        return Pose(Vector(node, self, (x, y, z)), FixedAxes(node, self, (rx, ry, rz)))
 
     @property
     def full_name(self) -> str:

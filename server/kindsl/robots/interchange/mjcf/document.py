@@ -7,11 +7,11 @@ there of bodies at rest, and where a compiler's option replaces or turns what is
 from collections.abc import Iterator
 from typing import Any
 
-from kindsl.language.semantics.declarations import FixedAxes, Inertia, Pose, Vector
+from kindsl.language.semantics.declarations import Inertia, Pose
 from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.language.syntax.tree import Node
 from kindsl.language.syntax.vocabulary import MOMENTS
-from kindsl.mechanics.rigid.pose import fixed_axis_angles, rotation_from_quaternion
+from kindsl.mechanics.rigid.pose import IDENTITY, rotation_from_quaternion
 from kindsl.robots.interchange.robot_island import RobotIsland
 from kindsl.robots.interchange.xml_document import XmlDocument, XmlPiece, rest_of_line, xml_document
 from kindsl.robots.interchange.xml_reading import XmlElement, finite_number
@@ -44,15 +44,11 @@ class MjcfIsland(RobotIsland):
     def pose_in(self, parent: XmlElement) -> Pose:
         """Return the pose that an inertial has in its body."""
         pos, quat = (self.numbers(parent, name) for name in ("pos", "quat"))
-        x, y, z = pos if len(pos) == 3 else self.zeros(parent, 3)
         rotation = None
         if len(quat) == 4:
-            w, *axis = (each.literal or 0.0 for each in quat)
-            rotation = rotation_from_quaternion(axis[0], axis[1], axis[2], w)
-        turns = map(repr, fixed_axis_angles(rotation)) if rotation is not None else None
-        rx, ry, rz = self.zeros(parent, 3) if turns is None else self.constants(parent, turns)
-        block = self.block("vector", parent)
-        return Pose(Vector(block, self, (x, y, z)), FixedAxes(block, self, (rx, ry, rz)))
+            w, x, y, z = (each.literal or 0.0 for each in quat)
+            rotation = rotation_from_quaternion(x, y, z, w)
+        return self.turned_pose(parent, pos, rotation or IDENTITY.rotation)
 
 
 def mjcf_document(text: str, former: SyntaxDocument | None = None) -> XmlDocument:

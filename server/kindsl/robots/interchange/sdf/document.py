@@ -9,12 +9,12 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from kindsl.language.semantics.declarations import FixedAxes, Inertia, Joint, Pose, Vector
+from kindsl.language.semantics.declarations import Inertia, Joint, Pose
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.places import Place
 from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.language.syntax.vocabulary import MOMENTS
-from kindsl.mechanics.rigid.pose import IDENTITY, fixed_axis_angles
+from kindsl.mechanics.rigid.pose import IDENTITY
 from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.robot_island import RobotIsland
 from kindsl.robots.interchange.sdf.elements import SdfError, is_true, pose_of, text_of
@@ -77,11 +77,7 @@ class SdfIsland(RobotIsland):
             read = pose_of(parent)
         except FormatError:
             read, found = IDENTITY, []
-        turns = [repr(angle) for angle in fixed_axis_angles(read.rotation)]
-        x, y, z = found[:3] if len(found) >= 6 else self.zeros(at, 3)
-        a, b, c = self.constants(at, turns) if any(map(float, turns)) else self.zeros(at, 3)
-        node = self.block("vector", at)
-        return Pose(Vector(node, self, (x, y, z)), FixedAxes(node, self, (a, b, c)))
+        return self.turned_pose(at, found[:3] if len(found) >= 6 else [], read.rotation)
 
 
 def sdf_document(text: str, former: SyntaxDocument | None = None) -> XmlDocument:

@@ -15,7 +15,15 @@ from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.rigid.pose import IDENTITY
 from kindsl.robots.interchange.robot_island import RobotIsland
-from kindsl.robots.interchange.urdf.checking import WORLD, UrdfDefect, defects, end_of, root_links
+from kindsl.robots.interchange.urdf.checking import (
+    WORLD,
+    UrdfDefect,
+    UrdfError,
+    defects,
+    end_of,
+    root_links,
+    rotation_of,
+)
 from kindsl.robots.interchange.xml_document import (
     Connection,
     Flaw,
@@ -69,8 +77,14 @@ class UrdfIsland(RobotIsland):
         return Connection(joints[0], *ends, kind == "fixed", axis, pose or IDENTITY)
 
     def pose_in(self, parent: XmlElement) -> Pose:
-        """Return the pose in an element's `<origin>`; no turn where it is a quaternion."""
+        """Return the pose in an element's `<origin>`, not turned where a quaternion is none."""
         origin: Any = parent.find("origin")
+        if origin is not None and origin.get("quat_xyzw") is not None:
+            try:
+                turn = rotation_of(origin)
+            except UrdfError:
+                turn = IDENTITY.rotation
+            return self.turned_pose(origin, self.numbers(origin, "xyz"), turn)
         vectors = []
         for name, made in _ORIGIN.items():
             at = parent if origin is None else origin
