@@ -207,6 +207,49 @@ def test_numbers_of_an_inertia_are_those_of_the_twins(old: str, new: str, messag
     assert apply_edits(text, findings[0].fix.edits) == legs_with()
 
 
+def with_mirrored_hips(product: str) -> str:
+    """Return legs of which hips are mirrored at both planes, thighs and shanks at one."""
+    hip = HIP.replace("Iyz=0.0", f"Iyz=%s{product}")
+    hips = {
+        leg: hip.replace("0.02, 0.01", f"0.02, {y}0.01").replace("0.05)", f"{z}0.05)") % product
+        for leg, y, z, product in (
+            ("LF", "", "-", "-"), ("RF", "-", "-", ""), ("LH", "", "", ""), ("RH", "-", "", "-")
+        )
+    }  # fmt: skip
+    text = legs_with(**hips)
+    for name in (f"{leg}_{part}" for leg in hips for part in ("thigh", "shank")):
+        at = text.index("inertia_params", text.index(f"link {name}"))
+        com = f"0.02, 0.03, {'' if name[0] == 'L' else '-'}0.02"
+        text = text[:at] + section(2.0, com, 0.01, 0.011, 0.012) + text[text.index("}", at) + 1 :]
+    return text
+
+
+def other_sign(text: str, leg: str) -> str:
+    """Return legs with the other sign of the last coordinate of a hip's CoM."""
+    at = text.index("0.05)", text.index(f"link {leg}_hip"))
+    is_negative = text[at - 1] == "-"
+    return f"{text[: at - is_negative]}{'' if is_negative else '-'}{text[at:]}"
+
+
+@pytest.mark.parametrize("leg", ["LF", "RF", "LH", "RH"])
+def test_hips_may_be_mirrored_where_the_rest_is_copied(leg: str) -> None:
+    text = with_mirrored_hips("0.002")
+    assert told("KD509", text) == []
+    (finding,) = found("KD509", other_sign(text, leg))
+    assert finding.message.startswith(f"CoM of '{leg}_hip' is ")
+    assert finding.fix is not None
+    assert apply_edits(other_sign(text, leg), finding.fix.edits) == text
+
+
+@pytest.mark.parametrize("leg", ["LF", "RF", "LH", "RH"])
+def test_of_two_hips_that_may_both_be_wrong_none_is_to_be_mended(leg: str) -> None:
+    """Without products nothing tells whether hips are mirrored or copied."""
+    (finding,) = found("KD509", other_sign(with_mirrored_hips("0.0"), leg))
+    assert f"CoM of '{leg}_hip'" in finding.message
+    assert " or " in finding.message
+    assert finding.fix is None
+
+
 COPIED = (
     "inertia of 'RH_hip' differs from its twins: its moments are those of 'LF_shank', "
     "which is another part"

@@ -6,12 +6,15 @@ agree, each mass, CoM and moments that one limb only has so is convicted.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain
 from math import inf
+from operator import sub
 from typing import NamedTuple
 
-from kindsl.mechanics.rigid.pose import IDENTITY, Rotation, pose_from, transposed
+from kindsl.mechanics.rigid.pose import IDENTITY, Rotation, pose_from, product, transposed, turned
 from kindsl.robots.limbs.comparison import LimbComparison
 from kindsl.robots.limbs.limb import Limbs, Side, held_by, matched
+from kindsl.robots.limbs.mounts import REFLECTIONS
 from kindsl.robots.limbs.slips import n_retyped
 from kindsl.robots.limbs.weighing import Accusation, Masses, Suspect, WeighedComparison, seen_by
 
@@ -203,24 +206,65 @@ def _is_base_at_one(limbs: LimbComparison, said: Accusation) -> bool:
 def _odd_masses(pairs: _Weighed) -> Iterator[LimbVerdict]:
     """Yield each mass, CoM and moments that only one limb has so, where all joints agree.
 
-    Twins may be mirrored as the limbs are, or all have the same numbers; all limbs in one way,
-    that in which they agree most: two ways would accuse two limbs.
+    All limbs are read in one way, that in which they agree most: two ways would accuse two limbs.
     """
     mirrored = {pair: c.best[1].conventions for pair, c in pairs.items()}
     odd = {index for pair, c in pairs.items() for index, _ in c.differing(mirrored[pair])}
     if len(pairs) == 1 and odd:
         yield from _odd_com(pairs, mirrored)
     for index in sorted(odd):
-        ways: list[_Way] = [{pair: each[index] for pair, each in mirrored.items()}]
-        ways.append(dict.fromkeys(pairs, IDENTITY.rotation))
-        found = [(_differing(pairs, index, way), way) for way in ways]
-        differing, way = min(found, key=lambda each: sum(map(len, each[0].values())))
-        for label in dict.fromkeys(label for pair in pairs for label in pair):
-            mine = [words for pair, words in differing.items() if label in pair]
-            others = [words for pair, words in differing.items() if label not in pair]
-            words = set.intersection(*mine).difference(*others)
-            if words and len(mine) > 1 and others:
-                yield _odd_mass(label, index, sorted(words), pairs, way)
+        given = {pair: each[index] for pair, each in mirrored.items()}
+        found = [(_differing(pairs, index, way), way) for way in _ways(pairs, given, index)]
+        n_fewest = min(_n_words(differing) for differing, _ in found)
+        likeliest: dict[tuple[Side, ...], list[LimbVerdict]] = {}
+        for differing, way in found:
+            if _n_words(differing) == n_fewest:
+                accused = dict(_accused(differing))
+                said = [_odd_mass(side, index, accused[side], pairs, way) for side in accused]
+                likeliest.setdefault(tuple(accused), said)
+        yield from _chosen([said for said in likeliest.values() if said])
+
+
+def _chosen(likeliest: Sequence[Sequence[LimbVerdict]]) -> Iterator[LimbVerdict]:
+    """Yield what is said if it is said in one way; else one verdict on all, without repairs."""
+    if len(likeliest) == 1:
+        yield from likeliest[0]
+    elif likeliest:
+        every = list(chain.from_iterable(likeliest))
+        places = dict.fromkeys(place for verdict in every for place in verdict.places)
+        suspects = {place.link for place in places}
+        twins = dict.fromkeys(t for v in every for t in v.twins if t not in suspects)
+        yield LimbVerdict(tuple(places), (), tuple(twins), True)
+
+
+def _accused(differing: Mapping[_Pair, set[str]]) -> Iterator[tuple[Side, list[str]]]:
+    """Yield each limb that differs from all others, which agree, and in what."""
+    for label in dict.fromkeys(label for pair in differing for label in pair):
+        mine = [words for pair, words in differing.items() if label in pair]
+        others = [words for pair, words in differing.items() if label not in pair]
+        words = set.intersection(*mine).difference(*others)
+        if words and len(mine) > 1 and others:
+            yield label, sorted(words)
+
+
+def _n_words(differing: Mapping[_Pair, set[str]]) -> int:
+    return sum(map(len, differing.values()))
+
+
+def _ways(pairs: _Weighed, mirrored: _Way, index: int) -> Iterator[_Way]:
+    """Yield how twins may lie: as the limbs do, all alike, or mirrored in one row.
+
+    Hips often are where the rest is copied; what they carry stays where it is.
+    """
+    yield mirrored
+    yield dict.fromkeys(pairs, IDENTITY.rotation)
+    rows = {pair: C for pair, C in mirrored.items() if pairs[pair].limbs.how == "ROW"}
+    places = [r.one.translation for p in rows for r in pairs[p].limbs.rows if r.up == index]
+    for signs in REFLECTIONS[1:] if rows else ():
+        if all(
+            abs(x) < _SAME_PLACE for place in places for x in map(sub, turned(signs, place), place)
+        ):
+            yield {**mirrored, **{pair: product(signs, C) for pair, C in rows.items()}}
 
 
 def _differing(pairs: _Weighed, index: int, way: _Way) -> dict[_Pair, set[str]]:
