@@ -98,3 +98,34 @@ def test_a_finger_is_compared_however_it_is_mounted() -> None:
     assert "by its twins (0.054, 0.0, 0.0)" in finding.message
     assert finding.fix is not None
     assert apply_edits(spoilt, finding.fix.edits) == text
+
+
+def star() -> str:
+    """Return three numbered limbs whose first joints are at one place, each turned from another."""
+    inertia = (
+        "inertia_params { mass = 0.5 CoM = (0.08, 0.0, 0.01)"
+        " Ix = 0.0008 Iy = 0.0041 Iz = 0.0041 Ixy = 0.0 Ixz = 0.0004 Iyz = 0.0 }"
+    )
+    links, joints, heads = "", "", ""
+    for n, angle in enumerate((0.0, 2.094395, -2.094395)):
+        heads += f"upper_{n} via shoulder_{n} "
+        links += f"link upper_{n} {{ id = {2 * n + 1} children {{ lower_{n} via elbow_{n} }} }}\n"
+        links += f"link lower_{n} {{ id = {2 * n + 2} {inertia} children {{ }} }}\n"
+        for joint, place in (
+            (f"shoulder_{n}", f"(0.0, 0.0, 0.29) rotation = (0.0, PI/2.0, {angle})"),
+            (f"elbow_{n}", "(0.014, 0.02, 0.16) rotation = (0.0, 0.0, PI/2.0)"),
+        ):
+            joints += f"r_joint {joint} {{ ref_frame {{ translation = {place} }} }}\n"
+    return f"Robot star {{\nRobotBase base {{ children {{ {heads}}} }}\n{links}{joints}}}\n"
+
+
+@pytest.mark.parametrize("number", range(3))
+def test_limbs_may_begin_at_one_place(number: int) -> None:
+    text = star()
+    assert told(analyse(text)) == []
+    at = text.index("mass = 0.5", text.index(f"link lower_{number}"))
+    spoilt = f"{text[:at]}mass = 0.4{text[at + 10 :]}"
+    (finding,) = told(analyse(spoilt))
+    assert finding.message == f"mass of 'lower_{number}' is 0.4, by its twins 0.5"
+    assert finding.fix is not None
+    assert apply_edits(spoilt, finding.fix.edits) == text

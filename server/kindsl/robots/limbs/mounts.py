@@ -83,6 +83,8 @@ def mounts(how: str, one: Body, other: Body) -> Iterator[Mount]:
             turn = product(product(other.rotation, transposed(C)), transposed(one.rotation))
             yield Mount(turn, there, 0.0)
         return
+    if how == "TURN" and here == there:
+        yield Mount(product(other.rotation, transposed(one.rotation)), there, 0.0)
     apart = [abs(x - y) > _APART for x, y in zip(here, there, strict=True)]
     for axis, mirror in enumerate(_MIRRORS):
         j, k = (axis + 1) % 3, (axis + 2) % 3
