@@ -5,7 +5,14 @@ from collections.abc import Mapping
 from functools import lru_cache
 from typing import NamedTuple
 
-_WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
+# What a letter of a side is written before without a break: `lfoot`, `Rarm`.
+_OF_BODY = (
+    "ankle|arm|clavicle|elbow|eye|femur|finger|foot|forearm|hand|hip|humerus|knee|leg|radius|shin"
+    "|shoulder|thigh|thumb|tibia|toe|wheel|wrist"
+)
+_WORD = re.compile(
+    rf"(?<![A-Za-z])[lrLR](?=(?:{_OF_BODY})s?(?![a-z]))|[A-Z]+(?![a-z])|[A-Z]?[a-z]+"
+)
 _TOKEN = re.compile(rf"{_WORD.pattern}|\d+")
 _SIDES = {
     "l": "r", "lf": "rf", "lh": "rh", "lr": "rr", "lb": "rb", "lm": "rm",
