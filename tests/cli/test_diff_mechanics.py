@@ -10,7 +10,7 @@ from tests.cli.conftest import Runner
 from tests.comparison.trials import ARM, described_text, random_document
 from tests.comparison.variants import urdf_of, variant
 
-from kindsl.robots.interchange.registry import format_of_suffix
+from kindsl.robots.interchange.urdf.numbers import numbers_of_urdf
 
 
 @pytest.fixture
@@ -485,10 +485,7 @@ def test_what_cannot_be_read_is_said_in_a_sentence(
 
 
 def test_a_format_that_finds_numbers_has_places_for_them() -> None:
-    urdf = format_of_suffix(".urdf")
-    assert urdf is not None
-    assert urdf.find_numbers is not None
-    found = urdf.find_numbers("<robot name='ä'><link name='b'><inertial><mass value='1.50'/>"
+    found = numbers_of_urdf("<robot name='ä'><link name='b'><inertial><mass value='1.50'/>"
                               "</inertial></link></robot>").found  # fmt: skip
     number = found["link", "b", "mass"]
     assert (number.text, number.value, number.half) == ("1.50", 1.5, 0.005)

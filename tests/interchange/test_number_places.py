@@ -1,5 +1,6 @@
-"""Numbers of other formats whose places cannot be told: read, without a place."""
+"""Places of numbers in other formats, and numbers that have none."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -8,20 +9,29 @@ from tests.interchange.round_trips import read
 from kindsl.robots.comparison.written import TextPlace
 from kindsl.robots.interchange.descriptions import read_description
 from kindsl.robots.interchange.format import AS_WRITTEN
-from kindsl.robots.interchange.registry import format_named, format_of_suffix
+from kindsl.robots.interchange.mjcf.numbers import numbers_of_mjcf
+from kindsl.robots.interchange.registry import format_named
+from kindsl.robots.interchange.sdf.numbers import numbers_of_sdf
+from kindsl.robots.interchange.urdf.numbers import numbers_of_urdf
+from kindsl.robots.interchange.written_numbers import FileNumbers
 
 DOCUMENTS = Path(__file__).parent / "documents"
+FIND = {".urdf": numbers_of_urdf, ".sdf": numbers_of_sdf, ".xml": numbers_of_mjcf}
 
 
 @pytest.mark.parametrize("name", ["floating.urdf", "floating.sdf"])
-def test_in_another_encoding_nothing_has_a_place(name: str, tmp_path: Path) -> None:
+def test_in_another_encoding_places_are_those_of_the_text(name: str, tmp_path: Path) -> None:
     text = (DOCUMENTS / name).read_text("utf-8")
-    path = tmp_path / name
-    path.write_bytes(f'<?xml version="1.0" encoding="utf-16"?>\n{text}'.encode("utf-16"))
-    found, plain = (read_description(each, name, None).robot for each in (path, DOCUMENTS / name))
-    assert found.skeleton == plain.skeleton
-    numbers = [number for parts in found.inertias for part in parts for number in part.numbers]
-    assert set(numbers) == {None}
+    robots = []
+    for encoding in ("utf-8", "utf-16"):
+        path = tmp_path / encoding / name
+        path.parent.mkdir()
+        path.write_bytes(f'<?xml version="1.0" encoding="{encoding}"?>\n{text}'.encode(encoding))
+        robots.append(read_description(path, name, None).robot)
+    one, other = ([n for parts in r.inertias for p in parts for n in p.numbers] for r in robots)
+    assert robots[0].skeleton == robots[1].skeleton
+    assert [n and (n.text, n.at.line) for n in other] == [n and (n.text, n.at.line) for n in one]
+    assert any(one)
 
 
 def test_what_mujoco_alone_can_read_has_no_places(tmp_path: Path) -> None:
@@ -36,8 +46,7 @@ def test_what_mujoco_alone_can_read_has_no_places(tmp_path: Path) -> None:
 def test_a_number_that_a_document_type_gives_has_no_place() -> None:
     text = (DOCUMENTS / "legged.urdf").read_text("utf-8").replace(' value="3"', "")
     text = f'<!DOCTYPE robot [<!ATTLIST mass value CDATA "3">]>\n{text}'
-    urdf = format_named("urdf")
-    found = urdf.find_numbers(text).found
+    found = numbers_of_urdf(text).found
     assert ("link", "trunk", "mass") not in found
     assert found["link", "trunk", "Ix"].value == 0.3
 
@@ -45,20 +54,20 @@ def test_a_number_that_a_document_type_gives_has_no_place() -> None:
 @pytest.mark.parametrize("name", ["fixed.urdf", "nested.sdf", "fixed.xml"])
 def test_a_number_that_is_none_has_no_value(name: str) -> None:
     text = (DOCUMENTS / name).read_text("utf-8").replace("1.25", "1.25kg")
-    found = format_of_suffix(Path(name).suffix).find_numbers(text).found["link", "upper", "mass"]
+    found = FIND[Path(name).suffix](text).found["link", "upper", "mass"]
     assert (found.text, found.value != found.value, found.half) == ("1.25kg", True, 0.0)
     assert isinstance(found.at, TextPlace)
     assert text[found.at.start : found.at.end] == "1.25kg"
 
 
-@pytest.mark.parametrize("format", ["urdf", "sdf", "mjcf"])
+@pytest.mark.parametrize("find", FIND.values())
 @pytest.mark.parametrize("text", ["", "no xml", "<r/>", "<sdf><model/></sdf>"])
-def test_what_is_no_robot_has_no_numbers(format: str, text: str) -> None:
-    assert format_named(format).find_numbers(text) == ({}, {})
+def test_what_is_no_robot_has_no_numbers(find: Callable[[str], FileNumbers], text: str) -> None:
+    assert find(text) == ({}, {})
 
 
 def test_bytes_are_read_as_the_text_that_they_are(tmp_path: Path) -> None:
     text = (DOCUMENTS / "fixed.urdf").read_text("utf-8")
     urdf = format_named("urdf")
-    assert urdf.find_numbers(text) == urdf.find_numbers(text.encode())
+    assert numbers_of_urdf(text) == numbers_of_urdf(text.encode())
     assert read(text, urdf, tmp_path).robot == urdf.parse(text, "robot", AS_WRITTEN).robot

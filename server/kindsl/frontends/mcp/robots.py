@@ -8,7 +8,6 @@ from pathlib import Path
 from kindsl.frontends.mcp.documents import BoundArguments, built, document
 from kindsl.frontends.mcp.folder import Folder, ToolError
 from kindsl.judgement.analysis.compared_document import compared_document
-from kindsl.language.text.encodings import encoded
 from kindsl.robots.comparison.side import ComparedSide
 from kindsl.robots.interchange.descriptions import ReadDescription, read_description, read_robot
 from kindsl.robots.interchange.format import FormatError
@@ -63,4 +62,4 @@ def _read(given: str, folder: Folder, floating: bool | None) -> ReadDescription:
             raise ToolError(f"'{given}' names other files, which this server does not read")
         return read_description(folder.path(given), given, floating)
     read = partial(format.parse, text, Path(given).stem)
-    return read_robot(format, read, encoded(text), given, floating)
+    return read_robot(read, given, floating)

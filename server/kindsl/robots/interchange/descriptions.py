@@ -58,7 +58,7 @@ def read_description(path: Path, label: str, floating: bool | None) -> ReadDescr
     format = _format(path)
     assert format.read is not None, "every format is read"
     require_regular(str(path))
-    return read_robot(format, partial(format.read, path), path.read_bytes(), label, floating)
+    return read_robot(partial(format.read, path), label, floating)
 
 
 def read_foreign(
@@ -89,18 +89,14 @@ def read_foreign(
 
 
 def read_robot(
-    format: Format,
     read: Callable[[ReadingChoices], ReadRobot],
-    content: bytes,
     label: str,
     floating: bool | None,
 ) -> ReadDescription:
     """Return the robot of a file's content, its base as the file says, else as others do.
 
     Args:
-        format: The file's format.
         read: Reads it.
-        content: What numbers and their places are looked for in.
         label: Its name in messages.
         floating: Whether the root floats where the file leaves that open; None if nobody says.
 
@@ -111,7 +107,7 @@ def read_robot(
     asked = None if found.tells_base else floating
     if asked:
         found = read(ReadingChoices(floating=True))
-    numbers = format.find_numbers(content) if format.find_numbers else NO_NUMBERS
+    numbers = found.find_numbers() if found.find_numbers else NO_NUMBERS
     robot = described_robot(label, found.robot, numbers)
     robot = replace(robot, properties=found.joints)
     notes = []

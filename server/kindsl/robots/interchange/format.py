@@ -30,6 +30,7 @@ class ReadRobot(NamedTuple):
         tells_base: Whether the file says that the root floats, or that it is fixed.
         comments: Lines of text on the robot (without a name), on links and joints, by `"robot"`,
             `"link"` or `"joint"` and the name.
+        find_numbers: Finds the numbers in its text, for comparing; None where that is not known.
     """
 
     robot: "Linkage"
@@ -37,6 +38,7 @@ class ReadRobot(NamedTuple):
     joints: "Joints" = MappingProxyType({})
     tells_base: bool = False
     comments: Mapping[tuple[str, str], tuple[str, ...]] = MappingProxyType({})
+    find_numbers: "Callable[[], FileNumbers] | None" = None
 
 
 class WrittenRobot(NamedTuple):
@@ -167,8 +169,6 @@ class Format(NamedTuple):
             what is not installed.
         parse: The same of a text, which names no other files, and what to call a robot without a
             name. None where it takes more than the text.
-        find_numbers: Finds the numbers in a file's content, for comparing; None where that is not
-            known.
         write: Takes the robot's name, its skeleton and choices. Raises FormatError and
             ModuleNotFoundError.
     """
@@ -180,4 +180,3 @@ class Format(NamedTuple):
     read: Reader | None = None
     parse: Parser | None = None
     write: Writer | None = None
-    find_numbers: "Callable[[bytes | str], FileNumbers] | None" = None

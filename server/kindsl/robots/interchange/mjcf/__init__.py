@@ -15,7 +15,6 @@ from kindsl.robots.interchange.format import (
 )
 
 if TYPE_CHECKING:
-    from kindsl.robots.interchange.written_numbers import FileNumbers
     from kindsl.robots.mechanism.linkage import Linkage
 
 
@@ -31,12 +30,4 @@ def _write(name: str, skeleton: "Linkage", choices: WritingChoices) -> WrittenRo
     return written_mjcf(name, skeleton, choices)
 
 
-def _find_numbers(content: bytes | str) -> "FileNumbers":
-    from kindsl.robots.interchange.mjcf.numbers import numbers_of_mjcf
-
-    return numbers_of_mjcf(content)
-
-
-FORMAT = Format(
-    "mjcf", "MJCF", (".xml", ".mjcf"), "mjcf", _read, write=_write, find_numbers=_find_numbers
-)
+FORMAT = Format("mjcf", "MJCF", (".xml", ".mjcf"), "mjcf", _read, write=_write)

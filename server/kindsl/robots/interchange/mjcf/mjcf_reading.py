@@ -20,6 +20,7 @@ from kindsl.robots.interchange.mjcf.losses import (
     physics_losses,
     strip,
 )
+from kindsl.robots.interchange.mjcf.numbers import numbers_of_mjcf
 from kindsl.robots.interchange.rigid_links import (
     BaseKind,
     RigidLink,
@@ -49,7 +50,8 @@ def read_mjcf(path: Path, *, floating: bool) -> ReadRobot:
         ModuleNotFoundError: mujoco is not installed.
     """
     try:
-        return _read(spec_of_file(path), path.stem, floating)
+        read = _read(spec_of_file(path), path.stem, floating)
+        return read._replace(find_numbers=lambda: numbers_of_mjcf(path.read_bytes()))
     except UnicodeDecodeError as error:
         raise FormatError("not a readable MJCF: a name in it is not UTF-8") from error
 

@@ -15,7 +15,6 @@ from kindsl.robots.interchange.format import (
 )
 
 if TYPE_CHECKING:
-    from kindsl.robots.interchange.written_numbers import FileNumbers
     from kindsl.robots.mechanism.linkage import Linkage
 
 
@@ -40,10 +39,4 @@ def _write(name: str, skeleton: "Linkage", choices: WritingChoices) -> WrittenRo
     return written_sdf(name, skeleton, choices)
 
 
-def _find_numbers(content: bytes | str) -> "FileNumbers":
-    from kindsl.robots.interchange.sdf.numbers import numbers_of_sdf
-
-    return numbers_of_sdf(content)
-
-
-FORMAT = Format("sdf", "SDF", (".sdf",), "", _read, _parse, _write, find_numbers=_find_numbers)
+FORMAT = Format("sdf", "SDF", (".sdf",), "", _read, _parse, _write)

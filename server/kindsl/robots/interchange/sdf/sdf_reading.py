@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -33,6 +34,7 @@ from kindsl.robots.interchange.sdf.including import include, not_found
 from kindsl.robots.interchange.sdf.joint_properties import joint_properties
 from kindsl.robots.interchange.sdf.losses import losses, world_losses
 from kindsl.robots.interchange.sdf.nesting import flatten
+from kindsl.robots.interchange.sdf.numbers import numbers_of_sdf
 from kindsl.robots.interchange.xml_terms import JOINT_KINDS, TENSOR
 
 _Z = (0.0, 0.0, 1.0)
@@ -75,7 +77,8 @@ def robot_of_sdf(
         *fixed_remarks(links, "link", robot),
     )
     own = ((name_of(joint), joint_properties(joint)) for joint in model.iterfind("joint"))
-    return ReadRobot(robot, told, told_joints(own), tells_base=is_fixed)
+    numbers = partial(numbers_of_sdf, text)
+    return ReadRobot(robot, told, told_joints(own), is_fixed, find_numbers=numbers)
 
 
 def _only_model(root: Any, searched: Sequence[Path]) -> tuple[Any, tuple[str, ...]]:

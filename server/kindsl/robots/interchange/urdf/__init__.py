@@ -15,7 +15,6 @@ from kindsl.robots.interchange.format import (
 )
 
 if TYPE_CHECKING:
-    from kindsl.robots.interchange.written_numbers import FileNumbers
     from kindsl.robots.mechanism.linkage import Linkage
 
 
@@ -31,10 +30,4 @@ def _write(name: str, skeleton: "Linkage", choices: WritingChoices) -> WrittenRo
     return written_urdf(name, skeleton, choices)
 
 
-def _find_numbers(content: bytes | str) -> "FileNumbers":
-    from kindsl.robots.interchange.urdf.numbers import numbers_of_urdf
-
-    return numbers_of_urdf(content)
-
-
-FORMAT = Format("urdf", "URDF", (".urdf",), "", file_reader(_parse), _parse, _write, _find_numbers)
+FORMAT = Format("urdf", "URDF", (".urdf",), "", file_reader(_parse), _parse, _write)

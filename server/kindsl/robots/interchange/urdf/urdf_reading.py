@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -35,6 +36,7 @@ from kindsl.robots.interchange.urdf.checking import (
     rotation_of,
 )
 from kindsl.robots.interchange.urdf.commenting import comments_of
+from kindsl.robots.interchange.urdf.numbers import numbers_of_urdf
 from kindsl.robots.interchange.xml_terms import JOINT_KINDS, TENSOR
 from kindsl.robots.mechanism.linkage import Linkage
 
@@ -90,7 +92,8 @@ def robot_of_urdf(text: bytes | str, name: str, *, floating: bool = False) -> Re
     remarks = (*_remarks(remarkable), *roots, *legs, *fixed_remarks(links, "link", read))
     moving = (joint for joint in joints if joint.get("type") not in ("fixed", "floating"))
     told = told_joints((str(joint.get("name")), _properties(joint)) for joint in moving)
-    return ReadRobot(read, remarks, told, tells_base, dict(comments_of(robot)))
+    numbers = partial(numbers_of_urdf, text)
+    return ReadRobot(read, remarks, told, tells_base, dict(comments_of(robot)), numbers)
 
 
 def _legged_remarks(robot: Linkage) -> Iterator[str]:
