@@ -71,3 +71,16 @@ def test_bytes_are_read_as_the_text_that_they_are(tmp_path: Path) -> None:
     urdf = format_named("urdf")
     assert numbers_of_urdf(text) == numbers_of_urdf(text.encode())
     assert read(text, urdf, tmp_path).robot == urdf.parse(text, "robot", AS_WRITTEN).robot
+
+
+def test_lines_of_windows_and_comments_move_no_place() -> None:
+    text = (DOCUMENTS / "nested.sdf").read_text("utf-8").replace("1.25<", "1.25\n<!-- 2 --><")
+    plain = numbers_of_sdf(text.replace("<!-- 2 -->", "")).found
+    assert plain["link", "upper", "mass"].text == "1.25"
+    assert ("link", "upper", "mass") not in numbers_of_sdf(text).found
+    windows = text.replace("<!-- 2 -->", "").replace(">", ">\r\n").replace("\n", "\r\n")
+    found = numbers_of_sdf(windows).found
+    assert found.keys() == plain.keys()
+    for number in found.values():
+        assert isinstance(number.at, TextPlace)
+        assert windows[number.at.start : number.at.end].split() == number.text.split()

@@ -9,11 +9,10 @@ from kindsl.language.text.encodings import decoded
 from kindsl.language.text.lines import LineIndex
 from kindsl.mechanics.rigid.pose import Rotation
 from kindsl.robots.comparison.written import TextPlace, WrittenNumber
+from kindsl.robots.interchange.xml_document import XmlIsland
 from kindsl.robots.interchange.xml_reading import DECIMAL, XmlError, parsed_xml
 
 _WORD = re.compile(r"\S+")
-_ATTRIBUTE = r"""[\s"']{name}\s*=\s*(?:"([^"]*)"|'([^']*)')"""
-_TAG = re.compile(r"""<(?:[^"'>]|"[^"]*"|'[^']*')*>""")
 
 
 class FileNumbers(NamedTuple):
@@ -39,36 +38,29 @@ class XmlNumbers:
     """
 
     def __init__(self, content: bytes | str) -> None:
-        self._text = content if isinstance(content, str) else decoded(content)
-        self._lines = LineIndex(self._text)
+        text = content if isinstance(content, str) else decoded(content)
+        self._whole, self._lines = XmlIsland(text, None), LineIndex(text)
         try:
-            self.root: Any = parsed_xml(self._text)
+            self.root: Any = parsed_xml(text)
         except XmlError:
             self.root = None
 
     def of_attribute(self, element: Any, name: str) -> list[WrittenNumber]:
         """Return the numbers in an attribute, none where there is no element or attribute."""
-        if element is None or element.get(name) is None:
-            return []
-        tag = _TAG.match(self._text, element.offset)
-        match = tag and re.search(_ATTRIBUTE.format(name=re.escape(name)), tag[0])
-        if not match:
-            return []
-        group = 1 if match[1] is not None else 2
-        return self._numbers(match[group], element.offset + match.start(group))
+        span = None if element is None else self._whole.attribute(element, name)
+        return self._numbers(*span) if span else []
 
     def of_text(self, element: Any) -> list[WrittenNumber]:
-        """Return the numbers that an element holds, none where there is no element or text."""
-        tag = None if element is None else _TAG.match(self._text, element.offset)
-        return self._numbers(element.text, tag.end()) if tag and element.text else []
+        """Return the numbers that an element holds, none without it, or beside a comment."""
+        if element is None or not element.text:
+            return []
+        found = self._numbers(self._whole.tag(element)[1], element.end)
+        return found if [number.text for number in found] == element.text.split() else []
 
-    def _numbers(self, text: str, offset: int) -> list[WrittenNumber]:
-        return [self._number(word, offset) for word in _WORD.finditer(text)]
-
-    def _number(self, word: re.Match[str], offset: int) -> WrittenNumber:
-        start = offset + word.start()
-        place = TextPlace(self._lines.position(start)[0] + 1, start, offset + word.end())
-        return written_number(word[0], place)
+    def _numbers(self, start: int, end: int) -> list[WrittenNumber]:
+        text, line = self._whole.text, self._lines.position
+        spans = (word.span() for word in _WORD.finditer(text, start, end))
+        return [written_number(text[a:b], TextPlace(line(a)[0] + 1, a, b)) for a, b in spans]
 
 
 def implied(
