@@ -134,6 +134,42 @@ def test_a_slip_in_many_numbers_is_told() -> None:
         assert finding.probability > 0.9
 
 
+def nearly(numbers: tuple[str, ...]) -> tuple[str, ...]:
+    """Return numbers as of the same part in another drawing: each by up to 0.3 % greater."""
+    return tuple(f"{float(x) * (1.0 + 0.0005 * (i % 7)):.9f}" for i, x in enumerate(numbers))
+
+
+def test_parts_that_are_nearly_images_are_compared_too() -> None:
+    alike = pair(nearly(shifted_by(0.0, 1.0)), shifted_by(0.0, -1.0))
+    assert told("KD312", alike) == []
+    (finding,) = found("KD312", pair(nearly(shifted_by(0.0, 1.0)), shifted_by(1.0, -1.0)))
+    assert "shifted to the frame origin once, not twice" in finding.message
+    assert finding.probability > 0.9
+
+
+BALL = ("2.0", "0.1", "0.2", "0.3", "0.28", "0.22", "0.12", "0.04", "0.06", "0.12")
+RIGHT_BALL = changed(BALL, {2: "-0.2", 7: "-0.04", 9: "-0.12"})
+
+
+@pytest.mark.parametrize(
+    ("code", "place", "typed", "meant"),
+    [
+        ("KD308", 4, "0.8", "Ix were 0.28"),
+        ("KD308", 4, "0.028", "Ix were multiplied by 10"),
+        ("KD308", 8, "0.16", "Ixz were 0.06"),
+        ("KD314", 0, "3.0", "the mass were 2"),
+    ],
+)
+def test_one_number_that_makes_a_body_impossible_is_that_of_the_twin(
+    code: str, place: int, typed: str, meant: str
+) -> None:
+    text = pair(BALL, changed(RIGHT_BALL, {place: typed}))
+    (finding,) = found(code, text)
+    assert f"would be consistent if {meant} (" in finding.message
+    assert finding.fix is not None
+    assert apply_edits(text, finding.fix.edits) == pair(BALL, RIGHT_BALL)
+
+
 @pytest.mark.parametrize(
     ("place", "sign"), [(1, "the x of the CoM"), (2, "the y of the CoM"), (7, "Ixy"), (9, "Iyz")]
 )

@@ -18,7 +18,7 @@ _FEWEST_DIGITS = 7
 # Numbers are copied with their digits rounded, too.
 _ROUNDED, _NEXT = 5e-5, 1e-3
 _MOST_PARTS = 8
-_SAME = 0.02
+SAME = 0.02
 
 
 def namesakes(model: Model, link: Link) -> list[Link]:
@@ -98,7 +98,7 @@ def telling_numbers(body: Link) -> list[TellingNumbers]:
     return found
 
 
-def is_mirror_image(one: MassDistribution, other: MassDistribution, within: float = _SAME) -> bool:
+def is_mirror_image(one: MassDistribution, other: MassDistribution, within: float = SAME) -> bool:
     """Return whether flipping axis signs, or none, maps one body onto the other."""
     return all(_agreeing(one, other, within)) and any(
         is_same_body(image, other, within) for image in images(one)
@@ -124,7 +124,7 @@ def images(body: MassDistribution) -> Iterator[MassDistribution]:
     return (seen_by(body, C) for C in REFLECTIONS)
 
 
-def may_be_image(one: MassDistribution, other: MassDistribution, within: float = _SAME) -> bool:
+def may_be_image(one: MassDistribution, other: MassDistribution, within: float = SAME) -> bool:
     """Return whether one mistake may keep one body from being the image of the other.
 
     It changes the mass, the CoM or the moments, so that the two others agree but for signs.
@@ -139,7 +139,7 @@ def _agreeing(one: MassDistribution, other: MassDistribution, within: float) -> 
         yield are_near([*map(abs, here)], [*map(abs, there)], within)
 
 
-def is_same_body(one: MassDistribution, other: MassDistribution, within: float = _SAME) -> bool:
+def is_same_body(one: MassDistribution, other: MassDistribution, within: float = SAME) -> bool:
     """Return whether all ten numbers agree but for a share of the greatest of their kind."""
     return (
         are_near([one.mass], [other.mass], within)
@@ -148,7 +148,7 @@ def is_same_body(one: MassDistribution, other: MassDistribution, within: float =
     )
 
 
-def are_near(one: Sequence[float], other: Sequence[float], within: float = _SAME) -> bool:
+def are_near(one: Sequence[float], other: Sequence[float], within: float = SAME) -> bool:
     """Return whether numbers of one kind agree but for a share of the greatest."""
     size = max(map(abs, (*one, *other)), default=0.0)
     return all(abs(a - b) <= within * size for a, b in zip(one, other, strict=True))

@@ -18,6 +18,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from math import exp, log, log1p
 from typing import NamedTuple
 
+from kindsl.judgement.diagnosis.counterparts import SAME, images, is_same_body
 from kindsl.judgement.diagnosis.evidence import (
     MassShape,
     of_anything,
@@ -25,9 +26,10 @@ from kindsl.judgement.diagnosis.evidence import (
     of_place,
     shape_of,
 )
-from kindsl.judgement.diagnosis.fitted import AS_WRITTEN, TRUST, UNKNOWN
+from kindsl.judgement.diagnosis.fitted import AS_WRITTEN, TRUST, UNKNOWN, WEIGHTS
 from kindsl.judgement.diagnosis.judgements import (
     IMPOSSIBLE,
+    TEN,
     Judgement,
     is_about_one_number,
     is_round,
@@ -41,6 +43,7 @@ from kindsl.judgement.diagnosis.surroundings import (
     surroundings,
 )
 from kindsl.language.semantics.model import Model
+from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.language.text.facts import Fact
 from kindsl.mechanics.rigid.body import MassDistribution, second_moments_about_com, shifted
 
@@ -54,6 +57,11 @@ _UNLIKELY = 0.01
 _BEYOND_COUNTING = 1e40
 # What may make a possible body likelier; other slips show where a counterpart has the numbers.
 _OF_SIZE = frozenset((Slip.SCALE, Slip.MASS, Slip.TWICE, Slip.MOMENT, Slip.COM_UNIT))
+# Of ten numbers those that are compared with each other: the mass, the CoM, the moments.
+_LEAST = 1e-12
+_KINDS = (slice(1), slice(1, 4), slice(4, 10))
+# Of the CoM a counterpart tells signs, order and unit.
+_TYPED = frozenset(("mass", *MOMENTS))
 _TRIALS: "Fact[tuple[object, _Tried]]" = Fact("tried causes")
 _RANKINGS = Fact[tuple[object, list["Cause"]]]("likely causes")
 
@@ -153,7 +161,28 @@ def candidates(found: Judgement, around: LinkSurroundings) -> list[Cause]:
     is_open = found.is_impossible or around.twins
     tried = hypotheses(found.body, found.half, frozenset(Slip) if is_open else _OF_SIZE)
     kept = merged([cause for h in tried if (cause := weighed(h, found, around)) is not None])
+    for h in _typed_anew(found, around):
+        is_known = any(is_same_body(h.body, cause.hypothesis.body) for cause in kept)
+        cause = None if is_known else weighed(h, found, around)
+        kept += [] if cause is None else [cause]
     return [*kept, *_without_meaning(found, around, kept)]
+
+
+def _typed_anew(found: Judgement, around: LinkSurroundings) -> Iterator[Hypothesis]:
+    """Yield the numbers with the mass or the moment in which alone a counterpart differs."""
+    written = (found.body.mass, *found.body.com, *found.body.moments)
+    for twin in around.twins:
+        for image in images(twin.body):
+            meant: Sequence[float] = (image.mass, *image.com, *image.moments)
+            sizes = (max([_LEAST, *map(abs, meant[kind])]) for kind in _KINDS for _ in meant[kind])
+            apart = (abs(a - b) / size for a, b, size in zip(written, meant, sizes, strict=True))
+            odd = [i for i, share in enumerate(apart) if share > SAME]
+            if len(odd) == 1 and TEN[odd[0]] in _TYPED:
+                mass, x, y, z, *moments = [(meant if i in odd else written)[i] for i in range(10)]
+                body = MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
+                weight = TABLE[Slip.NUMBER].weight * exp(WEIGHTS.get(Slip.NUMBER, 0.0))
+                yield Hypothesis((Slip.NUMBER,), body, found.half, weight, (TEN[odd[0]],))
+                break
 
 
 def weighed(h: Hypothesis, found: Judgement, around: LinkSurroundings) -> Cause | None:

@@ -16,7 +16,7 @@ from kindsl.judgement.diagnosis.judge import Cause, merged, weighed, weighed_as_
 from kindsl.judgement.diagnosis.judgements import Judgement, is_round, judgement_of
 from kindsl.judgement.diagnosis.slips import TABLE, Hypothesis, Slip, hypotheses
 from kindsl.judgement.diagnosis.surroundings import same_moments, surroundings
-from kindsl.judgement.diagnosis.unlike import EXACTLY, Unlike
+from kindsl.judgement.diagnosis.unlike import Unlike
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
 from kindsl.mechanics.rigid.body import MassDistribution, second_moments_about_com
@@ -47,10 +47,11 @@ def misfits(unlike: Unlike, model: Model, values: Mapping[str, float]) -> list[M
     """Return what may keep a link from being like its counterparts, the most likely first."""
     (twin, meant), *_ = unlike.twins
     names = tuple(str(each.name) for each, _ in unlike.twins)
-    tried = [*_tried(unlike.link, unlike.body, meant, names, model, values)]
+    looked_at = model, values, unlike.within
+    tried = [*_tried(unlike.link, unlike.body, meant, names, *looked_at)]
     if not unlike.is_outvoted:
         own = (str(unlike.link.name),)
-        tried += _tried(twin, meant, unlike.body, own, model, values)
+        tried += _tried(twin, meant, unlike.body, own, *looked_at)
     weights = [c.cause.hypothesis.weight * exp(c.cause.log_likelihood) for c in tried]
     total = sum(weights) + exp(AS_WRITTEN - (EXPECTED if unlike.is_outvoted else MIRRORED))
     ranked = sorted(
@@ -70,6 +71,7 @@ def _tried(
     twins: tuple[str, ...],
     model: Model,
     values: Mapping[str, float],
+    within: float,
 ) -> Iterator[Misfit]:
     """Yield the mistakes of one link, as likely as they make it against the numbers as written."""
     assert link.inertia is not None
@@ -78,7 +80,7 @@ def _tried(
     written = weighed_as_written(found, around)
     if written is None:
         return
-    near = [h for h in hypotheses(body, found.half) if is_mirror_image(h.body, meant, EXACTLY)]
+    near = [h for h in hypotheses(body, found.half) if is_mirror_image(h.body, meant, within)]
     # Where some mistakes leave exactly what is meant, others that come near it are none.
     matching = [h for h in near if is_mirror_image(h.body, meant, _AS_COMPUTED)] or near
     causes = [c for h in matching if (c := weighed(h, found, around)) is not None]

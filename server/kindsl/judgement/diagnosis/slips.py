@@ -50,6 +50,7 @@ class Slip(StrEnum):
     SCALE = "scale"
     COM_UNIT = "CoM in another unit"
     MOMENT = "power of ten of a moment"
+    NUMBER = "one number typed anew"
     MINUS = "sign of a moment"
     COM_SIGN = "sign of the CoM"
     COM_ORDER = "two coordinates of the CoM swapped"
@@ -69,7 +70,7 @@ class Hypothesis(NamedTuple):
         body: The numbers as they were meant; as written where that is not known.
         half: How far each of them may be from that.
         weight: How common the mistake is, against the others.
-        names: The numbers whose sign is wrong, or that were swapped; the link that was copied.
+        names: The numbers that are wrong, or that were swapped; the link that was copied.
         power: The moments, or the mass, are to be multiplied by ten to this power.
         unit: The unit that explains that, or empty.
         is_partial: Whether only some of the products' signs are wrong.
@@ -95,7 +96,8 @@ class Hypothesis(NamedTuple):
     @property
     def code(self) -> str:
         """The rule that tells it: that of its first slip."""
-        return TABLE[self.slips[0]].code
+        is_of_mass = self.slips == (Slip.NUMBER,) and self.names == ("mass",)
+        return TABLE[Slip.MASS if is_of_mass else self.slips[0]].code
 
     @property
     def log_change(self) -> float:
@@ -303,6 +305,7 @@ TABLE = {
     Slip.COM_UNIT: SlipRow("KD502", 0.1, "CAD programs have mm, some cm or in", _com_scaled),
     Slip.MOMENT: SlipRow("KD308", 0.02, "a digit is lost, a point is moved", _one_scaled),
     Slip.MASS: SlipRow("KD314", 0.1, "in no published history; CAD programs give g", _other_mass),
+    Slip.NUMBER: SlipRow("KD308", 0.02, "HyQ's moments, of which a digit was lost", _unknown),
     Slip.MINUS: SlipRow("KD307", 0.5, "no body has a negative moment", _other_moment_sign),
     Slip.COM_SIGN: SlipRow("KD307", 0.15, "HyQ's legs, mirrored by hand", _other_com_sign),
     Slip.SWAP: SlipRow("KD307", 0.02, "in no published history", _swapped),

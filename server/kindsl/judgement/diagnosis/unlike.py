@@ -16,10 +16,11 @@ from kindsl.language.semantics.numbers import mass_distribution
 from kindsl.language.text.decimals import significant_digits
 from kindsl.language.text.facts import Fact, kept
 from kindsl.mechanics.rigid.body import MassDistribution
-from kindsl.robots.limbs.names import label_of
+from kindsl.robots.limbs.names import label_of, other_side
 
-# Numbers that were made alike agree in their digits.
-EXACTLY = 1e-3
+# Numbers that were made alike agree in their digits, a left and a right part of a CAD program
+# nearly: then only a slip that takes them from far apart to as near as the rest is told.
+EXACTLY, _NEARLY, _APART = 1e-3, 0.01, 0.05
 # Of numbers that agree: between links of one name, and of any.
 _OF_NAMESAKES, _OF_ANY = 4, 8
 
@@ -34,11 +35,13 @@ class Unlike(NamedTuple):
         link: The link.
         body: Its numbers.
         twins: Links that are images of one another, and nearly of it, with their numbers.
+        within: How near they are, as a share of the greatest number of a kind.
     """
 
     link: Link
     body: MassDistribution
     twins: tuple[tuple[Link, MassDistribution], ...]
+    within: float
 
     @property
     def is_outvoted(self) -> bool:
@@ -72,27 +75,42 @@ def _compared(link: Link, counterparts: list[Link]) -> _Compared:
     if body is None:
         return False, None
     others = [(o, b) for o in counterparts if (b := _body(o)) is not None]
-    near = [each for each in others if may_be_image(body, each[1], EXACTLY)]
-    if not near or any(is_mirror_image(body, each, EXACTLY) for _, each in near):
+    named = [(o, b) for o, b in others if str(o.name) == other_side(str(link.name))]
+    is_alike, unlike = _unlike(link, body, others, EXACTLY, EXACTLY)
+    if is_alike or unlike is not None or not named:
+        return is_alike, unlike
+    return _unlike(link, body, named, _NEARLY, _APART)
+
+
+def _unlike(
+    link: Link,
+    body: MassDistribution,
+    others: list[tuple[Link, MassDistribution]],
+    within: float,
+    apart: float,
+) -> _Compared:
+    """Return the same of links that agree within a share, and differ by another one."""
+    near = [each for each in others if may_be_image(body, each[1], within)]
+    if not near or any(is_mirror_image(body, each, apart) for _, each in near):
         return bool(near), None
     other, first = near[0]
     are_named = label_of(str(link.name)).words == label_of(str(other.name)).words
     if (
-        all(is_mirror_image(first, each, EXACTLY) for _, each in near[1:])
-        and not is_turned_image(body, first, EXACTLY)
-        and _n_digits_shared(body, first) >= (_OF_NAMESAKES if are_named else _OF_ANY)
+        all(is_mirror_image(first, each, within) for _, each in near[1:])
+        and not is_turned_image(body, first, apart)
+        and _n_digits_shared(body, first, within) >= (_OF_NAMESAKES if are_named else _OF_ANY)
         and not any(is_impossible(each, {}) for each in (link, *(twin for twin, _ in near)))
     ):
-        return False, Unlike(link, body, tuple(near))
+        return False, Unlike(link, body, tuple(near), within)
     return False, None
 
 
-def _n_digits_shared(one: MassDistribution, other: MassDistribution) -> int:
+def _n_digits_shared(one: MassDistribution, other: MassDistribution, within: float) -> int:
     """Return how many digits of different numbers two bodies have alike."""
     pairs = zip(
         (one.mass, *one.com, *one.moments), (other.mass, *other.com, *other.moments), strict=True
     )
-    same = {f"{abs(a):.6g}" for a, b in pairs if a and abs(abs(a) - abs(b)) <= EXACTLY * abs(a)}
+    same = {f"{abs(a):.6g}" for a, b in pairs if a and abs(abs(a) - abs(b)) <= within * abs(a)}
     return sum(map(significant_digits, same))
 
 

@@ -184,13 +184,16 @@ def _fix(found: Judgement, cause: Cause, context: Context) -> Fix | None:
 def _changes(found: Judgement, cause: Cause) -> list[Replacement] | None:
     """Return the changes that write the numbers as they were meant."""
     h, (mass, *others) = cause.hypothesis, _ten_values(found)
-    if Slip.MASS in h.slips:
+    if h.body.mass != found.body.mass:
         return rescaled([mass], [h.body.mass])
     if h.body.com != found.body.com:
         return (rescaled if h.unit else rewritten)(others[:3], h.body.com)
     if Slip.MOMENT in h.slips:
         i = MOMENTS.index(h.names[0])
         return rescaled([others[3 + i]], [h.body.moments[i]])
+    if Slip.NUMBER in h.slips:
+        typed = others[3 + MOMENTS.index(h.names[0])]
+        return [c for c in rescaled(others[3:], h.body.moments) or () if c.at is typed]
     return (rescaled if h.power else rewritten)(others[3:], h.body.moments)
 
 
