@@ -271,7 +271,7 @@ def _sentences(found: Sequence[Diagnostic]) -> Iterator[str]:
 
 
 PAIRS = ("KD312", "KD510")
-LOOKED_AT = ("KD3", "KD502", "KD509", "KD510")
+LOOKED_AT = ("KD3", "KD502", "KD509", "KD510", "KD511")
 CAUSES = ("KD306", "KD307", "KD308", "KD310", "KD314", "KD502", "KD509", "KD510", "KD312")
 
 
