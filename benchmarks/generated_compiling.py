@@ -1,10 +1,10 @@
 """What a compiler takes for the generated code of a large robot, in processor time.
 
-    python benchmarks/generated_compiling.py [--seed N] [--links N]
+    python benchmarks/generated_compiling.py [--seed N] [--links N] [--chain] [--quantities LIST]
 
-A random tree with a floating base, prismatic joints, branches and frames; all quantities, with
-derivatives, in C. Each file is compiled by itself with `cc -O2`, and with `cc -O0` as a measure of
-the machine and its load.
+A random tree with a floating base, prismatic joints, branches and frames, or a chain of revolute
+joints on a fixed base; all quantities, with derivatives, or those listed, in C. Each file is
+compiled by itself with `cc -O2`, and with `cc -O0` as a measure of the machine and its load.
 """
 
 import argparse
@@ -18,6 +18,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
+from benchmarks.dynamics_models import chain
 from tests.codegen.robots import ALL, write_c
 from tests.dynamics.random_bodies import random_bodies
 
@@ -28,10 +29,14 @@ def main() -> None:
     )
     parser.add_argument("--seed", type=int, default=7)
     parser.add_argument("--links", type=int, default=30)
+    parser.add_argument("--chain", action="store_true")
+    parser.add_argument("--quantities", default=",".join(ALL))
     args = parser.parse_args()
-    bodies = random_bodies(np.random.default_rng(args.seed), args.links, is_floating=True)
+    bodies = chain(args.links)
+    if not args.chain:
+        bodies = random_bodies(np.random.default_rng(args.seed), args.links, is_floating=True)
     with tempfile.TemporaryDirectory() as temporary:
-        folder = write_c(bodies, Path(temporary), ALL)
+        folder = write_c(bodies, Path(temporary), tuple(args.quantities.split(",")))
         paths = sorted(path for path in folder.glob("*.c") if not path.name.endswith("_test.c"))
         rows = [(path.stem, path.stat().st_size, *_seconds(path)) for path in paths]
     for row in sorted(rows, key=lambda row: row[2]):

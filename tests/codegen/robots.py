@@ -11,6 +11,7 @@ from kindsl.mechanics.dynamics.generation.functions import QUANTITIES
 from kindsl.mechanics.dynamics.generation.jacobians import feet
 from kindsl.mechanics.dynamics.generation.robot import robot_of
 from kindsl.products.codegen.c_library import c_files
+from kindsl.products.codegen.language import language_named
 from kindsl.products.codegen.library import Library, Options, Stamp, library_of
 from kindsl.products.codegen.reference import Reference, independent_contacts, sample
 
@@ -37,7 +38,8 @@ def library(bodies: Bodies, quantities: tuple[str, ...] = PLAIN, **options: obje
         "language": "c", "quantities": quantities, "real": "double", "is_single_header": False,
         "parameters": "unbound", "prefix": "robot", **options,
     }  # fmt: skip
-    return library_of(robot_of(bodies), "robot", {}, Options(**chosen), STAMP)
+    has_loops = language_named(str(chosen["language"])).has_loops
+    return library_of(robot_of(bodies), "robot", {}, Options(**chosen), STAMP, has_loops=has_loops)
 
 
 def reference(bodies: Bodies) -> Reference:

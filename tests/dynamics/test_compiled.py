@@ -36,7 +36,7 @@ def pair(
     return CompiledMechanics(mechanics.bodies), mechanics
 
 
-def _calls(n: int, is_floating: bool, shape: tuple[int, ...] = (), reach: float = 3.0):
+def calls(n: int, is_floating: bool, shape: tuple[int, ...] = (), reach: float = 3.0):
     """Yield names of methods and arguments."""
     generator = np.random.default_rng(n)
     q, qd, qdd = (generator.uniform(-reach, reach, (*shape, n)) for _ in range(3))
@@ -67,7 +67,7 @@ def _calls(n: int, is_floating: bool, shape: tuple[int, ...] = (), reach: float 
         yield "frame_acceleration_drift", (q, qd, frame, *base)
 
 
-def _assert_close(found: object, expected: object, tolerance: float = 1e-12) -> None:
+def assert_same(found: object, expected: object, tolerance: float = 1e-12) -> None:
     assert type(found) is type(expected)
     parts = zip(found, expected, strict=True) if isinstance(found, tuple) else [(found, expected)]
     for mine, other in parts:
@@ -81,12 +81,12 @@ def test_answers_of_any_shape(
     pair: tuple[CompiledMechanics, Mechanics], shape: tuple[int, ...]
 ) -> None:
     compiled, mechanics = pair
-    for name, arguments in _calls(compiled.n_joints, compiled.bodies.is_floating, shape):
+    for name, arguments in calls(compiled.n_joints, compiled.bodies.is_floating, shape):
         if shape == (0,):
             assert getattr(compiled, name)(*arguments) is not None
             continue
         found = getattr(compiled, name)(*arguments)
-        _assert_close(found, getattr(mechanics, name)(*arguments), 1e-11)
+        assert_same(found, getattr(mechanics, name)(*arguments), 1e-11)
 
 
 @pytest.mark.parametrize("shape", [(), (7,), (2, 3)], ids=str)
@@ -98,9 +98,9 @@ def test_poses_and_jacobians(
     poses, expected = compiled.forward_kinematics(q), mechanics.forward_kinematics(q)
     assert list(poses) == list(expected)
     for name in expected:
-        _assert_close(poses[name], expected[name])
+        assert_same(poses[name], expected[name])
     for name in (*expected, compiled.bodies.base_name):
-        _assert_close(compiled.jacobian(q, name), mechanics.jacobian(q, name))
+        assert_same(compiled.jacobian(q, name), mechanics.jacobian(q, name))
     with pytest.raises(ValueError, match="there is no link or frame 'nothing'"):
         compiled.jacobian(q, "nothing")
 
@@ -110,7 +110,7 @@ def test_large_angles_are_as_exact_as_the_library(
 ) -> None:
     compiled, mechanics = pair
     for reach in (1e4, 1e6, 1e12):
-        arguments = next(_calls(compiled.n_joints, False, (64,), reach))[1]
+        arguments = next(calls(compiled.n_joints, False, (64,), reach))[1]
         found = compiled.joint_space_inertia(*arguments)
         single = np.stack([mechanics.joint_space_inertia(row) for row in arguments[0]])
         np.testing.assert_allclose(found, single, rtol=1e-11, atol=1e-11 * abs(single).max())
@@ -122,12 +122,12 @@ def test_results_go_where_they_are_wanted(pair: tuple[CompiledMechanics, Mechani
         q = np.full((*shape, compiled.n_joints), 0.3)
         out = np.empty((*shape, *(compiled.bodies.n_velocities,) * 2))
         assert compiled.joint_space_inertia(q, out=out) is out
-        _assert_close(out, mechanics.joint_space_inertia(q))
+        assert_same(out, mechanics.joint_space_inertia(q))
     with pytest.raises(ValueError, match=r"'out' has shape \(3,\), expected \(2, 2, "):
         compiled.joint_space_inertia(q, out=np.empty(3))
     q, torque = [0.3] * compiled.n_joints, np.empty(compiled.bodies.n_velocities)
     assert compiled.gravity_torque(q, out=torque) is torque
-    _assert_close(torque, mechanics.gravity_torque(q))
+    assert_same(torque, mechanics.gravity_torque(q))
 
 
 def test_several_results_go_where_they_are_wanted(
@@ -142,14 +142,14 @@ def test_several_results_go_where_they_are_wanted(
             out = tuple(np.empty_like(part) for part in expected)
             assert compiled.inverse_dynamics(q, q, q, out=out) is out
             for mine, other in zip(out, expected, strict=True):
-                _assert_close(mine, other)
+                assert_same(mine, other)
             with pytest.raises(ValueError, match=r"'out' has shape \(3,\), expected "):
                 compiled.inverse_dynamics(q, q, q, out=(out[0], np.empty(3)))
     q = [0.3] * n
     triple = tuple(np.empty((nv, nv)) for _ in range(3))
     assert compiled.inverse_dynamics_derivatives(q, q, q, out=triple) is triple
     for mine, other in zip(triple, mechanics.inverse_dynamics_derivatives(q, q, q), strict=True):
-        _assert_close(mine, other)
+        assert_same(mine, other)
 
 
 def test_results_that_no_cache_holds(pair: tuple[CompiledMechanics, Mechanics]) -> None:
@@ -172,7 +172,7 @@ def test_lists_strides_and_keywords_are_taken(pair: tuple[CompiledMechanics, Mec
         found = compiled.inverse_dynamics(q=q, qdd=q, qd=q, gravity=(0.0, 0.0, -1.0))
         expected = mechanics.inverse_dynamics(q, q, q, gravity=(0.0, 0.0, -1.0))
         tolerance = 1e-6 if getattr(q, "dtype", None) == np.float32 else 1e-11
-        _assert_close(found, expected, tolerance)
+        assert_same(found, expected, tolerance)
 
 
 def test_wrong_arguments_are_named(pair: tuple[CompiledMechanics, Mechanics]) -> None:
@@ -214,15 +214,15 @@ def test_threads_change_nothing(
 ) -> None:
     compiled, _ = pair
     threaded = CompiledMechanics(compiled.bodies, threads=2)
-    for name, arguments in _calls(compiled.n_joints, compiled.bodies.is_floating, (1003,)):
-        _assert_close(getattr(threaded, name)(*arguments), getattr(compiled, name)(*arguments))
+    for name, arguments in calls(compiled.n_joints, compiled.bodies.is_floating, (1003,)):
+        assert_same(getattr(threaded, name)(*arguments), getattr(compiled, name)(*arguments))
 
 
 def test_documents_are_compiled(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("KINDSL_CACHE", str(tmp_path))
     mechanism = kindsl.parse(GOOD).mechanism()
     compiled = mechanism.compiled()
-    _assert_close(compiled.gravity_torque([0.1, 0.2]), mechanism.gravity_torque([0.1, 0.2]))
+    assert_same(compiled.gravity_torque([0.1, 0.2]), mechanism.gravity_torque([0.1, 0.2]))
 
 
 def test_a_second_time_nothing_is_compiled(
@@ -255,7 +255,7 @@ def test_robots_that_are_compiled_twice_stay_apart(
     again = [CompiledMechanics(bodies) for bodies in robots]
     for compiled, bodies in zip(again, robots, strict=True):
         q = np.full((2, 2, bodies.n_links), 0.4)
-        _assert_close(compiled.gravity_torque(q), Mechanics(bodies).gravity_torque(q))
+        assert_same(compiled.gravity_torque(q), Mechanics(bodies).gravity_torque(q))
 
 
 def test_with_a_compiler_that_fails(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
@@ -281,7 +281,7 @@ def test_a_rotor_without_mass_moves(monkeypatch: pytest.MonkeyPatch, tmp_path: P
     )  # fmt: skip
     compiled, mechanics = CompiledMechanics(rotors), Mechanics(rotors)
     q = np.full(bodies.n_links, 0.4)
-    _assert_close(compiled.forward_dynamics(q, q, q), mechanics.forward_dynamics(q, q, q))
+    assert_same(compiled.forward_dynamics(q, q, q), mechanics.forward_dynamics(q, q, q))
     for method in (compiled.center_of_mass, compiled.center_of_mass_jacobian):
         with pytest.raises(ValueError, match="the total mass is zero"):
             method(q)
@@ -325,7 +325,7 @@ def test_feet_are_held_as_in_numpy(
             with pytest.raises(ValueError, match=str(error)):
                 compiled.constrained_forward_dynamics(*arguments)
         else:
-            _assert_close(compiled.constrained_forward_dynamics(*arguments), expected, 1e-9)
+            assert_same(compiled.constrained_forward_dynamics(*arguments), expected, 1e-9)
 
 
 @pytest.mark.parametrize("shape", [(), (3,), (600,)], ids=str)
@@ -344,14 +344,14 @@ def test_loads_are_those_of_numpy(
         given += [acceleration, {**acceleration, **loads, **base}]
     for named in given:
         found, expected = (m.inverse_dynamics(q, qd, x, **named) for m in pair)
-        _assert_close(found, expected, 1e-11)
+        assert_same(found, expected, 1e-11)
         if "base_acceleration" not in named:
             found, expected = (m.forward_dynamics(q, qd, x, **named) for m in pair)
-            _assert_close(found, expected, 1e-9)
+            assert_same(found, expected, 1e-9)
     found, expected = (m.relative_jacobian(q, "link1", "frame0") for m in pair)
-    _assert_close(found, expected)
+    assert_same(found, expected)
     found, expected = (m.integrate(q, qd, 0.1, **base) for m in pair)
-    _assert_close(found, expected)
+    assert_same(found, expected)
 
 
 def test_compiled_methods_have_signatures_and_help(

@@ -12,7 +12,7 @@ from tests.codegen.compiling import COMPILERS, build, needs_compiler, run_tests
 from tests.codegen.robots import ALL, bodies_of_seed, write_c
 from tests.dynamics.random_bodies import tree_of_seed, with_drives
 from tests.dynamics.test_against_pinocchio import _check_tree
-from tests.dynamics.test_compiled import _assert_close, _calls
+from tests.dynamics.test_compiled import assert_same, calls
 from tests.dynamics.test_whole_body import _check_generated, _pairs
 from tests.support.amount import usually
 from tests.support.differences import assert_close
@@ -73,10 +73,10 @@ def test_compiled_mechanics_have_them(tmp_path: Path, monkeypatch: pytest.Monkey
     bodies = with_drives(bodies_of_seed(7, 3), np.random.default_rng(1))
     compiled, mechanics = CompiledMechanics(bodies), Mechanics(bodies)
     for shape in ((), (11,)):
-        for name, arguments in _calls(bodies.n_links, bodies.is_floating, shape):
+        for name, arguments in calls(bodies.n_links, bodies.is_floating, shape):
             if name not in ("frame_velocity", "frame_acceleration", "frame_acceleration_drift"):
                 found = getattr(compiled, name)(*arguments)
-                _assert_close(found, getattr(mechanics, name)(*arguments), 1e-9)
+                assert_same(found, getattr(mechanics, name)(*arguments), 1e-9)
 
 
 @pytest.mark.parametrize("name", ["inverse_dynamics", "forward_dynamics"])

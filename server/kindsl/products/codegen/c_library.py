@@ -5,6 +5,7 @@ from kindsl.products.codegen.c_build import cmake_lists
 from kindsl.products.codegen.c_header import header
 from kindsl.products.codegen.c_sources import (
     has_lanes,
+    loops_source,
     model_source,
     noinline,
     quantity_source,
@@ -51,6 +52,7 @@ def single_header(library: Library) -> str:
     """Return header and code in one file; one source file is to ask for the code."""
     bodies = [quantity_source(library, functions) for functions in library.functions.values()]
     lanes = [shared(library.prefix)] if has_lanes(library) else []
+    lanes += [loops_source(library)] if library.has_loops else []
     code = "\n".join([*lanes, noinline(library), model_source(library), *bodies])
     P = macro(library)
     return (

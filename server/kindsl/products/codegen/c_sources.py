@@ -10,12 +10,14 @@ from kindsl.mechanics.dynamics.generation.emitters.lanes import (
     shared,
     wide_functions,
 )
+from kindsl.mechanics.dynamics.generation.emitters.loops import loop_call, loops_text
 from kindsl.mechanics.dynamics.generation.function import Function, Result
-from kindsl.mechanics.dynamics.generation.terms import operations
+from kindsl.mechanics.dynamics.generation.terms import Term, operations
 from kindsl.products.codegen.c_text import (
     EXTERNAL,
     batch_declaration,
     dialect,
+    loop_dialect,
     macro,
     parameters,
     real,
@@ -38,11 +40,29 @@ def sources(library: Library) -> Iterator[tuple[str, str]]:
     if has_lanes(library):
         about = stamp_comment(library, "What batches share; for the sources beside it alone.")
         yield f"{p}_lanes.h", f"{about}{shared(p)}"
+    if library.has_loops:
+        about = stamp_comment(
+            library, "What long functions share; for the sources beside it alone."
+        )
+        yield f"{p}_loops.h", f"{about}{includes}{loops_source(library)}"
     for quantity, functions in library.functions.items():
         summary = f"Of {library.robot_name}: {quantity.replace('_', ' ')}."
         lanes = f'#include "{p}_lanes.h"\n\n' if has_lanes(library) else ""
+        if any(function.is_loop for function in functions):
+            lanes += f'#include "{p}_loops.h"\n\n'
         head = f"{stamp_comment(library, summary)}{includes}{lanes}{noinline(library)}\n"
         yield f"{p}_{quantity}.c", f"{head}{quantity_source(library, functions)}"
+
+
+def loops_source(library: Library) -> str:
+    """Return the code that long functions share."""
+    places = {value.index: place for place, value in enumerate(library.setup)}
+
+    def text(value: Term) -> str:
+        return f"m->c[{places[value.index]}]"
+
+    model = f"const {library.prefix}_model *m, "
+    return loops_text(library.robot.tree, loop_dialect(library), model, text)
 
 
 def noinline(library: Library) -> str:
@@ -101,6 +121,10 @@ def quantity_source(library: Library, functions: Sequence[Function]) -> str:
 
 def _definition(library: Library, function: Function) -> str:
     name = f"{library.prefix}_{library.function_names[function.name]}"
+    if function.is_loop:
+        statements = loop_call(function, loop_dialect(library), "m")
+        declared = ", ".join(parameters(library, function, "restrict "))
+        return f"void {name}({declared})\n{{\n{statements}}}\n"
     if function.loaded is None:
         return _body(library, function, name, function.results, "")
     loaded = _body(library, function, f"{name}_loaded", function.loaded, "static ")
@@ -177,6 +201,8 @@ def _batch(library: Library, function: Function) -> str:
 
 
 def _is_wide(library: Library, function: Function) -> bool:
+    if function.is_loop:
+        return False
     entries = [entry for result in function.results for entry in result.entries]
     takes_angles = [argument.name for argument in function.arguments][:1] == ["q"]
     # A Jacobian may depend on no joint at all; lanes would be empty then.

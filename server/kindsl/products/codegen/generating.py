@@ -94,7 +94,9 @@ def generate(
         wanted = wanted_pairs(listed, model, robot) if listed else None
         if options.frames is not None:
             robot, wanted = restricted(robot, wanted, options.frames)
-        library = library_of(robot, name, defaults, options, stamp, wanted)
+        library = library_of(
+            robot, name, defaults, options, stamp, wanted, has_loops=language.has_loops
+        )
         library = replace(
             library, parameter_kinds=_kinds(model), version=source.analysis.settings.version
         )

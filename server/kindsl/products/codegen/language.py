@@ -24,6 +24,7 @@ class Language(NamedTuple):
         parameters: Which parameters stay inputs where that is not said.
         makes_transforms: Whether it has transforms where no transforms document lists them.
         is_rigid: Whether rotors and friction of joints are left out.
+        has_loops: Whether long functions are loops over bodies.
         renamed: Takes a library; returns the names that are others in the code.
     """
 
@@ -32,6 +33,7 @@ class Language(NamedTuple):
     parameters: str = "unbound"
     makes_transforms: bool = False
     is_rigid: bool = False
+    has_loops: bool = False
     renamed: "Callable[[Library], Mapping[str, str]]" = attrgetter("renamed")
 
 

@@ -10,6 +10,7 @@ from kindsl.mechanics.dynamics.generation.emitters.numbers import evaluate
 from kindsl.mechanics.dynamics.generation.emitters.straight_line import setup_nodes
 from kindsl.mechanics.dynamics.generation.function import Function, Inputs, inputs_of
 from kindsl.mechanics.dynamics.generation.functions import QUANTITIES
+from kindsl.mechanics.dynamics.generation.loops import functions_of, table
 from kindsl.mechanics.dynamics.generation.masses import total_mass
 from kindsl.mechanics.dynamics.generation.relative_frames import (
     FramePair,
@@ -138,6 +139,11 @@ class Library:
         """The functions of all quantities, in order."""
         return tuple(function for group in self.functions.values() for function in group)
 
+    @property
+    def has_loops(self) -> bool:
+        """Whether loops over bodies compute some of the functions."""
+        return any(function.is_loop for function in self.all_functions)
+
     @cached_property
     def function_names(self) -> dict[str, str]:
         """The names of functions in code, without prefix; `_batch` is the end of others."""
@@ -182,7 +188,7 @@ class Library:
     def setup(self) -> list[Term]:
         """The model's constants: values that depend on parameters only and that others use."""
         graph = self.robot.graph
-        values = [entry for function in self.all_functions for entry in _entries(function)]
+        values = [x for function in self.all_functions for x in _entries(self.robot, function)]
         order = needed(graph, values)
         parameters = [p.index for p in self.robot.parameters.values()]
         fixed = setup_nodes(graph, parameters, order)
@@ -206,6 +212,8 @@ def library_of(
     options: Options,
     stamp: Stamp,
     wanted: Wanted | None = None,
+    *,
+    has_loops: bool = False,
 ) -> Library:
     """Record all functions that are asked for.
 
@@ -216,6 +224,7 @@ def library_of(
         options: Choice of the functions.
         stamp: Where it comes from.
         wanted: Pairs of frames whose poses and Jacobians are asked for besides.
+        has_loops: Whether long functions are loops over bodies.
 
     Raises:
         GenerationError: A quantity is not defined for this robot.
@@ -223,7 +232,7 @@ def library_of(
     inputs = inputs_of(robot)
     functions = {}
     for name in options.quantities:
-        if group := tuple(_recorded(robot, inputs, name)):
+        if group := tuple(_recorded(robot, inputs, name, has_loops=has_loops)):
             functions[name] = group
     if wanted is not None:
         pairs = {
@@ -237,7 +246,7 @@ def library_of(
     return Library(options, stamp, robot_name, robot, functions, defaults, inputs, listed)
 
 
-def _recorded(robot: Robot, inputs: Inputs, name: str) -> list[Function]:
+def _recorded(robot: Robot, inputs: Inputs, name: str, *, has_loops: bool) -> list[Function]:
     quantity = QUANTITIES[name]
     is_massless = total_mass(robot) == 0.0
     if quantity.needs_mass and is_massless:
@@ -246,7 +255,7 @@ def _recorded(robot: Robot, inputs: Inputs, name: str) -> list[Function]:
             "use --quantities to choose others, such as poses,jacobians"
         )
     try:
-        functions = quantity.build(robot, inputs)
+        functions = functions_of(robot, inputs, name, has_loops=has_loops)
     except (SingularInertiaError, ZeroDivisionError):
         raise GenerationError(
             f"'{name}' is not defined: the inertia matrix is "
@@ -254,15 +263,17 @@ def _recorded(robot: Robot, inputs: Inputs, name: str) -> list[Function]:
         ) from None
     graph = robot.graph
     for function in functions:
-        entries = _entries(function)
+        entries = _entries(robot, function)
         operands = (x for node in needed(graph, entries) for x in graph.nodes[node][1:])
         if not all(math.isfinite(x) for x in (*entries, *operands) if isinstance(x, float)):
             raise GenerationError(f"'{name}': values of the document are too large or too small")
     return [_with_safe_results(function) for function in functions]
 
 
-def _entries(function: Function) -> list[Scalar]:
-    """Return all that a function gives, without and with external forces."""
+def _entries(robot: Robot, function: Function) -> list[Scalar]:
+    """Return all that a function gives, without and with external forces; a loop what it reads."""
+    if function.is_loop:
+        return [x for row in table(robot.tree) for x in row]
     results = (*function.results, *(function.loaded or ()))
     return [entry for result in results for entry in result.entries]
 

@@ -18,6 +18,7 @@ from kindsl.mechanics.dynamics.generation.emitters.extension import (
 from kindsl.mechanics.dynamics.generation.emitters.lanes import is_worth_lanes
 from kindsl.mechanics.dynamics.generation.function import Function, argument, inputs_of
 from kindsl.mechanics.dynamics.generation.functions import QUANTITIES
+from kindsl.mechanics.dynamics.generation.loops import functions_of
 from kindsl.mechanics.dynamics.generation.masses import total_mass
 from kindsl.mechanics.dynamics.generation.robot import Robot
 from kindsl.mechanics.dynamics.generation.terms import Scalar
@@ -79,7 +80,7 @@ class Extension:
         kernels = kernels_of(robot, group)
         self.shapes = {k.name: [result.shape for result in k.results] for k in kernels}
         self.arguments = {k.name: [(a.name, a.length) for a in k.arguments] for k in kernels}
-        source = extension_source(robot.graph, kernels, STANDARD_GRAVITY)
+        source = extension_source(robot.graph, robot.tree, kernels, STANDARD_GRAVITY)
         # The function, not its module: a file that is loaded again fills one module of this name
         # with whatever robot's functions were loaded last.
         self._bind: Method = compiled_module(MODULE, source).bind
@@ -104,9 +105,11 @@ def kernels_of(robot: Robot, group: str) -> list[Kernel]:
         if quantity.needs_mass and is_massless:
             continue
         try:
-            functions = quantity.build(robot, inputs)
+            functions = functions_of(robot, inputs, name, has_loops=True)
         except ZeroDivisionError:
             raise SingularInertiaError from None
+        except OverflowError:
+            continue
         if kinds := OF_FRAMES.get(name):
             functions = [
                 function._replace(name=f"{kinds[place % len(kinds)]}_{place // len(kinds)}")
@@ -140,25 +143,31 @@ def _kernel(function: Function, robot: Robot, *, may_be_wide: bool) -> Kernel:
         robot.tree.is_floating or not name.startswith("inverse_dynamics")
     )
     entries = [entry for result in results for entry in result.entries]
-    is_wide = may_be_wide and is_worth_lanes(robot.graph, entries)
-    return Kernel(name, _arguments(function), results, accelerates, is_wide, documentation(name))
-
-
-def _arguments(function: Function) -> Sequence[KernelArgument]:
+    is_wide = may_be_wide and not function.is_loop and is_worth_lanes(robot.graph, entries)
+    names = _names(function)
     given = {argument.name: argument.components for argument in function.arguments}
-    kind, _, number = function.name.rpartition("_")
-    base = MOVING_BASE.get(kind if number.isdigit() else function.name, ())
-    joints = [n for n in given if n not in KEYWORDS and n != "external_forces"]
-    others = [n for n in given if n not in (*joints, *base)]
-    return [
+    arguments = [
         KernelArgument(
             KEYWORDS.get(name, name),
             len(given.get(name, ())),
             list(given.get(name, ())),
             DEFAULTS.get(name),
         )
-        for name in (*joints, *base, *others)
+        for name in names
     ]
+    in_code = ["fext" if name == "external_forces" else name for name in names if name in given]
+    loop = (function, in_code) if function.is_loop else None
+    return Kernel(name, arguments, results, accelerates, is_wide, documentation(name), loop)
+
+
+def _names(function: Function) -> list[str]:
+    """Return the names of a kernel's arguments, of a fixed base's motion too."""
+    given = {argument.name: argument.components for argument in function.arguments}
+    kind, _, number = function.name.rpartition("_")
+    base = MOVING_BASE.get(kind if number.isdigit() else function.name, ())
+    joints = [n for n in given if n not in KEYWORDS and n != "external_forces"]
+    others = [n for n in given if n not in (*joints, *base)]
+    return [*joints, *base, *others]
 
 
 def _homogeneous(entries: Sequence[Scalar], n_poses: int) -> KernelResult:

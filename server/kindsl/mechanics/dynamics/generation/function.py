@@ -39,6 +39,7 @@ class Function(NamedTuple):
         results: In order.
         loaded: The results under external forces; None where these do not matter.
         about: The links and frames that it is about, if it is about some of several.
+        is_loop: Whether a loop over bodies computes it, and the entries of results are not known.
     """
 
     name: str
@@ -47,6 +48,7 @@ class Function(NamedTuple):
     results: tuple[Result, ...]
     loaded: tuple[Result, ...] | None = None
     about: tuple[str, ...] = ()
+    is_loop: bool = False
 
 
 @dataclass(frozen=True, slots=True)

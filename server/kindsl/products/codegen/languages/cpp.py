@@ -1,13 +1,14 @@
 """A header in C++14 with Eigen's types, a template of the type of numbers."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from kindsl.mechanics.dynamics.generation.emitters.cpp_templates import (
     Template,
     TemplateDialect,
     template_function,
 )
+from kindsl.mechanics.dynamics.generation.emitters.loops import LoopDialect, loop_call, loops_text
 from kindsl.mechanics.dynamics.generation.function import Function, Result
 from kindsl.mechanics.dynamics.generation.terms import Scalar
 from kindsl.products.codegen.c_build import cmake_lists
@@ -23,6 +24,9 @@ FIXED = {"v0": 6, "a0": 6, "g": 3}
 # The argument that holds what parameters decide.
 CONSTANTS = "constants"
 DIALECT = TemplateDialect("class S", "S", "S", "detail::{}({})")
+LOOPS = LoopDialect(
+    "", "template <class S>\ninline", "S", "double", "detail::{}", "detail::sign({})", repr, ""
+)
 
 
 def cpp_header(library: Library) -> str:
@@ -74,11 +78,18 @@ def _functions(library: Library) -> str:
     """Return the functions of pointers, of all that parameters decide first."""
     graph, constants = library.robot.graph, list[Scalar](library.setup)
     parameters: list[Scalar] = [*library.robot.parameters.values()]
-    templates = []
+    texts, templates = [], list[Template]()
+    if library.has_loops:
+        places = {value.index: f"{CONSTANTS}[{k}]" for k, value in enumerate(library.setup)}
+        given = f"const S* {CONSTANTS}, "
+        texts.append(loops_text(library.robot.tree, LOOPS, given, lambda x: places[x.index]))
     if parameters and constants:
         templates.append(Template("set_up", {"p": parameters}, {CONSTANTS: constants}))
     for function in library.all_functions:
         name = library.function_names[function.name]
+        if function.is_loop:
+            texts += _loops(function, name)
+            continue
         takes: dict[str, Sequence[Scalar]] = {CONSTANTS: constants}
         takes |= {argument.name: argument.components for argument in function.arguments}
         gives = {result.name: result.entries for result in function.results}
@@ -87,7 +98,19 @@ def _functions(library: Library) -> str:
             takes = {**takes, EXTERNAL: library.external}
             gives = {result.name: result.entries for result in function.loaded}
             templates.append(Template(f"{name}_loaded", takes, gives))
-    return "\n".join(template_function(graph, template, DIALECT) for template in templates)
+    return "\n".join([*texts, *(template_function(graph, t, DIALECT) for t in templates)])
+
+
+def _loops(function: Function, name: str) -> Iterator[str]:
+    """Yield a function of pointers that loops compute, and the one with external forces."""
+    free = function._replace(loaded=None)
+    for called, end, load in ((free, "", ()), (function, "_loaded", (EXTERNAL,))):
+        takes = [CONSTANTS, *(argument.name for argument in function.arguments), *load]
+        declared = [*(f"const S* {n}" for n in takes), *(f"S* {r.name}" for r in function.results)]
+        statements = loop_call(called, LOOPS, CONSTANTS)
+        if not load or function.loaded is not None:
+            head = f"{LOOPS.head} void {name}{end}({', '.join(declared)})"
+            yield f"{head}\n{{\n{statements}}}\n"
 
 
 def _methods(library: Library, function: Function) -> str:
@@ -173,4 +196,4 @@ def _files(library: Library, reference: Reference) -> dict[str, str]:
     }
 
 
-LANGUAGE = Language(_files, frozenset(("--real float",)))
+LANGUAGE = Language(_files, frozenset(("--real float",)), has_loops=True)

@@ -8,12 +8,16 @@ from typing import NamedTuple
 
 from kindsl.mechanics.dynamics.generation.emitters.c import CArray, CBody, Dialect, c_definition
 from kindsl.mechanics.dynamics.generation.emitters.lanes import Wide, shared, wide_functions
+from kindsl.mechanics.dynamics.generation.emitters.loops import LoopDialect, loop_call, loops_text
+from kindsl.mechanics.dynamics.generation.function import Function
 from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar
+from kindsl.mechanics.dynamics.generation.tree import Tree
 
 MODULE = "compiled_mechanism"
 RUNTIME = Path(__file__).with_name("extension_runtime.c")
 TABLES = Path(__file__).with_name("extension_module.c")
 PLAIN = Dialect("double", "", "KEPT_APART ")
+LOOPS = LoopDialect("", "static inline", "double", "double", "{}", PLAIN.sign, repr, "lanes")
 
 
 class KernelArgument(NamedTuple):
@@ -49,6 +53,7 @@ class Kernel(NamedTuple):
         accelerates: Whether a result that is not finite means that nothing resists a motion.
         is_wide: Whether batches are computed in lanes.
         documentation: What `help` shows, as CPython reads it.
+        loop: What loops over bodies compute, with the names of its arguments; None for others.
     """
 
     name: str
@@ -57,15 +62,19 @@ class Kernel(NamedTuple):
     accelerates: bool
     is_wide: bool
     documentation: str | None = None
+    loop: tuple[Function, Sequence[str]] | None = None
 
 
-def extension_source(graph: Graph, kernels: Sequence[Kernel], gravity: Sequence[float]) -> str:
+def extension_source(
+    graph: Graph, tree: Tree, kernels: Sequence[Kernel], gravity: Sequence[float]
+) -> str:
     """Return the source of a module with a function `bind(name, python, class, batches)`.
 
     It returns a function that answers as far as it can, and else calls `python`.
 
     Args:
         graph: Where the kernels are recorded.
+        tree: Of the mechanism, all of whose numbers are known.
         kernels: Its functions.
         gravity: The default `GRAVITY`.
     """
@@ -75,6 +84,7 @@ def extension_source(graph: Graph, kernels: Sequence[Kernel], gravity: Sequence[
         "#if defined(__GNUC__)\n#define KEPT_APART __attribute__((noinline))\n"
         "#else\n#define KEPT_APART\n#define restrict __restrict\n#endif\n",
         f"static const double GRAVITY[3] = {{{numbers}}};\n",
+        loops_text(tree, LOOPS, "", repr) if any(kernel.loop for kernel in kernels) else "",
         *(_kernel_text(graph, number, kernel) for number, kernel in enumerate(kernels)),
         _tables(kernels),
     ]
@@ -89,8 +99,12 @@ def _kernel_text(graph: Graph, number: int, kernel: Kernel) -> str:
     body = CBody(f"scalar_{number}", takes, gives, {})
     places = [f"in[{i}]" for i, _ in _given(kernel)] + [f"out[{i}]" for i in range(len(gives))]
     many = _many(number, kernel)
+    if kernel.loop is None:
+        scalar = c_definition(graph, body, PLAIN, "static ")
+    else:
+        scalar = _loop(body, *kernel.loop)
     return f"""\
-{c_definition(graph, body, PLAIN, "static ")}
+{scalar}
 static void run_{number}(const double *const *in, double *const *out)
 {{
     scalar_{number}({", ".join(places)});
@@ -102,6 +116,15 @@ static void run_many_{number}(npy_intp n, const double *const *in, const npy_int
 {{
 {many}}}
 """
+
+
+def _loop(body: CBody, function: Function, names: Sequence[str]) -> str:
+    """Return a function that loops compute; names are those of its arguments in the text."""
+    texts = dict(zip(names, (array.name for array in body.takes), strict=True))
+    texts |= {r.name: array.name for r, array in zip(function.results, body.gives, strict=True)}
+    declared = ", ".join(array.declaration for array in (*body.takes, *body.gives))
+    statements = loop_call(function, LOOPS, "", texts)
+    return f"static void {body.name}({declared})\n{{\n{statements}}}\n"
 
 
 def _many(number: int, kernel: Kernel) -> str:

@@ -1,0 +1,132 @@
+"""Writes functions as loops over bodies, in C or C++: constant tables of the tree, and one text."""
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from kindsl.mechanics.dynamics.generation.function import Function
+from kindsl.mechanics.dynamics.generation.loops import table
+from kindsl.mechanics.dynamics.generation.terms import Term
+from kindsl.mechanics.dynamics.generation.tree import Tree
+
+_TEXT = Path(__file__).with_name("loops.c").read_text(encoding="utf-8")
+_KERNEL = re.compile(r"@P@(\w+)\(const @S@ \*t, ([^)]*)\)")
+_PARAMETERS = {
+    name: re.findall(r"\*(\w+)", declared.replace("@S@", "")) for name, declared in
+    _KERNEL.findall(_TEXT)
+}  # fmt: skip
+PREFIX = "loops_"
+
+
+class LoopDialect(NamedTuple):
+    """The notation of numbers and functions.
+
+    Attributes:
+        prefix: Of all names.
+        head: What a function's definition begins with.
+        type: Of numbers.
+        constant: Of numbers that are known.
+        call: How `sin` and `cos` are called, by their name.
+        sign: How the sign of a value is computed, by its text.
+        number: Returns the text of a number.
+        lanes: The type of several numbers where a macro of this name in capitals is defined;
+            nothing if numbers may be of any type.
+    """
+
+    prefix: str
+    head: str
+    type: str
+    constant: str
+    call: str
+    sign: str
+    number: Callable[[float], str]
+    lanes: str
+
+
+def loops_text(
+    tree: Tree, dialect: LoopDialect, model: str, place: Callable[[Term], str]
+) -> str:  # fmt: skip
+    """Return the functions of a tree, and the one that fills their table.
+
+    Args:
+        tree: The mechanism.
+        dialect: How numbers are written.
+        model: The declaration of what parameters decide, and a blank; or nothing.
+        place: Returns the text of a value that parameters decide.
+    """
+    p, first = dialect.prefix + PREFIX, 6 if tree.is_floating else 0
+    n = len(tree.links())
+    base = range(-1, first - 1)
+    joints = [first + tree.parents[i] - 1 for i in tree.links()]
+    has_friction = tree.drives is not None and any(tree.drives.friction)
+    values = {
+        "P": p, "S": dialect.type, "FN": dialect.head, "NB": n + 1, "K": first, "NV": first + n,
+        "PARENTS": _listed(tree.parents),
+        "TURNS": _listed([int(kind == "revolute") for kind in tree.kinds]),
+        "BEFORE": _listed([*base, *joints]),
+        "SIN": dialect.call.format("sin"), "COS": dialect.call.format("cos"),
+        "ROW": f"{p}row" if dialect.lanes else dialect.type,
+        "ROWS": _rows(dialect, p),
+        "SIGN": dialect.sign.format("qd[i - 1]") if has_friction else f"({dialect.type})0",
+    }  # fmt: skip
+    text = re.sub(r"@(\w+)@", lambda match: str(values[match[1]]), _TEXT)
+    return f"{text}\n{_filled(tree, dialect, model, place)}"
+
+
+def loop_call(
+    function: Function, dialect: LoopDialect, model: str, texts: Mapping[str, str] | None = None
+) -> str:
+    """Return the statements that compute a function.
+
+    Args:
+        function: The function; with external forces if it has results under these.
+        dialect: As for `loops_text`.
+        model: What parameters decide, or nothing.
+        texts: Of arguments and results, by their names; None for the names.
+    """
+    if texts is None:
+        names = [a.name for a in function.arguments] + [r.name for r in function.results]
+        texts = {name: name for name in (*names, *["fext"] * (function.loaded is not None))}
+    p, kernel = dialect.prefix + PREFIX, function.name.removesuffix("_loaded")
+    none = f"({dialect.type} *)0"
+    given = ", ".join(["t", *(texts.get(name, none) for name in _PARAMETERS[kernel])])
+    table_of = f"{p}table({f'{model}, ' if model else ''}t);"
+    size = f"{p}table_size"
+    return f"    {dialect.type} t[{size}];\n    {table_of}\n    {p}{kernel}({given});\n"
+
+
+def _rows(dialect: LoopDialect, p: str) -> str:
+    """Return the type of some numbers of a matrix's row, and how many these are."""
+    one = f"enum {{ {p}width = 1 }};"
+    if not dialect.lanes:
+        return one
+    macro = dialect.lanes.upper()
+    return (
+        f"#if defined({macro})\ntypedef {dialect.lanes} {p}row;\nenum {{ {p}width = {macro} }};\n"
+        f"#else\ntypedef {dialect.type} {p}row;\n{one}\n#endif"
+    )
+
+
+def _filled(tree: Tree, dialect: LoopDialect, model: str, place: Callable[[Term], str]) -> str:
+    """Return the function that fills the table."""
+    rows, S = table(tree), dialect.type
+    p, entries = dialect.prefix + PREFIX, [x for row in rows for x in row]
+    numbers = "".join(
+        f"        {', '.join(dialect.number(0.0 if isinstance(x, Term) else x) for x in row)},\n"
+        for row in rows
+    )
+    later = [f"t[{i}] = {place(x)};" for i, x in enumerate(entries) if isinstance(x, Term)]
+    name = model.rstrip(", ").split(" ")[-1].lstrip("*")
+    unused = [f"(void){name};"] if model and not later else []
+    copied = [f"for (int k = 0; k < {p}table_size; k++) {{", f"    t[k] = ({S})given[k];", "}"]
+    lines = "".join(f"    {line}\n" for line in [*unused, *copied, *later])
+    return (
+        f"enum {{ {p}table_size = {len(entries)} }};\n\n"
+        f"{dialect.head} void {p}table({model}{dialect.type} *t)\n{{\n"
+        f"    static const {dialect.constant} given[] = {{\n{numbers}    }};\n{lines}}}\n"
+    )
+
+
+def _listed(numbers: Sequence[int]) -> str:
+    return ", ".join(map(str, numbers))

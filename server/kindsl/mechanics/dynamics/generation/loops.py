@@ -1,0 +1,94 @@
+"""Functions too long to be written as straight lines: loops over bodies compute them."""
+
+from dataclasses import replace
+
+from kindsl.mechanics.dynamics.generation.forward_dynamics import factorization_operations
+from kindsl.mechanics.dynamics.generation.function import Function, Inputs, Result
+from kindsl.mechanics.dynamics.generation.functions import QUANTITIES
+from kindsl.mechanics.dynamics.generation.mass_moments import MassMoments
+from kindsl.mechanics.dynamics.generation.robot import Robot
+from kindsl.mechanics.dynamics.generation.terms import Scalar, operations
+from kindsl.mechanics.dynamics.generation.tree import Tree
+from kindsl.mechanics.dynamics.generation.vectors import EYE, ZERO
+
+# gcc -O2 takes 6 s and 2.6 MB of text for so many, and about from there on loops are as fast: in
+# derivatives of forward dynamics, the most there are, from 30 joints on.
+MOST_OPERATIONS = 50_000
+# Loops keep two matrices at most on the stack: 4 MB of the 8 that threads usually have.
+MOST_VELOCITIES = 500
+# What there are loops for; of the second, operations grow as those of the inertia's factors do or
+# faster, so that these tell without recording them that they are too many.
+GROWING_WITH_BODIES = (
+    "inverse_dynamics", "inverse_dynamics_actuated", "forward_dynamics", "gravity_torque",
+    "bias_torque", "joint_space_inertia",
+)  # fmt: skip
+GROWING_WITH_PAIRS = (
+    "inertia_factorization", "inverse_dynamics_derivatives", "forward_dynamics_derivatives",
+    "regressor", "joint_space_inertia_inverse", "coriolis_matrix",
+)  # fmt: skip
+
+
+def functions_of(
+    robot: Robot, inputs: Inputs, name: str, *, has_loops: bool
+) -> list[Function]:  # fmt: skip
+    """Record the functions of a quantity, those that are too long as loops if there are such.
+
+    Raises:
+        OverflowError: There is no room for what they compute with.
+    """
+    build = QUANTITIES[name].build
+    if name in GROWING_WITH_PAIRS and has_loops and robot.n_velocities > MOST_VELOCITIES:
+        raise OverflowError(
+            f"'{name}' is not generated for more than {MOST_VELOCITIES} velocities: "
+            "its matrices do not fit on the stack"
+        )
+    if not has_loops or name not in (*GROWING_WITH_BODIES, *GROWING_WITH_PAIRS):
+        return build(robot, inputs)
+    if name in GROWING_WITH_PAIRS and factorization_operations(robot.tree) > MOST_OPERATIONS:
+        return [_in_loops(function) for function in build(_flat(robot), inputs)]
+    return [
+        _in_loops(function) if _size(robot, function) > MOST_OPERATIONS else function
+        for function in build(robot, inputs)
+    ]
+
+
+def table(tree: Tree) -> list[list[Scalar]]:
+    """Return the numbers of each body that loops read, base first: see `emitters/loops.c`."""
+    n, drives = len(tree.links()), tree.drives
+    nothing = [0.0] * n
+    own = (drives.armature, drives.damping, drives.friction) if drives else (nothing,) * 3
+    rows: list[list[Scalar]] = []
+    for body, R, r, drive in zip(
+        tree.masses, tree.rotations, tree.positions, [ZERO, *zip(*own, strict=True)], strict=True
+    ):
+        (xx, xy, xz), (_, yy, yz), (_, _, zz) = body.second
+        turned = [x for row in R for x in row]
+        rows.append([*turned, *r, body.mass, *body.first, xx, xy, xz, yy, yz, zz, *drive])
+    return rows
+
+
+def _size(robot: Robot, function: Function) -> int:
+    entries = [entry for result in function.results for entry in result.entries]
+    return operations(robot.graph, entries)
+
+
+def _in_loops(function: Function) -> Function:
+    """Return a function of whose results only the sizes are known."""
+    results = _sizes(function.results)
+    loaded = None if function.loaded is None else _sizes(function.loaded)
+    return function._replace(results=results, loaded=loaded, is_loop=True)
+
+
+def _sizes(results: tuple[Result, ...]) -> tuple[Result, ...]:
+    return tuple(result._replace(entries=[0.0] * len(result.entries)) for result in results)
+
+
+def _flat(robot: Robot) -> Robot:
+    """Return a robot of as many joints whose functions are short."""
+    size = len(robot.tree.parents)
+    one = MassMoments(EYE, ZERO, 1.0)
+    tree = replace(
+        robot.tree, parents=[0] * size, rotations=[EYE] * size, positions=[ZERO] * size,
+        masses=[one] * size,
+    )  # fmt: skip
+    return replace(robot, tree=tree)
