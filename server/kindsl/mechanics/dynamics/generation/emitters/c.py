@@ -123,8 +123,10 @@ def literal(value: float, dialect: Dialect) -> str:
     """
     if dialect.suffix and abs(value) < SMALLEST_FLOAT:
         value = 0.0
-    if not math.isfinite(value) or (dialect.suffix and abs(value) > LARGEST_FLOAT):
-        raise OverflowError(f"a constant is too large for '{dialect.type}'")
+    if not math.isfinite(value):
+        raise OverflowError(f"{value!r} is too large for 'double'")
+    if dialect.suffix and abs(value) > LARGEST_FLOAT:
+        raise OverflowError(f"{value!r} is too large for 'float': use --real double")
     text = f"{value!r}{dialect.suffix}"
     return f"({text})" if text.startswith("-") else text
 

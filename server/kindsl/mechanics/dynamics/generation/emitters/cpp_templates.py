@@ -108,7 +108,7 @@ def literal(value: float) -> str:
         OverflowError: It is not finite.
     """
     if not math.isfinite(value):
-        raise OverflowError("a constant is too large for 'double'")
+        raise OverflowError(f"{value!r} is too large for 'double'")
     return f"S({value!r})"
 
 
