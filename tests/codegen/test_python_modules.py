@@ -1,5 +1,6 @@
 """Modules for NumPy, JAX and CasADi, and the header for Eigen, compute what the mechanics do."""
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -101,8 +102,15 @@ def test_jax() -> None:
     """In a process of its own: JAX starts threads, and whoever forks after that is warned."""
     pytest.importorskip("jax")
     check = "from tests.codegen.test_python_modules import check_jax; check_jax()"
+    # Most of the time is XLA's, which makes code that is run once.
+    env = {**os.environ, "XLA_FLAGS": "--xla_backend_optimization_level=0"}
     told = subprocess.run(
-        [sys.executable, "-c", check], cwd=ROOT, capture_output=True, text=True, check=False
+        [sys.executable, "-c", check],
+        cwd=ROOT,
+        env=env,
+        capture_output=True,
+        text=True,
+        check=False,
     )
     assert (told.returncode, told.stderr) == (0, "")
 
@@ -114,10 +122,9 @@ def check_jax() -> None:
     for seed in (4, 7):
         bodies = with_drives(bodies_of_seed(seed, 4), np.random.default_rng(seed))
         some = tuple(x for x in FEW if bodies.is_floating or not x.endswith("_actuated"))
-        _assert_right(_language(bodies, "jax", some), library(bodies, some), reference(bodies))
-    bodies = bodies_of_seed(1, 3)
-    module = _language(bodies, "jax", FEW)
-    _assert_right(module, library(bodies, FEW), reference(bodies))
+        module = _language(bodies, "jax", some)
+        _assert_right(module, library(bodies, some), reference(bodies))
+    assert bodies.is_floating
     values = reference(bodies).values
     call = lambda q: module.gravity_torque(q, values["g"])  # noqa: E731
     slope = jax.jit(jax.jacfwd(call))(values["q"])
