@@ -8,15 +8,11 @@ from weakref import WeakKeyDictionary
 from playwright.async_api import Browser, Error, Page, async_playwright
 from tests.delays import injected
 from tests.preview.robots import require
+from tests.vscode.browser import ARGUMENTS
 
 from kindsl.frontends.preview.server import PreviewServer
 from kindsl.robots.scene.encoding import as_json
 
-ARGUMENTS = (
-    "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic",
-    "--no-first-run", "--disable-background-networking", "--disable-component-update",
-    "--disable-sync",
-)  # fmt: skip
 TIMEOUT = 60_000  # milliseconds
 SIZE = {"width": 960, "height": 640}
 

@@ -29,19 +29,9 @@ def server(vsix: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Cod
 
 
 @pytest.fixture(scope="module")
-def browser(request: pytest.FixtureRequest) -> Iterator[Browser]:
-    """Closed with the module: the loop of Playwright must not outlive it.
-
-    A module may say in `BROWSER_ARGUMENTS` how it is started.
-    """
-    with browser_module.chromium(*getattr(request.module, "BROWSER_ARGUMENTS", ())) as running:
-        yield running
-
-
-@pytest.fixture(scope="module")
-def undrawn_browser(browser: Browser) -> Iterator[Browser]:
-    """A browser for windows in which nothing is drawn but the workbench."""
-    with browser_module.launched(browser.browser_type, *browser_module.UNDRAWN) as running:
+def browser() -> Iterator[Browser]:
+    """Closed with the module: the loop of Playwright must not outlive it."""
+    with browser_module.chromium() as running:
         yield running
 
 

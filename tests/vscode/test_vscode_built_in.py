@@ -57,9 +57,9 @@ def test_a_machine_without_python_needs_nothing(
         assert page.evaluate("kindsl.isOfArm") is None
 
 
-def test_an_old_python_is_passed_over(undrawn_browser: Browser, vsix: Path, tmp_path: Path) -> None:
+def test_an_old_python_is_passed_over(browser: Browser, vsix: Path, tmp_path: Path) -> None:
     machine = bare_machine(tmp_path, python3=OLD_PYTHON)
-    with window(undrawn_browser, vsix, tmp_path, {}, machine) as workbench:
+    with window(browser, vsix, tmp_path, {}, machine) as workbench:
         workbench.open("broken.kindsl", models.BROKEN)
         expect(workbench.squiggles("error")).to_have_count(2)
         expect(language_status(workbench)).to_contain_text("built-in Python")
@@ -67,11 +67,11 @@ def test_an_old_python_is_passed_over(undrawn_browser: Browser, vsix: Path, tmp_
 
 
 def test_a_good_python_beside_an_old_one_is_used(
-    undrawn_browser: Browser, vsix: Path, tmp_path: Path
+    browser: Browser, vsix: Path, tmp_path: Path
 ) -> None:
     good = f'#!/bin/sh\nexec "{sys.executable}" "$@"\n'
     machine = bare_machine(tmp_path, **{"python3": OLD_PYTHON, "python3.12": good})
-    with window(undrawn_browser, vsix, tmp_path, {}, machine) as workbench:
+    with window(browser, vsix, tmp_path, {}, machine) as workbench:
         workbench.open("broken.kindsl", models.BROKEN)
         expect(workbench.squiggles("error")).to_have_count(2)
 
@@ -86,7 +86,7 @@ def test_a_good_python_beside_an_old_one_is_used(
 
 
 def test_where_neither_starts_the_user_is_told(
-    undrawn_browser: Browser, vsix: Path, tmp_path: Path
+    browser: Browser, vsix: Path, tmp_path: Path
 ) -> None:
     spoilt = tmp_path / vsix.name
     with zipfile.ZipFile(vsix) as package, zipfile.ZipFile(spoilt, "w") as other:
@@ -95,7 +95,7 @@ def test_where_neither_starts_the_user_is_told(
             is_cut = name.endswith("pyodide.asm.wasm")
             other.writestr(name, content[: len(content) // 2] if is_cut else content)
     machine = bare_machine(tmp_path, python3=OLD_PYTHON)
-    with window(undrawn_browser, spoilt, tmp_path, {}, machine) as workbench:
+    with window(browser, spoilt, tmp_path, {}, machine) as workbench:
         workbench.open("broken.kindsl", models.BROKEN)
         message = workbench.notifications().first
         expect(message).to_contain_text("Kinematics-DSL needs Python 3.11 or later: ")
@@ -106,9 +106,9 @@ def test_where_neither_starts_the_user_is_told(
 
 
 def test_a_server_that_is_killed_or_hangs_is_replaced(
-    undrawn_browser: Browser, vsix: Path, tmp_path: Path
+    browser: Browser, vsix: Path, tmp_path: Path
 ) -> None:
-    with window(undrawn_browser, vsix, tmp_path, BUILT_IN) as workbench:
+    with window(browser, vsix, tmp_path, BUILT_IN) as workbench:
         workbench.open("broken.kindsl", models.BROKEN)
         expect(workbench.squiggles("error")).to_have_count(2)
         (first,) = host_processes(tmp_path)
@@ -133,7 +133,7 @@ def test_a_server_that_is_killed_or_hangs_is_replaced(
 
 
 def test_a_workspace_that_is_not_trusted_runs_nothing_of_its_own(
-    undrawn_browser: Browser, vsix: Path, tmp_path: Path
+    browser: Browser, vsix: Path, tmp_path: Path
 ) -> None:
     trust = {"enabled": True, "startupPrompt": "never"}
     settings = {f"security.workspace.trust.{name}": value for name, value in trust.items()}
@@ -141,7 +141,7 @@ def test_a_workspace_that_is_not_trusted_runs_nothing_of_its_own(
     planted.parent.mkdir(parents=True)
     planted.write_text(f"#!/bin/sh\ntouch '{tmp_path}/has-run'\n")
     planted.chmod(0o755)
-    with window(undrawn_browser, vsix, tmp_path, settings, bare_machine(tmp_path)) as workbench:
+    with window(browser, vsix, tmp_path, settings, bare_machine(tmp_path)) as workbench:
         expect(workbench.status("Restricted Mode")).to_be_visible()
         workbench.open("broken.kindsl", models.BROKEN)
         expect(workbench.squiggles("error")).to_have_count(2)
@@ -151,7 +151,7 @@ def test_a_workspace_that_is_not_trusted_runs_nothing_of_its_own(
 
 
 def test_each_folder_of_a_workspace_has_its_configuration(
-    undrawn_browser: Browser, vsix: Path, tmp_path: Path
+    browser: Browser, vsix: Path, tmp_path: Path
 ) -> None:
     names = ("bound", "free")
     for name in names:
@@ -160,7 +160,7 @@ def test_each_folder_of_a_workspace_has_its_configuration(
     (tmp_path / "bound" / "kindsl.toml").write_text(CONFIGURATION)
     workspace = tmp_path / "all.code-workspace"
     workspace.write_text(json.dumps({"folders": [{"path": name} for name in names]}))
-    with window(undrawn_browser, vsix, tmp_path, BUILT_IN, opened=workspace) as workbench:
+    with window(browser, vsix, tmp_path, BUILT_IN, opened=workspace) as workbench:
         for name, findings in zip(names, "23", strict=True):
             file_name = f"{name}.kindsl"
             folder, file = (
@@ -205,14 +205,14 @@ def test_the_preview_opens_in_a_browser_too(browser: Browser, vsix: Path, tmp_pa
         page.screenshot(path=SHOTS / "built-in-browser.png")
 
 
-def test_the_linter_is_a_task(undrawn_browser: Browser, vsix: Path, tmp_path: Path) -> None:
+def test_the_linter_is_a_task(browser: Browser, vsix: Path, tmp_path: Path) -> None:
     if not code_server.has_terminals():
         missing("the terminal of VS Code could not be compiled")
     folder = tmp_path / "robots"
     folder.mkdir()
     (folder / "broken.kindsl").write_text(models.ARM.replace("lower via elbow", "lower via x"))
     with code_server.running(tmp_path / "data", BUILT_IN, vsix) as server:
-        outcome = run_suite(undrawn_browser, server, folder, HOST / "tasks.js")
+        outcome = run_suite(browser, server, folder, HOST / "tasks.js")
     assert outcome.code == 0, str(outcome)
 
 

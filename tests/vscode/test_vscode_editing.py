@@ -6,10 +6,8 @@ import sys
 
 from playwright.sync_api import Error, Frame, expect
 from tests.vscode import models
-from tests.vscode.browser import UNDRAWN
 from tests.vscode.workbench import Workbench
 
-BROWSER_ARGUMENTS = UNDRAWN
 WIDTHS = "() => [...document.images].map((image) => image.naturalWidth)"
 
 

@@ -5,10 +5,8 @@ from pathlib import Path
 
 from playwright.sync_api import expect
 from tests.cad.test_reports import REPORTS
-from tests.vscode.browser import UNDRAWN
 from tests.vscode.workbench import Workbench
 
-BROWSER_ARGUMENTS = UNDRAWN
 LINKS = ("upper", "lower", "hand")
 NAMES = ("SolidWorks_upper_arm", "Fusion 360_hip", "Creo_shank")
 POSE = "translation = (0.0, 0.0, 0.5) rotation = (0.0, 0.0, 0.0)"

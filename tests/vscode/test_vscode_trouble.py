@@ -16,10 +16,10 @@ STUB = Path(__file__).with_name("stub_server.py")
 
 
 def test_a_setting_that_names_no_python_is_said_once_and_colours_stay(
-    undrawn_browser: Browser, vsix: Path, tmp_path: Path
+    browser: Browser, vsix: Path, tmp_path: Path
 ) -> None:
     settings = {"kindsl.interpreter": ["/nowhere/python3"]}
-    with window(undrawn_browser, vsix, tmp_path, settings) as workbench:
+    with window(browser, vsix, tmp_path, settings) as workbench:
         workbench.open("arm.kindsl", models.ARM)
         expect(workbench.notifications()).to_have_count(1)
         message = workbench.notifications().first
@@ -57,7 +57,7 @@ def test_a_python_without_packages_is_enough(browser: Browser, vsix: Path, tmp_p
 
 
 def test_a_workspace_that_is_not_trusted_chooses_no_program(
-    undrawn_browser: Browser, vsix: Path, tmp_path: Path
+    browser: Browser, vsix: Path, tmp_path: Path
 ) -> None:
     settings = {
         "kindsl.interpreter": [sys.executable],
@@ -67,7 +67,7 @@ def test_a_workspace_that_is_not_trusted_chooses_no_program(
     chosen = tmp_path / "robots" / ".vscode" / "settings.json"
     chosen.parent.mkdir(parents=True)
     chosen.write_text(json.dumps({"kindsl.path": ["/nowhere/server"]}))
-    with window(undrawn_browser, vsix, tmp_path, settings) as workbench:
+    with window(browser, vsix, tmp_path, settings) as workbench:
         expect(workbench.status("Restricted Mode")).to_be_visible()
         workbench.open("broken.kindsl", models.BROKEN)
         expect(workbench.squiggles("error")).to_have_count(2)
@@ -75,10 +75,10 @@ def test_a_workspace_that_is_not_trusted_chooses_no_program(
 
 
 def test_a_restart_while_the_tree_is_awaited_is_no_error(
-    undrawn_browser: Browser, vsix: Path, tmp_path: Path
+    browser: Browser, vsix: Path, tmp_path: Path
 ) -> None:
     settings = {"kindsl.path": [sys.executable, str(STUB), "--silent-tree"]}
-    with window(undrawn_browser, vsix, tmp_path, settings) as workbench:
+    with window(browser, vsix, tmp_path, settings) as workbench:
         workbench.open("arm.kindsl", models.ARM)
         workbench.run("Explorer: Focus on Kinematic Tree View")
         asked = workbench.problems().filter(has_text="tree of process")

@@ -2,10 +2,8 @@
 
 from playwright.sync_api import expect
 from tests.analysis.test_urdf_fixes import LEGS, spoilt
-from tests.vscode.browser import UNDRAWN
 from tests.vscode.workbench import Workbench
 
-BROWSER_ARGUMENTS = UNDRAWN
 MOMENT = 'iyy="0.0046023457"'
 
 

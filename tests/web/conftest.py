@@ -29,12 +29,9 @@ def playground() -> Path:
 
 
 @pytest.fixture(scope="module")
-def browser(request: pytest.FixtureRequest) -> Iterator[Browser]:
-    """Closed with the module: the loop of Playwright must not outlive it.
-
-    A module may say in `BROWSER_ARGUMENTS` how it is started.
-    """
-    with chromium(*getattr(request.module, "BROWSER_ARGUMENTS", ())) as running:
+def browser() -> Iterator[Browser]:
+    """Closed with the module: the loop of Playwright must not outlive it."""
+    with chromium() as running:
         yield running
 
 

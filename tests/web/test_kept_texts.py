@@ -5,11 +5,9 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import BrowserContext
 from tests.vscode import models
-from tests.vscode.browser import UNDRAWN
 from tests.web import site
 from tests.web.tab import Tab, fragment
 
-BROWSER_ARGUMENTS = UNDRAWN
 # The first test waits for what is built for all of them.
 pytestmark = pytest.mark.timeout(900)
 MINE = models.ARM.replace("Robot arm", "Robot mine")
