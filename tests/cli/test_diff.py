@@ -1,11 +1,13 @@
 """`kindsl diff` compares what can be compared, and says what it left out."""
 
 import json
+import re
 from io import BytesIO, TextIOWrapper
 from pathlib import Path
 
 import pytest
 from tests.cli.conftest import Runner
+from tests.comparison.trials import random_document
 
 ARM = """Robot Arm {
 RobotBase ground { children { upper via shoulder } }
@@ -161,3 +163,56 @@ def test_a_centre_of_mass_that_stays_in_the_base_has_not_moved(
     assert change["com_distance"] == pytest.approx(0.1)
     _, found, _ = differ(kindsl, folder, old, old.replace("0.0, 0.0, 0.3", "0.1, 0.0, 0.3"))
     assert found["masses"] == []
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "what"),
+    [
+        ("mass = 2.0371", "mass = 2.04", "mass of 'upper'"),
+        (
+            "mass = 2.0371 CoM = (0.0, 0.0, 0.1)",
+            "mass = 2.04 CoM = (0.0, 0.0, reach)",
+            "mass of 'upper'",
+        ),
+        ("0.093138", "0.0931", "z of 'shoulder'"),
+        ("0.3) rotation = (0.0", "0.3) rotation = (8e-7", "rx of 'wrist'"),
+        ("0.3) rotation = (PI/2.0", "0.3) rotation = (1.571", "rx of 'wrist'"),
+    ],
+)
+def test_a_number_with_fewer_digits_is_a_convention(
+    kindsl: Runner, folder: Path, old: str, new: str, what: str
+) -> None:
+    text = ARM % ("2.0371", "0.093138", "0.3")
+    text = text if old in text else text.replace("0.3) rotation = (0.0", old)
+    for pair in ((text, text.replace(old, new)), (text.replace(old, new), text)):
+        status, found, err = differ(kindsl, folder, *pair)
+        assert (status, found["changed"]) == (0, False)
+        assert f"1 number with other digits: {what}" in err
+        assert any("with other digits" in note for note in found["left_out"])
+
+
+@pytest.mark.parametrize(
+    ("old", "new"), [("2.0", "2.02"), ("2.0371", "2.05"), ("2.0", "2.1"), ("0.0", "0.0371")]
+)
+def test_a_number_that_is_no_rounding_is_a_change(
+    kindsl: Runner, folder: Path, old: str, new: str
+) -> None:
+    status, found, err = differ(
+        kindsl, folder, ARM % (old, "0.093138", "0.3"), ARM % (new, "0.0931", "0.3")
+    )
+    assert status == 1
+    assert [change["link"] for change in found["masses"]] == ["upper"]
+    assert (found["joint_frames"], found["zero_poses"]) == ([], [])
+    assert "1 number with other digits: z of 'shoulder'" in err
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_document_whose_numbers_are_all_rounded_is_the_same_robot(
+    kindsl: Runner, folder: Path, seed: int
+) -> None:
+    text = random_document(seed)
+    rounded = re.sub(r"(?<![\w.])\d+\.\d+", lambda m: f"{float(m[0]):#.3g}", text)
+    for pair in ((text, rounded), (rounded, text)):
+        status, found, err = differ(kindsl, folder, *pair)
+        assert status == 0, found
+        assert "with other digits" in err

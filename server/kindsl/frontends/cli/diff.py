@@ -1,8 +1,9 @@
 """Compares two descriptions of a robot mechanically.
 
-Two documents are compared for reviews: names, frames and signs count. Broken documents and
-parameters without values leave out what depends on them, which is reported. /dev/null stands for a
-document that is not there, as git has it for new and deleted files.
+Two documents are compared for reviews: names, frames and signs count; numbers that are the other's
+with fewer digits are noted, not counted. Broken documents and parameters without values leave out
+what depends on them, which is reported. /dev/null stands for a document that is not there, as git
+has it for new and deleted files.
 
 With --mechanics, and always where one of both is of another format (.urdf, .xacro, .xml, .mjcf,
 .sdf) or a folder of generated code, only the mechanics count: what moves where and what weighs
@@ -130,7 +131,7 @@ def _difference(args: argparse.Namespace) -> "tuple[Difference, tuple[str, ...]]
         skeleton_of_document(path, analysis)
         raise CommandError([Failure(shown_name(path), "does not describe a tree of links")])
     if found.is_of_whole:
-        return found.difference, ()
+        return found.difference, found.notes
     broken = [path for path, analysis in both if analysis is not None and _is_broken(analysis)]
     notes = [f"{shown_name(path)} has errors: showing the rest" for path in broken]
     return found.difference, (*notes, *found.notes)

@@ -3,8 +3,8 @@
 from typing import NamedTuple
 
 from kindsl.judgement.analysis.analysis import Analysis
-from kindsl.robots.comparison.difference import Difference, difference
-from kindsl.robots.comparison.partial_difference import partial_difference
+from kindsl.robots.comparison.difference import Difference
+from kindsl.robots.comparison.partial_difference import document_difference, partial_difference
 from kindsl.robots.mechanism.errors import ModelError, UnboundParameterError
 from kindsl.robots.mechanism.linkage import Linkage
 from kindsl.robots.mechanism.total_mass import total_mass
@@ -30,11 +30,12 @@ class Comparison(NamedTuple):
 
 def compared(old: Analysis | None, new: Analysis | None) -> Comparison:
     """Compare two documents; None stands for one that is not there, at most once."""
-    if old is not None and new is not None:
-        whole = _skeleton(old), _skeleton(new)
-        if whole[0] is not None and whole[1] is not None:
-            return Comparison(difference(whole[0], whole[1]), is_of_whole=True)
-    sides = (None if a is None else (a.model, a.context.values) for a in (old, new))
+    sides = [None if a is None else (a.model, a.context.values) for a in (old, new)]
+    documents = [side for side in sides if side is not None]
+    whole = [skeleton for a in (old, new) if a is not None and (skeleton := _skeleton(a))]
+    if len(whole) == len(sides):
+        found, notes = document_difference(documents, whole)
+        return Comparison(found, tuple(notes), is_of_whole=True)
     partial = partial_difference(*sides)
     if isinstance(partial, int):
         return Comparison(None, treeless=partial)

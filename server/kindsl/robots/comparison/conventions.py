@@ -8,7 +8,6 @@ from kindsl.language.text.phrases import counted, listed
 from kindsl.mechanics.rigid.pose import RigidPose
 from kindsl.robots.comparison.alignment import AlignedJoint
 from kindsl.robots.comparison.matching import writable
-from kindsl.robots.comparison.number_differences import NumberDifference
 from kindsl.robots.comparison.pair import Pair
 from kindsl.robots.comparison.side import ComparedSide
 
@@ -78,12 +77,11 @@ def _link_frames(pair: Pair) -> Iterator[str]:
         yield f"{number} elsewhere in {pair.theirs.label}: {_some(moved)}"
 
 
-def rounded_numbers(label: str, rounded: Sequence[NumberDifference]) -> Iterator[str]:
-    """Yield the numbers that one file has with fewer digits than the other, as one sentence."""
-    if rounded:
-        names = [f"{number.quantity} of '{number.owner}'" for number in rounded]
+def rounded_numbers(names: Sequence[str], where: str = "") -> Iterator[str]:
+    """Yield that numbers have more or fewer digits than the others, as one sentence, if any do."""
+    if names:
         some = ", ".join(names[:_SHOWN]) + (", ..." if names[_SHOWN:] else "")
-        yield f"{counted(len(names), 'number')} with other digits in {label}: {some}"
+        yield f"{counted(len(names), 'number')} with other digits{where}: {some}"
 
 
 def _limits(pair: Pair) -> Iterator[str]:

@@ -1,6 +1,6 @@
 """Two robots of any files: what moves where and what weighs what, apart from conventions."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import acos
 from typing import NamedTuple
@@ -148,7 +148,7 @@ def _under_rounding(
         return None
     strict = _under(pair, bounds)
     rounded = (*strict.numbers, *strict.rounded)
-    only = (*found.conventions, *rounded_numbers(pair.theirs.label, rounded))
+    only = (*found.conventions, *_told_digits(pair, rounded))
     return replace(found, conventions=only, rounded=rounded)
 
 
@@ -203,8 +203,13 @@ def _under(pair: Pair, bounds: Tolerances) -> MechanicalComparison:
         if is_rounded(number.here_number, number.there_number, number.unit)
     )
     numbers = tuple(number for number in found if number not in rounded)
-    only = (*conventions(pair), *rounded_numbers(pair.theirs.label, rounded))
+    only = (*conventions(pair), *_told_digits(pair, rounded))
     return MechanicalComparison(matching, alignment, numbers, structure, only, rounded)
+
+
+def _told_digits(pair: Pair, rounded: Sequence[NumberDifference]) -> Iterator[str]:
+    names = [f"{number.quantity} of '{number.owner}'" for number in rounded]
+    return rounded_numbers(names, f" in {pair.theirs.label}")
 
 
 def _n_differences(found: MechanicalComparison) -> int:

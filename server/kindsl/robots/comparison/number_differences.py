@@ -8,7 +8,7 @@ from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from
 from kindsl.mechanics.rigid.pose import RigidPose, angle_between
 from kindsl.robots.comparison.pair import Pair
 from kindsl.robots.comparison.quantities import INERTIA, POSE, TURNS
-from kindsl.robots.comparison.rounding import Digits
+from kindsl.robots.comparison.rounding import NO_ANGLE, Digits
 from kindsl.robots.comparison.written import (
     WrittenInertia,
     WrittenNumber,
@@ -20,8 +20,6 @@ from kindsl.robots.comparison.written import (
 
 _ROUNDING = 1e-11
 _FLOAT = 2e-7
-# An angle less than this is what a program leaves of zero, radians.
-_NO_ANGLE = 1e-6
 # Of a frame whose digits in the other file are not known, beside the robot and in radians.
 _FRAME = 1e-5
 # Zero in an MJCF, kg m^2: MuJoCo takes nothing less.
@@ -287,7 +285,7 @@ def _unlike(
 
 
 def _scales_of_pose(bounds: Tolerances) -> tuple[float, ...]:
-    return (bounds.size,) * 3 + (_NO_ANGLE / _ROUNDING,) * 3
+    return (bounds.size,) * 3 + (NO_ANGLE / _ROUNDING,) * 3
 
 
 def _scales_of_inertia(

@@ -10,7 +10,10 @@ from typing import Any, NamedTuple
 
 from kindsl.language.semantics.model import Model
 from kindsl.language.text.phrases import listed
+from kindsl.robots.comparison.conventions import rounded_numbers
 from kindsl.robots.comparison.difference import Difference, MassChange, Moved, difference
+from kindsl.robots.comparison.document_side import described_document
+from kindsl.robots.comparison.rounding import unrounded
 from kindsl.robots.mechanism.linkage import Linkage
 from kindsl.robots.mechanism.reading import partial_linkage
 from kindsl.robots.mechanism.total_mass import total_mass, unknown_bodies
@@ -53,7 +56,7 @@ def partial_difference(old: Document | None, new: Document | None) -> PartialDif
         if None in skeletons:
             return 1 if old is None else skeletons.index(None)
         versions.append([skeleton for skeleton in skeletons if skeleton is not None])
-    found, notes = difference(*versions[0]), list[str]()
+    found, notes = document_difference(bound[0], versions[0])
     if unbound:
         depends = [difference(*side) for side in zip(*versions, strict=True)]
         found = _independent(found, depends)
@@ -65,6 +68,26 @@ def partial_difference(old: Document | None, new: Document | None) -> PartialDif
     if old is None or new is None:
         found = _of_one(found, versions[0][0], "added" if old is None else "removed")
     return PartialDifference(found, (*notes, *unknown))
+
+
+def document_difference(
+    documents: Sequence[Document], skeletons: Sequence[Linkage]
+) -> tuple[Difference, list[str]]:
+    """Return what changed besides digits, and a note on numbers that have more or fewer.
+
+    Args:
+        documents: The old and the new one.
+        skeletons: Their bodies.
+    """
+    found = difference(*skeletons)
+    if found.is_empty:
+        return found, []
+    pairs = zip(documents, skeletons, strict=True)
+    ours, theirs = (described_document("", *document, skeleton) for document, skeleton in pairs)
+    same = unrounded(ours, theirs)
+    if not same.names:
+        return found, []
+    return difference(same.skeleton, theirs.skeleton), list(rounded_numbers(same.names))
 
 
 def _independent(found: Difference, depends: Sequence[Difference]) -> Difference:
