@@ -8,10 +8,11 @@ TOOLS := $(VENV)/.installed
 PAGE_TOOLS := web/node_modules/.package-lock.json
 PYTHON ?= python3
 EXAMPLE ?= examples/quadruped.kindsl
-# Browsers that draw without a graphics card need all cores: their tests run alone, whatever became of the others.
+# Files of the browsers' tests in order: of the long ones the last would else run alone.
 BROWSERS := tests/preview tests/typist tests/vscode tests/web
-RUN_TESTS = $(BIN)/python -m pytest -n 2 --dist loadfile $(BROWSERS:%=--ignore=%); others=$$?; \
-	$(BIN)/python -m pytest $(BROWSERS) && exit $$others
+IN_PARALLEL := $(BIN)/python -m pytest -n 2 --dist loadfile
+RUN_TESTS = $(IN_PARALLEL) $(BROWSERS:%=--ignore=%); others=$$?; \
+	$(IN_PARALLEL) --no-loadscope-reorder $(BROWSERS) && exit $$others
 
 .PHONY: demo demo-web playground test thorough fix lint types layers docs tables bench vsix screenshots clean
 
