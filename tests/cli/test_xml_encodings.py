@@ -50,6 +50,17 @@ def test_a_declaration_that_the_bytes_deny_is_not_believed(tmp_path: Path) -> No
     assert "\u0141" in kindsl.load(path).text
 
 
+@pytest.mark.parametrize("mark", ["", "\ufeff"])
+def test_what_is_utf_8_stays_so_whatever_it_declares(
+    mark: str, kdsl_lint: Runner, tmp_path: Path
+) -> None:
+    path = tmp_path / "legs.urdf"
+    declared = "UTF-16" if not mark else "ISO-8859-1"
+    path.write_bytes((mark + legs(declared, spoilt('value="1.152"', 'value="1152"'))).encode())
+    kdsl_lint("--fix", "--unsafe-fixes", str(path))
+    assert path.read_bytes() == (mark + legs(declared)).encode()
+
+
 def test_a_file_is_compared_by_the_numbers_in_it(kindsl: Runner, tmp_path: Path) -> None:
     old, new = tmp_path / "old.urdf", tmp_path / "new.urdf"
     old.write_text(legs("utf-8"), encoding="utf-8")

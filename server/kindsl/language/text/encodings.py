@@ -3,8 +3,9 @@
 import re
 
 _DECLARED = r"""<\?xml\s[^>]*?\bencoding\s*=\s*["']([A-Za-z][\w.-]*)["']"""
-_IN_BYTES, _IN_TEXT = re.compile(_DECLARED.encode()), re.compile(_DECLARED)
-_UTF_16 = b"\xff\xfe", b"\xfe\xff"
+# As far as the declaration of a file reaches at most, in characters.
+_HEAD = 200
+_UTF_16, _MARK = (b"\xff\xfe", b"\xfe\xff"), "\ufeff"
 _UTF_8 = ("utf-8", "utf8", "us-ascii", "ascii")
 _ALL_BYTES, _ASCII = bytes(range(256)), bytes(range(32, 127))
 
@@ -13,15 +14,14 @@ def decoded(content: bytes) -> str:
     """Return a file's text, line ends untouched; bytes that are not UTF-8 as surrogates.
 
     Of XML in another encoding that it declares, where XML parsers read that: one of a byte for each
-    character, or UTF-16 with a mark.
+    character, or UTF-16 with a mark, which the text begins with.
     """
-    declared = _IN_BYTES.match(content)
-    name = declared[1].decode() if declared is not None else ""
+    name = declared_encoding(content[:_HEAD].decode("latin-1"))
     try:
         if content.startswith(_UTF_16):
             text = content.decode("utf-16")
             if declared_encoding(text).lower() == "utf-16":
-                return text
+                return _MARK + text
         elif _is_of_single_bytes(name):
             return content.decode(name)
     except UnicodeError:
@@ -31,9 +31,11 @@ def decoded(content: bytes) -> str:
 
 def encoded(text: str) -> bytes:
     """Return a text as its file has it; bytes that were not UTF-8 when read stay as they were."""
-    name = declared_encoding(text)
+    name = declared_encoding(text.removeprefix(_MARK))
     try:
-        if name.lower() == "utf-16" or _is_of_single_bytes(name):
+        if text.startswith(_MARK) and name.lower() == "utf-16":
+            return text.removeprefix(_MARK).encode(name)
+        if _is_of_single_bytes(name) and not text.startswith(_MARK):
             return text.encode(name)
     except UnicodeError:
         pass
@@ -42,7 +44,7 @@ def encoded(text: str) -> bytes:
 
 def declared_encoding(text: str) -> str:
     """Return the encoding that the text of an XML file declares, empty without one."""
-    declared = _IN_TEXT.match(text)
+    declared = re.match(_DECLARED, text[:_HEAD]) if text.startswith("<?xml") else None
     return declared[1] if declared is not None else ""
 
 

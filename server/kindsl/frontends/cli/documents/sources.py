@@ -85,7 +85,7 @@ def is_decodable(text: str) -> bool:
 def _text_of(content: bytes) -> str | NotText:
     text = decoded(content)
     for mark, encoding in _BYTE_ORDER_MARKS:
-        if content.startswith(mark) and not text.startswith("<"):
+        if content.startswith(mark) and not text.startswith("\ufeff"):
             return _encoded(content, encoding)
     if len(text) == len(content) and "\0" not in text and text.isascii():
         return text
