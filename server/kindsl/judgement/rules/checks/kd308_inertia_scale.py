@@ -1,9 +1,10 @@
-"""Moments of inertia were given in another unit, or one has a digit too many or too few.
+"""Moments of inertia were given in another unit, or one was typed otherwise.
 
 ## What it does
 Reports an impossible inertia (KD301, KD302), or one of implausible density (KD311), that would be
-consistent and plausible with its moments in another unit, or one of them ten times as great or
-small. KD306 explains how causes are weighed.
+consistent and plausible with its moments in another unit, one of them ten times as great or small,
+or one as a counterpart has it: the same part on the other side, whose other nine numbers agree.
+KD306 explains how causes are weighed.
 
 ## Why is this bad?
 CAD programs give g·mm², kg·mm² or g·cm², finite elements t·mm². The language wants kg·m², which is
@@ -19,9 +20,10 @@ inertia_params {
 ```
 
 ## Fix
-Converts the moments, keeping the significant digits. Offered only where no other cause is left, and
-not where RobCoGen2 would treat all moments as zero (KD507), nor, for that target, where it would
-treat one that matters as zero. Unsafe: it is a guess, though a likely one.
+Converts the moments, keeping the significant digits, or writes the counterpart's one. Offered only
+where no other cause is left, and not where RobCoGen2 would treat all moments as zero (KD507), nor,
+for that target, where it would treat one that matters as zero. Unsafe: it is a guess, though a
+likely one.
 """
 
 from collections.abc import Iterator

@@ -1,9 +1,10 @@
-"""A mass is wrong by a power of ten.
+"""A mass is wrong by a power of ten, or typed otherwise.
 
 ## What it does
 Says of an impossible inertia (KD301, KD302) or one of implausible density (KD311) that it would be
-consistent and plausible if its mass were in grams, or ten times as great or small. What the robot's
-other links weigh counts. KD306 tells how causes are weighed.
+consistent and plausible if its mass were in grams, ten times as great or small, or that of the same
+part on the other side, whose other nine numbers agree. What the robot's other links weigh counts.
+KD306 tells how causes are weighed.
 
 ## Why is this bad?
 CAD programs give grams where the language wants kilograms, and a digit is easily lost. The moments
