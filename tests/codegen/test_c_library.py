@@ -2,6 +2,7 @@
 
 import shutil
 import subprocess
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -16,9 +17,10 @@ from tests.codegen.compiling import (
 )
 from tests.codegen.loaded import Loaded
 from tests.codegen.robots import CONTROL, PLAIN, bodies_of_seed, library, reference, write_c
+from tests.dynamics.random_bodies import random_bodies
 from tests.support.differences import worst_difference
 
-from kindsl.products.codegen.c_test_program import TOLERANCES
+from kindsl.products.codegen.c_test_program import TOLERANCES, _tolerance
 from kindsl.products.codegen.reference import Reference
 
 pytestmark = needs_compiler
@@ -173,6 +175,14 @@ def test_in_floats_the_test_program_allows_for_rounding_only(tmp_path: Path) -> 
     source.write_text(source.read_text().replace("T[0] = ", "T[0] = 1e-4f + ", 1))
     program = build(COMPILERS[0], folder, [], "tests")
     assert subprocess.run([program], capture_output=True, check=False).returncode == 1
+
+
+def test_accelerations_of_a_long_chain_are_allowed_their_rounding() -> None:
+    tree = random_bodies(np.random.default_rng(1), 60, is_floating=False)
+    bodies = replace(tree, parents=tuple(range(60)))
+    made = library(bodies, ("forward_dynamics", "joint_space_inertia"))
+    solved, given = (_tolerance(made, reference(bodies), f) for f in made.all_functions)
+    assert TOLERANCES["double"] == given < solved < TOLERANCES["float"]
 
 
 def test_tolerances_of_the_test_program_are_those_of_the_type() -> None:

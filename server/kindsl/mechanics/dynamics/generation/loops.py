@@ -11,8 +11,8 @@ from kindsl.mechanics.dynamics.generation.terms import Scalar, operations
 from kindsl.mechanics.dynamics.generation.tree import Tree
 from kindsl.mechanics.dynamics.generation.vectors import EYE, ZERO
 
-# gcc -O2 takes 6 s and 2.6 MB of text for so many, and about from there on loops are as fast: in
-# derivatives of forward dynamics, the most there are, from 30 joints on.
+# gcc -O2 takes 6 s and 2.6 MB of text for so many, and from there on loops are about as fast: all
+# derivatives of 44 velocities in 18 and 57 us, straight lines in 17 and 88.
 MOST_OPERATIONS = 50_000
 # Loops keep two matrices at most on the stack: 4 MB of the 8 that threads usually have.
 MOST_VELOCITIES = 500
