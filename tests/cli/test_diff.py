@@ -28,6 +28,8 @@ r_joint wrist { ref_frame { translation = (0.0, 0.0, %s) rotation = (0.0, 0.0, 0
 }
 """
 
+TIP = "tip { translation = (0.20213, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) }"
+
 
 def differ(kindsl: Runner, folder: Path, old: str, new: str) -> tuple[int, dict[str, object], str]:
     (folder / "old.kindsl").write_text(old)
@@ -177,12 +179,14 @@ def test_a_centre_of_mass_that_stays_in_the_base_has_not_moved(
         ("0.093138", "0.0931", "z of 'shoulder'"),
         ("0.3) rotation = (0.0", "0.3) rotation = (8e-7", "rx of 'wrist'"),
         ("0.3) rotation = (PI/2.0", "0.3) rotation = (1.571", "rx of 'wrist'"),
+        ("tip { translation = (0.20213", "tip { translation = (0.202", "x of 'tip'"),
     ],
 )
 def test_a_number_with_fewer_digits_is_a_convention(
     kindsl: Runner, folder: Path, old: str, new: str, what: str
 ) -> None:
     text = ARM % ("2.0371", "0.093138", "0.3")
+    text = text.replace("children {}", f"children {{}} frames {{ {TIP} }}")
     text = text if old in text else text.replace("0.3) rotation = (0.0", old)
     for pair in ((text, text.replace(old, new)), (text.replace(old, new), text)):
         status, found, err = differ(kindsl, folder, *pair)

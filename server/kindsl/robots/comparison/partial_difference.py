@@ -84,10 +84,10 @@ def document_difference(
         return found, []
     pairs = zip(documents, skeletons, strict=True)
     ours, theirs = (described_document("", *document, skeleton) for document, skeleton in pairs)
-    same = unrounded(ours, theirs)
-    if not same.names:
-        return found, []
-    return difference(same.skeleton, theirs.skeleton), list(rounded_numbers(same.names))
+    same, names = unrounded(ours, theirs)
+    return (
+        (difference(same, theirs.skeleton), list(rounded_numbers(names))) if names else (found, [])
+    )
 
 
 def _independent(found: Difference, depends: Sequence[Difference]) -> Difference:

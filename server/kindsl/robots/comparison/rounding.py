@@ -1,7 +1,6 @@
 """Numbers of one file that are the other's, rounded to fewer digits."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from math import floor, log10
 from typing import NamedTuple
 
@@ -9,7 +8,7 @@ from kindsl.robots.comparison.matching import bodies_by_name
 from kindsl.robots.comparison.quantities import INERTIA, POSE, TURNS
 from kindsl.robots.comparison.side import ComparedSide
 from kindsl.robots.comparison.written import WrittenInertia, WrittenNumber, WrittenPose
-from kindsl.robots.mechanism.linkage import BodyPart, Linkage
+from kindsl.robots.mechanism.linkage import Linkage
 
 _FLOAT = 2e-7
 # Beside half a unit of the last of three digits: rounding to fewer moves a number by over 0.5 %,
@@ -73,54 +72,40 @@ def digits_of_rounding(
     return Digits(round(max(d + lead for d, lead in found)) + 1, round(max(d for d, _ in found)))
 
 
-class Unrounded(NamedTuple):
-    """A robot with the numbers of another, where they differ by digits.
+def unrounded(ours: ComparedSide, theirs: ComparedSide) -> tuple[Linkage, list[str]]:
+    """Return our robot with their numbers where digits alone differ, and what these numbers are.
 
-    Attributes:
-        skeleton: Its bodies.
-        names: What these numbers are: `mass of 'upper'`.
+    Both are documents' robots, matched by name: a body's mass is written in one inertia.
     """
-
-    skeleton: Linkage
-    names: list[str]
-
-
-def unrounded(ours: ComparedSide, theirs: ComparedSide) -> Unrounded:
-    """Return our robot with their numbers where these have other digits."""
     bodies = bodies_by_name(ours.skeleton, theirs.skeleton)
     digits, names = digits_of_rounding(ours, theirs, bodies), list[str]()
 
     def values(form: Form, other: Form) -> tuple[float, ...]:
         quantities = INERTIA if isinstance(form, WrittenInertia) else POSE
-        found = list(form.values)
-        for k, (here, there) in enumerate(zip(form.numbers, other.numbers, strict=True)):
-            own, its = form.values[k], other.values[k]
-            if own != its and _is_alike(here, there, quantities[k] in TURNS, digits):
-                found[k] = its
-                names.append(f"{quantities[k]} of '{form.owner}'")
+        columns = zip(
+            quantities, form.values, other.values, form.numbers, other.numbers, strict=True
+        )
+        found = []
+        for quantity, own, its, here, there in columns:
+            is_other = own != its and _is_alike(here, there, quantity in TURNS, digits)
+            found.append(its if is_other else own)
+            names.extend([f"{quantity} of '{form.owner}'"] if is_other else [])
         return tuple(found)
 
-    def part_of(part: BodyPart, body: int) -> BodyPart:
-        written, other = ours.frames.get(part.name), theirs.frames.get(part.name)
-        if not part.is_link and written is not None and other is not None:
-            return part._replace(pose=written.pose(values(written, other)))
-        if not part.is_link or part.mass is None:
-            return part
-        for form, its in zip(ours.inertias[body], theirs.inertias[bodies[body]], strict=False):
-            return part._replace(mass=form.body(values(form, its)))
-        return part
-
-    made = []
-    for body, each in enumerate(ours.skeleton.bodies):
-        if body in bodies:
-            each = each._replace(parts=tuple(part_of(part, body) for part in each.parts))
-        if body and body in bodies:
+    masses, poses = list(ours.skeleton.masses), list(ours.skeleton.placements)
+    for body, its in bodies.items():
+        for form, other in zip(ours.inertias[body], theirs.inertias[its], strict=False):
+            masses[body] = form.body(values(form, other))
+        if body:
             joint = ours.joints[body - 1]
-            each = each._replace(
-                placement=joint.pose(values(joint, theirs.joints[bodies[body] - 1]))
-            )
-        made.append(each)
-    return Unrounded(replace(ours.skeleton, bodies=tuple(made)), names)
+            poses[body - 1] = joint.pose(values(joint, theirs.joints[its - 1]))
+    frames = {
+        name: frame.pose(values(frame, theirs.frames[name]))
+        for name, frame in ours.frames.items()
+        if name in theirs.frames
+    }
+    same = ours.skeleton.with_masses(masses).with_placements(poses).with_frames(frames)
+    return (same if ours.skeleton.is_floating else same.without_mass_at_rest()), names
 
 
 def _is_alike(

@@ -1,6 +1,6 @@
 """A robot in plain numbers: bodies, each made of parts that are fixed together, on joints."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import cos, dist, isfinite, sin
@@ -194,6 +194,16 @@ class Linkage:
         pairs = zip(self.bodies[1:], placements, strict=True)
         moved = (body._replace(placement=placement) for body, placement in pairs)
         return replace(self, bodies=(self.bodies[0], *moved))
+
+    def with_frames(self, poses: Mapping[str, RigidPose]) -> "Linkage":
+        """Return the same robot with frames elsewhere in their bodies, by name."""
+        moved = (
+            body._replace(
+                parts=tuple(p._replace(pose=poses.get(p.name, p.pose)) for p in body.parts)
+            )
+            for body in self.bodies
+        )
+        return replace(self, bodies=tuple(moved))
 
     def with_masses(self, masses: Iterable[MassDistribution | None]) -> "Linkage":
         """Return the same robot with other masses of all its bodies."""
