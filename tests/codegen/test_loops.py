@@ -34,7 +34,7 @@ from kindsl.products.codegen.language import language_named
 from kindsl.products.codegen.library import GenerationError, Options
 
 pytestmark = needs_compiler
-IN_LOOPS = (*loops.GROWING_WITH_BODIES, *loops.GROWING_WITH_PAIRS)
+IN_LOOPS = tuple(loops.LOOPS)
 STRICT = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror", "-isystem", str(EIGEN)]
 
 
@@ -42,6 +42,7 @@ STRICT = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror", "-isystem
 def all_in_loops(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let no function be short enough."""
     monkeypatch.setattr(loops, "MOST_OPERATIONS", -1)
+    monkeypatch.setattr(loops, "MOST_WHEN_COMPILED", -1)
 
 
 def _bodies(seed: int) -> Bodies:
@@ -140,15 +141,16 @@ def test_functions_of_more_operations_are_loops(monkeypatch: pytest.MonkeyPatch)
 
 def test_what_is_surely_long_is_not_recorded(monkeypatch: pytest.MonkeyPatch) -> None:
     bodies, few = bodies_of_seed(4), ("forward_dynamics_derivatives",)
-    least = loops.factorization_operations(robot_of(bodies).tree)
+    recorded = library(bodies, few, language="python")
+    tree = robot_of(bodies).tree
+    least = loops.LOOPS[few[0]] * loops.factorization_operations(tree)
     for limit in (least, least - 1):
         monkeypatch.setattr(loops, "MOST_OPERATIONS", limit)
         made = library(bodies, few)
-        assert made.has_loops
-        is_recorded = len(made.robot.graph.nodes) > 2 * least
-        assert is_recorded is (limit == least)
+        assert (made.robot.graph.nodes == recorded.robot.graph.nodes) is (limit == least)
+    assert made.has_loops
     # Its arguments and sizes are those of the robot.
-    (loop,), (straight,) = made.all_functions, library(bodies, few, language="python").all_functions
+    (loop,), (straight,) = made.all_functions, recorded.all_functions
     assert [len(a.components) for a in loop.arguments] == [
         len(a.components) for a in straight.arguments
     ]

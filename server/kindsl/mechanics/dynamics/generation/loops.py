@@ -11,43 +11,49 @@ from kindsl.mechanics.dynamics.generation.terms import Scalar, operations
 from kindsl.mechanics.dynamics.generation.tree import Tree
 from kindsl.mechanics.dynamics.generation.vectors import EYE, ZERO
 
-# gcc -O2 takes 6 s and 2.6 MB of text for so many, and from there on loops are about as fast: all
-# derivatives of 44 velocities in 18 and 57 us, straight lines in 17 and 88.
-MOST_OPERATIONS = 50_000
+# In sources, which their user compiles once: gcc -O2 takes half a minute and 13 MB of text for so
+# many; without wide registers loops are two to three times slower than straight lines.
+MOST_OPERATIONS = 250_000
+# In what is compiled while somebody waits: 6 s. In wide registers loops are about as fast from
+# there on: derivatives of 44 velocities 18 and 57 us, straight lines 17 and 88.
+MOST_WHEN_COMPILED = 50_000
 # Loops keep two matrices at most on the stack: 4 MB of the 8 that threads usually have.
 MOST_VELOCITIES = 500
-# What there are loops for; of the second, operations grow as those of the inertia's factors do or
-# faster, so that these tell without recording them that they are too many.
-GROWING_WITH_BODIES = (
-    "inverse_dynamics", "inverse_dynamics_actuated", "forward_dynamics", "gravity_torque",
-    "bias_torque", "joint_space_inertia",
-)  # fmt: skip
-GROWING_WITH_PAIRS = (
-    "inertia_factorization", "inverse_dynamics_derivatives", "forward_dynamics_derivatives",
-    "regressor", "joint_space_inertia_inverse", "coriolis_matrix",
-)  # fmt: skip
+# What there are loops for, with the least operations of each for one of the inertia's factors: they
+# tell without recording that they are too many, where they are not zero. Derivatives of forward
+# dynamics were 11 to 13 in chains and humanoids.
+LOOPS = {
+    "inverse_dynamics": 0, "inverse_dynamics_actuated": 0, "forward_dynamics": 0,
+    "gravity_torque": 0, "bias_torque": 0, "joint_space_inertia": 0, "inertia_factorization": 1,
+    "inverse_dynamics_derivatives": 1, "forward_dynamics_derivatives": 10, "regressor": 1,
+    "joint_space_inertia_inverse": 1, "coriolis_matrix": 1,
+}  # fmt: skip
 
 
-def functions_of(
-    robot: Robot, inputs: Inputs, name: str, *, has_loops: bool
-) -> list[Function]:  # fmt: skip
+def functions_of(robot: Robot, inputs: Inputs, name: str, most: int | None) -> list[Function]:
     """Record the functions of a quantity, those that are too long as loops if there are such.
+
+    Args:
+        robot: The mechanism.
+        inputs: Its inputs.
+        name: The quantity.
+        most: How many operations a straight line may have; None for any number.
 
     Raises:
         OverflowError: There is no room for what they compute with.
     """
     build = QUANTITIES[name].build
-    if name in GROWING_WITH_PAIRS and has_loops and robot.n_velocities > MOST_VELOCITIES:
+    if most is None or name not in LOOPS:
+        return build(robot, inputs)
+    if LOOPS[name] and robot.n_velocities > MOST_VELOCITIES:
         raise OverflowError(
             f"'{name}' is not generated for more than {MOST_VELOCITIES} velocities: "
             "its matrices do not fit on the stack"
         )
-    if not has_loops or name not in (*GROWING_WITH_BODIES, *GROWING_WITH_PAIRS):
-        return build(robot, inputs)
-    if name in GROWING_WITH_PAIRS and factorization_operations(robot.tree) > MOST_OPERATIONS:
+    if LOOPS[name] * factorization_operations(robot.tree) > most:
         return [_in_loops(function) for function in build(_flat(robot), inputs)]
     return [
-        _in_loops(function) if _size(robot, function) > MOST_OPERATIONS else function
+        _in_loops(function) if _size(robot, function) > most else function
         for function in build(robot, inputs)
     ]
 

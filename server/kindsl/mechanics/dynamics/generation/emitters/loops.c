@@ -451,34 +451,41 @@ enum { @P@length = (@NV@ + @P@width - 1) / @P@width, @P@stride = @P@length * @P@
 /* Solve M x = b for all columns of a matrix, which are overwritten. */
 @FN@ void @P@solve(const @ROW@ *factors, @S@ *columns)
 {
-    enum { block = 2 * @P@width };
+    enum { block = 4 * @P@width };
     const @S@ *L = (const @S@ *)factors;
     for (int first = 0; first < @NV@; first += block) {
         const int width = @NV@ - first < block ? @NV@ - first : block;
-        @ROW@ x[2 * @NV@];
+        @ROW@ x[4 * @NV@];
         @S@ *entries = (@S@ *)x;
         for (int k = 0; k < @NV@ * block; k++) {
             const int c = k % block;
             entries[k] = c < width ? columns[k / block * @NV@ + first + c] : (@S@)0;
         }
         for (int k = @NV@ - 1; k >= 0; k--) {
-            const @ROW@ one = x[2 * k], other = x[2 * k + 1];
+            const @ROW@ *own = x + 4 * k, a = own[0], b = own[1], c = own[2], d = own[3];
             for (int i = @P@before[k]; i >= 0; i = @P@before[i]) {
                 const @S@ factor = L[@P@stride * k + i];
-                x[2 * i] -= factor * one;
-                x[2 * i + 1] -= factor * other;
+                x[4 * i] -= factor * a;
+                x[4 * i + 1] -= factor * b;
+                x[4 * i + 2] -= factor * c;
+                x[4 * i + 3] -= factor * d;
             }
         }
         for (int k = 0; k < @NV@; k++) {
             const @S@ pivot = L[(@P@stride + 1) * k];
-            @ROW@ one = x[2 * k] / pivot, other = x[2 * k + 1] / pivot;
+            @ROW@ *own = x + 4 * k, a = own[0] / pivot, b = own[1] / pivot, c = own[2] / pivot,
+                  d = own[3] / pivot;
             for (int i = @P@before[k]; i >= 0; i = @P@before[i]) {
                 const @S@ factor = L[@P@stride * k + i];
-                one -= factor * x[2 * i];
-                other -= factor * x[2 * i + 1];
+                a -= factor * x[4 * i];
+                b -= factor * x[4 * i + 1];
+                c -= factor * x[4 * i + 2];
+                d -= factor * x[4 * i + 3];
             }
-            x[2 * k] = one;
-            x[2 * k + 1] = other;
+            own[0] = a;
+            own[1] = b;
+            own[2] = c;
+            own[3] = d;
         }
         for (int k = 0; k < @NV@; k++) {
             for (int c = 0; c < width; c++) {
