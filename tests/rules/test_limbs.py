@@ -373,6 +373,21 @@ def test_signs_alone_may_also_be_those_of_a_turned_frame() -> None:
     assert finding.fix is None
 
 
+@pytest.mark.parametrize("leg", ["LF", "RF", "LH", "RH"])
+def test_where_all_legs_are_copies_a_sign_is_not_that_of_a_mirrored_one(leg: str) -> None:
+    thigh = section(0.34, "0.058, 0.011, 0.003", 0.00012, 0.00165, 0.0017, "0.000217", "0.000059")
+    text = four_legs()
+    for each in ("LF", "RF", "LH", "RH"):
+        at = text.index("inertia_params", text.index(f"link {each}_thigh"))
+        text = text[:at] + thigh + text[text.index("}", at) + 1 :]
+    at = text.index("0.011", text.index(f"link {leg}_thigh"))
+    spoilt = f"{text[:at]}-{text[at:]}"
+    (finding,) = [f for f in analyse(spoilt).findings if f.probability is not None]
+    assert "would be consistent if the sign of the y of the CoM were changed" in finding.message
+    assert finding.fix is not None
+    assert apply_edits(spoilt, finding.fix.edits) == text
+
+
 def test_a_com_behind_its_joint_is_told_once() -> None:
     """It is not what its twins have, either: KD509 knows which number is meant."""
     text = four_legs()

@@ -240,7 +240,16 @@ def _twins(
 def _expected(
     model: Model, values: Mapping[str, float], link: Link, twins: Sequence[_Inertia]
 ) -> MassDistribution | None:
-    """Return the inertia that all twins let expect, None where they do not agree."""
+    """Return the inertia that all twins let expect, None where they do not agree.
+
+    Where those of both sides are written alike, limbs are copies however they are mounted.
+    """
+    others = [other for other, _ in twins]
+    is_plain = all(o.inertia is None or o.inertia.frame is None for o in (link, *others))
+    side = label_of(str(link.name)).side
+    is_of_side = is_plain and any(label_of(str(other.name)).side == side for other in others)
+    if len(twins) > 1 and is_of_side and all(is_same_body(b, twins[0][1]) for _, b in twins):
+        return twins[0][1]
     masses = [body.mass for _, body in twins]
     agreed: list[MassDistribution] | None = None
     for other, body in twins if are_near(masses, masses[:1] * len(masses)) else ():
