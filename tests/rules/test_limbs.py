@@ -373,6 +373,14 @@ def test_signs_alone_may_also_be_those_of_a_turned_frame() -> None:
     assert finding.fix is None
 
 
+def test_of_a_limb_that_is_a_copy_as_a_whole_no_single_number_is_mended() -> None:
+    """A mount that was turned round would make it alike too, and is not what was meant."""
+    aside = dict.fromkeys(("LF", "RF", "LH"), "0.08, 0.1, 0.0")
+    of_limbs = analyse(four_legs(**aside, RH="0.08, -0.1, 0.0")).findings
+    told = {f.code: f.fix for f in of_limbs if f.code in CODES}
+    assert told == {"KD509": None, "KD510": None}
+
+
 @pytest.mark.parametrize("leg", ["LF", "RF", "LH", "RH"])
 def test_where_all_legs_are_copies_a_sign_is_not_that_of_a_mirrored_one(leg: str) -> None:
     thigh = section(0.34, "0.058, 0.011, 0.003", 0.00012, 0.00165, 0.0017, "0.000217", "0.000059")

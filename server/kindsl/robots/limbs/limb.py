@@ -146,6 +146,13 @@ def assembled(
     return Body(name, by, kind, *pose, angles, children, held, n_bodies)
 
 
+def names_of(body: Body) -> Iterator[str]:
+    """Yield the names of a body and of all that it carries but for what it holds."""
+    yield body.name
+    for child in body.children:
+        yield from names_of(child)
+
+
 class Match(NamedTuple):
     """Two bodies that stand at the same place of two limbs.
 

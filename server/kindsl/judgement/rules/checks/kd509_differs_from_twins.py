@@ -30,7 +30,8 @@ r_joint RH_HFE { ref_frame { translation = (0.8, 0.0, 0.0) ... } }
 
 ## Fix
 Writes what the twins have at the place, if it is the only one that explains the difference. The
-fix is unsafe: it changes the robot. There is none where the twins' inertias are impossible.
+fix is unsafe: it changes the robot. There is none where the twins' inertias are impossible, nor
+where the whole limb is a copy of the other side (KD510).
 """
 
 from collections.abc import Iterator
@@ -41,7 +42,7 @@ from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.examples import four_legs
 from kindsl.judgement.rules.inertia.told_causes import explained, has_cause, told_causes
 from kindsl.judgement.rules.limb_places import OF_A_LINK, PARTS, located, numbers_at, place_at, told
-from kindsl.judgement.rules.limb_verdicts import limb_slips
+from kindsl.judgement.rules.limb_verdicts import copied_limbs, limb_slips
 from kindsl.judgement.rules.limb_writing import as_numbers, rewriting, written
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Link
@@ -49,6 +50,7 @@ from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import written_pose
 from kindsl.mechanics.rigid.body import MassDistribution, seen_from
 from kindsl.robots.limbs.comparison import LOOSE
+from kindsl.robots.limbs.limb import names_of
 from kindsl.robots.limbs.verdicts import LimbVerdict
 from kindsl.robots.mechanism.link_inertia import link_inertia, written_inertia
 
@@ -73,6 +75,8 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
             if place.what in OF_A_LINK and _is_told_better(model, context, verdict):
                 continue
             message, fix = _message(model, context, verdict)
+            if fix is not None and _is_of_copy(model, context, place.link):
+                fix = None
             if fix is None and has_cause(model, context, model.body_named[place.link]):
                 continue
             others = [Related(located(model, p), f"or {told(p)}") for p in verdict.places[1:]]
@@ -80,6 +84,12 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
             others += [Related(located(model, p), told(p)) for p in twins]
             explains = _OF_A_COM if place.what == "com" else frozenset()
             yield Finding(located(model, place), message, tuple(others), fix, explains=explains)
+
+
+def _is_of_copy(model: Model, context: Context, link: str) -> bool:
+    """Return whether a link is of a limb that is a copy of the other side as a whole (KD510)."""
+    sides = (side for pair in copied_limbs(model, context) for side in (pair.left, pair.right))
+    return any(link in names_of(side) for side in sides)
 
 
 def _message(model: Model, context: Context, verdict: LimbVerdict) -> tuple[str, Fix | None]:

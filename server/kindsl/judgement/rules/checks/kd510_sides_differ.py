@@ -35,7 +35,7 @@ from kindsl.judgement.rules.limb_verdicts import copied_limbs, limb_slips
 from kindsl.judgement.rules.limb_writing import as_numbers, rewriting, written
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
-from kindsl.robots.limbs.limb import Body
+from kindsl.robots.limbs.limb import names_of
 from kindsl.robots.limbs.verdicts import LimbVerdict, MeantNumbers
 
 
@@ -71,19 +71,12 @@ def _of_copies(model: Model, context: Context) -> Iterator[Finding]:
     slips = {place.link for each in verdicts for place in each.places}
     for pair in copied_limbs(model, context):
         left, right = (joint_of(model, body.name) for body in (pair.left, pair.right))
-        is_told = not slips.isdisjoint(chain(_names(pair.left), _names(pair.right)))
+        is_told = not slips.isdisjoint(chain(names_of(pair.left), names_of(pair.right)))
         if left is not None and right is not None and not is_told:
             message = f"limb '{pair.right.name}' is a copy of '{pair.left.name}', not its mirror "
             message += "image as the other limbs of this robot are"
             related = Related(left.name, f"joint '{left.name}' of the other side")
             yield Finding(right.name, message, (related,))
-
-
-def _names(body: Body) -> Iterator[str]:
-    """Yield the names of a limb's links."""
-    yield body.name
-    for child in body.children:
-        yield from _names(child)
 
 
 def _choices(model: Model, context: Context, verdict: LimbVerdict) -> Iterator[Fix]:
