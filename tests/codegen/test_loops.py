@@ -42,7 +42,6 @@ STRICT = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror", "-isystem
 def all_in_loops(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let no function be short enough."""
     monkeypatch.setattr(loops, "MOST_OPERATIONS", -1)
-    monkeypatch.setattr(loops, "MOST_WHEN_COMPILED", -1)
 
 
 def _bodies(seed: int) -> Bodies:

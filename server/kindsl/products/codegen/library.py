@@ -6,7 +6,6 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Literal, NamedTuple
 
-from kindsl.mechanics.dynamics.generation import loops
 from kindsl.mechanics.dynamics.generation.emitters.numbers import evaluate
 from kindsl.mechanics.dynamics.generation.emitters.straight_line import setup_nodes
 from kindsl.mechanics.dynamics.generation.function import Function, Inputs, inputs_of
@@ -256,7 +255,7 @@ def _recorded(robot: Robot, inputs: Inputs, name: str, *, has_loops: bool) -> li
             "use --quantities to choose others, such as poses,jacobians"
         )
     try:
-        functions = functions_of(robot, inputs, name, loops.MOST_OPERATIONS if has_loops else None)
+        functions = functions_of(robot, inputs, name, has_loops=has_loops)
     except (SingularInertiaError, ZeroDivisionError):
         raise GenerationError(
             f"'{name}' is not defined: the inertia matrix is "

@@ -8,7 +8,6 @@ from kindsl.mechanics.dynamics.evaluation.compiling import compiled_module
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanics.dynamics.evaluation.results import FreeMotion, FreeMotionTorque
 from kindsl.mechanics.dynamics.forward_dynamics_derivatives import ForwardDynamicsDerivatives
-from kindsl.mechanics.dynamics.generation import loops
 from kindsl.mechanics.dynamics.generation.emitters.extension import (
     MODULE,
     Kernel,
@@ -106,7 +105,7 @@ def kernels_of(robot: Robot, group: str) -> list[Kernel]:
         if quantity.needs_mass and is_massless:
             continue
         try:
-            functions = functions_of(robot, inputs, name, loops.MOST_WHEN_COMPILED)
+            functions = functions_of(robot, inputs, name, has_loops=True)
         except ZeroDivisionError:
             raise SingularInertiaError from None
         except OverflowError:

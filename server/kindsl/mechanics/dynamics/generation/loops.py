@@ -11,12 +11,9 @@ from kindsl.mechanics.dynamics.generation.terms import Scalar, operations
 from kindsl.mechanics.dynamics.generation.tree import Tree
 from kindsl.mechanics.dynamics.generation.vectors import EYE, ZERO
 
-# In sources, which their user compiles once: gcc -O2 takes half a minute and 13 MB of text for so
-# many; without wide registers loops are two to three times slower than straight lines.
-MOST_OPERATIONS = 250_000
-# In what is compiled while somebody waits: 6 s. In wide registers loops are about as fast from
-# there on: derivatives of 44 velocities 18 and 57 us, straight lines 17 and 88.
-MOST_WHEN_COMPILED = 50_000
+# gcc -O2 takes 6 s and 2.6 MB of text for so many, and from there on straight lines are no faster:
+# derivatives of forward dynamics of JVRC-1, 202,000 operations, take 183 us in lines, 181 in loops.
+MOST_OPERATIONS = 50_000
 # Loops keep two matrices at most on the stack: 4 MB of the 8 that threads usually have.
 MOST_VELOCITIES = 500
 # What there are loops for, with the least operations of each for one of the inertia's factors: they
@@ -30,30 +27,32 @@ LOOPS = {
 }  # fmt: skip
 
 
-def functions_of(robot: Robot, inputs: Inputs, name: str, most: int | None) -> list[Function]:
+def functions_of(
+    robot: Robot, inputs: Inputs, name: str, *, has_loops: bool
+) -> list[Function]:  # fmt: skip
     """Record the functions of a quantity, those that are too long as loops if there are such.
 
     Args:
         robot: The mechanism.
         inputs: Its inputs.
         name: The quantity.
-        most: How many operations a straight line may have; None for any number.
+        has_loops: Whether what is too long is to be loops.
 
     Raises:
         OverflowError: There is no room for what they compute with.
     """
     build = QUANTITIES[name].build
-    if most is None or name not in LOOPS:
+    if not has_loops or name not in LOOPS:
         return build(robot, inputs)
     if LOOPS[name] and robot.n_velocities > MOST_VELOCITIES:
         raise OverflowError(
             f"'{name}' is not generated for more than {MOST_VELOCITIES} velocities: "
             "its matrices do not fit on the stack"
         )
-    if LOOPS[name] * factorization_operations(robot.tree) > most:
+    if LOOPS[name] * factorization_operations(robot.tree) > MOST_OPERATIONS:
         return [_in_loops(function) for function in build(_flat(robot), inputs)]
     return [
-        _in_loops(function) if _size(robot, function) > most else function
+        _in_loops(function) if _size(robot, function) > MOST_OPERATIONS else function
         for function in build(robot, inputs)
     ]
 
