@@ -37,10 +37,10 @@ def undecodable(text: str, spans: Sequence[tuple[int, int]]) -> Iterator[Problem
             yield Problem("KD004", bytes_message(run[0]), *run.span())
 
 
-def bytes_message(run: str) -> str:
-    """Return what to say of bytes that are no UTF-8."""
+def bytes_message(run: str, expected: str = "a document is UTF-8") -> str:
+    """Return what to say of bytes that are not of the encoding that is expected."""
     numbers = " ".join(f"0x{ord(character) - 0xDC00:02X}" for character in run[:_MOST_BYTES])
-    return f"undecodable {'byte' if len(run) == 1 else 'bytes'} {numbers}, a document is UTF-8"
+    return f"undecodable {'byte' if len(run) == 1 else 'bytes'} {numbers}, {expected}"
 
 
 def summary(problems: Sequence[Problem]) -> tuple[Problem, ...]:

@@ -301,11 +301,11 @@ def unreadable(text: str, error: XmlError) -> XmlDocument:
     """Return the document of a text that is no XML, with the flaw that says so."""
     strange = None if text.isascii() else UNDECODABLE.search(text)
     if strange is not None:
-        message, declared = bytes_message(strange[0]), declared_encoding(text)
-        if declared.lower() not in ("", "utf-8"):
-            message = (
-                f"{message.partition(',')[0]}, in UTF-8 and the declared encoding '{declared}'"
-            )
+        declared = declared_encoding(text)
+        if declared.lower() in ("", "utf-8"):
+            message = bytes_message(strange[0])
+        else:
+            message = bytes_message(strange[0], f"in UTF-8 and the declared encoding '{declared}'")
         return refused(text, "KD004", message, *strange.span())
     ends = [match.span() for match in _LINE_END.finditer(text)]
     starts, stops = [0, *(end for _, end in ends)], [*(start for start, _ in ends), len(text)]
