@@ -38,8 +38,7 @@ class XmlNumbers:
     """
 
     def __init__(self, content: bytes | str) -> None:
-        # Editors count without the mark that a file may begin with.
-        text = content if isinstance(content, str) else decoded(content).removeprefix("\ufeff")
+        text = content if isinstance(content, str) else decoded(content)
         self._whole, self._lines = XmlIsland(text, None), LineIndex(text)
         try:
             self.root: Any = parsed_xml(text)
