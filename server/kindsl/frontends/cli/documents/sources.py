@@ -83,7 +83,8 @@ def is_decodable(text: str) -> bool:
 
 
 def _text_of(content: bytes) -> str | NotText:
-    text = decoded(content)
+    may_declare = content.startswith((b"<?xml", b"\xff\xfe", b"\xfe\xff"))
+    text = decoded(content) if may_declare else content.decode("utf-8", "surrogateescape")
     for mark, encoding in _BYTE_ORDER_MARKS:
         if content.startswith(mark) and not text.startswith("\ufeff"):
             return _encoded(content, encoding)
