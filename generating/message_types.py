@@ -87,12 +87,14 @@ def interface(kind: type) -> str:
     rows = [f"\n/** {(inspect.getdoc(kind) or '').partition(chr(10))[0]} */"]
     rows.append(f"export interface {kind.__name__} {{")
     is_request = kind in get_args(Request)
-    rows += [f'  readonly type: "{type_of(kind)}";'] if is_request else []
+    word = type_of(kind) if is_request else getattr(kind, "type", "")
+    rows += [f'  readonly type: "{word}";'] if word else []
     optional = getattr(kind, "_field_defaults", ()) if is_request else ()
     for name, hint in get_type_hints(kind, include_extras=True).items():
         notes = ", ".join(reversed(getattr(hint, "__metadata__", ())))
         rows += [f"  /** {notes[:1].upper()}{notes[1:]}. */"] if notes else []
-        rows.append(f"  readonly {name}{'?' if name in optional else ''}: {_type(hint)};")
+        if get_origin(hint) is not ClassVar:
+            rows.append(f"  readonly {name}{'?' if name in optional else ''}: {_type(hint)};")
     return "\n".join((*rows, "}", ""))
 
 

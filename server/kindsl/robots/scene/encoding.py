@@ -16,7 +16,7 @@ _EXTENSIONS = {"f": 0x17, "I": 0x16}
 
 def as_dict(message: Part | Change) -> dict[str, Any]:
     """Return a message as dictionaries and lists, with its shapes in meshcat's form."""
-    fields = {name: _as_plain(getattr(message, name)) for name in message.__slots__}
+    fields = {name: _as_plain(value) for name, value in vars(message).items()}
     return {"type": message.type, **fields}
 
 

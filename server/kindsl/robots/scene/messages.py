@@ -6,10 +6,11 @@ A message is the value of its `type` at its `path`, the place in the scene that 
 are those in the document. `set_object`, `set_transform` and `delete` are meshcat's.
 """
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Annotated, ClassVar, Literal, NamedTuple, TypeAlias
+from typing import Annotated, ClassVar, Literal, NamedTuple, TypeAlias, dataclass_transform
 from urllib.parse import quote
 
 from kindsl.language.semantics.declarations import ValueKind
@@ -36,37 +37,41 @@ Sentence: TypeAlias = Annotated[str, "for people"]
 Affine: TypeAlias = tuple[float, tuple[tuple[str, float], ...]]
 
 
-@dataclass(frozen=True, slots=True)
-class SetObject:
+@dataclass_transform(frozen_default=True)
+class Message:
+    """A frozen dataclass whose `type` is its name without `Message`: `set_object`."""
+
+    type: ClassVar[str]
+
+    def __init_subclass__(cls) -> None:
+        dataclass(frozen=True)(cls)
+        words = cls.__name__.removesuffix("Message")
+        cls.type = re.sub(r"\B([A-Z])", r"_\1", words).lower()
+
+
+class SetObject(Message):
     """Draw a shape."""
 
-    type: ClassVar[Literal["set_object"]] = "set_object"
     path: str
     object: Annotated[Shape, "in meshcat's form"]
 
 
-@dataclass(frozen=True, slots=True)
-class SetTransform:
+class SetTransform(Message):
     """Place and stretch a mark in the frame of its link, joint or frame."""
 
-    type: ClassVar[Literal["set_transform"]] = "set_transform"
     path: str
     matrix: Matrix
 
 
-@dataclass(frozen=True, slots=True)
-class Delete:
+class Delete(Message):
     """Forget a path and all below it."""
 
-    type: ClassVar[Literal["delete"]] = "delete"
     path: str
 
 
-@dataclass(frozen=True, slots=True)
-class ModelMessage:
+class ModelMessage(Message):
     """The robot as a whole, at its zero configuration."""
 
-    type: ClassVar[Literal["model"]] = "model"
     name: str
     is_floating: Annotated[bool, "whether its base moves freely"]
     size: Annotated[Metres, "diagonal of the box around all bodies"]
@@ -77,11 +82,9 @@ class ModelMessage:
     path: str = f"{ROOT}/model"
 
 
-@dataclass(frozen=True, slots=True)
-class LinkMessage:
+class LinkMessage(Message):
     """A link's numbers, the base's among them; points are in its frame."""
 
-    type: ClassVar[Literal["link"]] = "link"
     path: str
     name: str
     index: Annotated[int, "0 for the base; parents come before their children"]
@@ -113,11 +116,9 @@ class Core(NamedTuple):
     ]
 
 
-@dataclass(frozen=True, slots=True)
-class SolidMessage:
+class SolidMessage(Message):
     """A link as a body: the uniform solid with its inertia, and bones to its joints."""
 
-    type: ClassVar[Literal["solid"]] = "solid"
     path: str
     name: Annotated[str, "the link's"]
     core: Annotated[Core | None, "null where there is no solid to draw"]
@@ -131,11 +132,9 @@ class SolidMessage:
     is_shaded: Annotated[bool, "whether a shade tells it from its parent"]
 
 
-@dataclass(frozen=True, slots=True)
-class JointMessage:
+class JointMessage(Message):
     """A joint and its place; it turns about its z axis or slides along it."""
 
-    type: ClassVar[Literal["joint"]] = "joint"
     path: str
     name: str
     index: Annotated[int, "of the link that it supports"]
@@ -146,11 +145,9 @@ class JointMessage:
     is_guess: Annotated[bool, "whether its place is in part a guess"]
 
 
-@dataclass(frozen=True, slots=True)
-class FrameMessage:
+class FrameMessage(Message):
     """An optional frame and its place."""
 
-    type: ClassVar[Literal["frame"]] = "frame"
     path: str
     name: Annotated[str, "after the link's name and a dot where the name is taken"]
     link: Annotated[str, "the link that it is attached to"]
@@ -158,52 +155,42 @@ class FrameMessage:
     is_guess: Annotated[bool, "whether its place is in part a guess"]
 
 
-@dataclass(frozen=True, slots=True)
-class LimitsMessage:
+class LimitsMessage(Message):
     """The limits of a joint; null where there is none."""
 
-    type: ClassVar[Literal["limits"]] = "limits"
     path: str
     name: str
     minimum: Travel | None
     maximum: Travel | None
 
 
-@dataclass(frozen=True, slots=True)
-class ValueMessage:
+class ValueMessage(Message):
     """The position of a joint."""
 
-    type: ClassVar[Literal["value"]] = "value"
     path: str
     name: str
     value: Travel
 
 
-@dataclass(frozen=True, slots=True)
-class PoseMessage:
+class PoseMessage(Message):
     """A pose that the configuration names."""
 
-    type: ClassVar[Literal["pose"]] = "pose"
     path: str
     name: str
     joints: Annotated[Mapping[str, Travel], "positions by joint; the other joints are at zero"]
 
 
-@dataclass(frozen=True, slots=True)
-class TrajectoryMessage:
+class TrajectoryMessage(Message):
     """A motion to be played."""
 
-    type: ClassVar[Literal["trajectory"]] = "trajectory"
     name: Annotated[str, "of its file"]
     text: Annotated[str, "of its file, CSV or JSON"]
     path: str = f"{ROOT}/trajectory"
 
 
-@dataclass(frozen=True, slots=True)
-class ParameterMessage:
+class ParameterMessage(Message):
     """A parameter's row in the panel."""
 
-    type: ClassVar[Literal["parameter"]] = "parameter"
     path: str
     index: Annotated[int, "its place among the document's parameters"]
     name: str
@@ -217,11 +204,9 @@ class ParameterMessage:
     is_overridden: Annotated[bool, "whether the value was set in the page"]
 
 
-@dataclass(frozen=True, slots=True)
-class FormulaMessage:
+class FormulaMessage(Message):
     """A place as a formula of parameters, for pages without a server."""
 
-    type: ClassVar[Literal["formula"]] = "formula"
     path: str
     group: Literal["joints", "frames"]
     name: str
@@ -232,11 +217,9 @@ class FormulaMessage:
     end: Annotated[str, "path of the mark at that rod's end"]
 
 
-@dataclass(frozen=True, slots=True)
-class FindingMessage:
+class FindingMessage(Message):
     """A finding of the linter, in the list over the picture."""
 
-    type: ClassVar[Literal["finding"]] = "finding"
     path: str
     index: Annotated[int, "its place in the list, the worst first"]
     code: Annotated[str, "of the rule: `KD301`"]
@@ -246,11 +229,9 @@ class FindingMessage:
     column: Annotated[int, "counts from 1, in code points"]
 
 
-@dataclass(frozen=True, slots=True)
-class StatusMessage:
+class StatusMessage(Message):
     """The picture's relation to the document."""
 
-    type: ClassVar[Literal["status"]] = "status"
     state: Annotated[PictureState | Literal["gone"], "`gone` if the document cannot be read"]
     message: Annotated[Sentence, "on the state; empty if all is well"]
     total: Annotated[int, "number of findings, listed or not"]
@@ -262,31 +243,25 @@ class StatusMessage:
     path: str = f"{ROOT}/status"
 
 
-@dataclass(frozen=True, slots=True)
-class HighlightMessage:
+class HighlightMessage(Message):
     """The thing at the editor's cursor; empty for nothing."""
 
-    type: ClassVar[Literal["highlight"]] = "highlight"
     kind: Annotated[str, "`link`, `joint` or `frame`"]
     name: str
     path: str = f"{ROOT}/highlight"
 
 
-@dataclass(frozen=True, slots=True)
-class GhostMessage:
+class GhostMessage(Message):
     """The robot that stands behind the document's: as last saved, another, or as planned."""
 
-    type: ClassVar[Literal["ghost"]] = "ghost"
     kind: Literal["saved", "other", "planned"]
     name: Annotated[str, "of its file; empty if it has none"] = ""
     path: str = f"{ROOT}/ghost"
 
 
-@dataclass(frozen=True, slots=True)
-class OtherMessage:
+class OtherMessage(Message):
     """Another description of the robot that can be compared."""
 
-    type: ClassVar[Literal["other"]] = "other"
     path: str
     index: Annotated[int, "its place in the list"]
     name: Annotated[str, "of its file"]
@@ -307,11 +282,9 @@ class DifferenceRow(NamedTuple):
     line: Annotated[int, "in the document, counts from 1; 0 where it does not stand there"]
 
 
-@dataclass(frozen=True, slots=True)
-class ComparisonMessage:
+class ComparisonMessage(Message):
     """The result of comparing the document with another file."""
 
-    type: ClassVar[Literal["comparison"]] = "comparison"
     own: Annotated[str, "name of the document"]
     other: Annotated[str, "name of the other file"]
     verdict: Annotated[str, "in words; why it cannot be compared where it cannot"]
@@ -324,11 +297,9 @@ class ComparisonMessage:
     path: str = f"{ROOT}/comparison"
 
 
-@dataclass(frozen=True, slots=True)
-class VisualMessage:
+class VisualMessage(Message):
     """A shape that another description gives a link for drawing."""
 
-    type: ClassVar[Literal["visual"]] = "visual"
     path: str
     link: str
     form: Literal["mesh", "box", "cylinder", "sphere"]
@@ -341,32 +312,26 @@ class VisualMessage:
     file: Annotated[str, "name of a mesh's file at the server, with its suffix; else empty"]
 
 
-@dataclass(frozen=True, slots=True)
-class MeshDataMessage:
+class MeshDataMessage(Message):
     """The content of a mesh's file, for pages without a server."""
 
-    type: ClassVar[Literal["mesh_data"]] = "mesh_data"
     path: str
     file: Annotated[str, "its name in `visual` messages"]
     data: Annotated[str, "its bytes in base 64"]
 
 
-@dataclass(frozen=True, slots=True)
-class MeshesMessage:
+class MeshesMessage(Message):
     """The description whose meshes can be drawn."""
 
-    type: ClassVar[Literal["meshes"]] = "meshes"
     name: Annotated[str, "of its file"]
     is_loaded: Annotated[bool, "whether they have been asked for, so that there are `visual`s"]
     problems: Annotated[tuple[str, ...], "what is left out and why, one sentence each"]
     path: str = f"{ROOT}/meshes"
 
 
-@dataclass(frozen=True, slots=True)
-class EditingMessage:
+class EditingMessage(Message):
     """The permission to edit the document from the page."""
 
-    type: ClassVar[Literal["editing"]] = "editing"
     revision: Annotated[int, "of the text that is shown; sent back with each drag"]
     path: str = f"{ROOT}/editing"
 
@@ -382,11 +347,9 @@ class Handle(NamedTuple):
     locked: Annotated[str, "why it cannot be changed, empty where it can"] = ""
 
 
-@dataclass(frozen=True, slots=True)
-class HandlesMessage:
+class HandlesMessage(Message):
     """The numbers of the thing that is grasped."""
 
-    type: ClassVar[Literal["handles"]] = "handles"
     kind: Annotated[str, "`joint`, `frame` or `com`"]
     name: Annotated[str, "of a centre of mass the link's"]
     revision: Annotated[int, "of the text that they are of"]
@@ -398,11 +361,9 @@ class HandlesMessage:
     path: str = f"{ROOT}/handles"
 
 
-@dataclass(frozen=True, slots=True)
-class DraggedMessage:
+class DraggedMessage(Message):
     """The result of a handle's move."""
 
-    type: ClassVar[Literal["dragged"]] = "dragged"
     phase: Annotated[str, "as requested: `move`, `drop` or `cancel`"]
     component: Annotated[str, "`x y z rx ry rz`"]
     text: Annotated[str, "the number as it is or would be written"]
@@ -413,42 +374,34 @@ class DraggedMessage:
     path: str = f"{ROOT}/dragged"
 
 
-@dataclass(frozen=True, slots=True)
-class PlanMessage:
+class PlanMessage(Message):
     """The preview of a gesture."""
 
-    type: ClassVar[Literal["plan"]] = "plan"
     gesture: Annotated[str, "as requested"]
     title: Annotated[str, "in the imperative; empty if it cannot be done"]
     reason: Annotated[str, "why not; empty if nothing is in the way"]
     path: str = f"{ROOT}/plan"
 
 
-@dataclass(frozen=True, slots=True)
-class WrittenMessage:
+class WrittenMessage(Message):
     """The result of an accepted gesture."""
 
-    type: ClassVar[Literal["written"]] = "written"
     gesture: Annotated[str, "as requested"]
     title: Annotated[str, "in the imperative"]
     reason: Annotated[str, "why nothing was written; empty if it was"]
     path: str = f"{ROOT}/written"
 
 
-@dataclass(frozen=True, slots=True)
-class LinesMessage:
+class LinesMessage(Message):
     """Lines that the user may add to a file."""
 
-    type: ClassVar[Literal["lines"]] = "lines"
     text: str
     path: str = f"{ROOT}/lines"
 
 
-@dataclass(frozen=True, slots=True)
-class RefusedMessage:
+class RefusedMessage(Message):
     """The answer to a message that is no request."""
 
-    type: ClassVar[Literal["refused"]] = "refused"
     reason: Sentence
     path: str = f"{ROOT}/refused"
 
@@ -463,11 +416,9 @@ Part: TypeAlias = (
 )  # fmt: skip
 
 
-@dataclass(frozen=True, slots=True)
-class Change:
+class Change(Message):
     """One atomic update of the page."""
 
-    type: ClassVar[Literal["change"]] = "change"
     is_whole: Annotated[bool, "whether this is the whole state, and all else is gone"]
     parts: Annotated[tuple[Part, ...], "in the order in which they are to be taken"]
 
