@@ -199,12 +199,7 @@ def test_forward_dynamics_of_a_chain_grows_with_its_length() -> None:
     for n in (30, 60):
         bodies = random_bodies(np.random.default_rng(1), n, is_floating=False)
         robot = robot_of(replace(bodies, parents=tuple(range(n))))
-        x = inputs_of(robot)
-        sizes.append(
-            operations(
-                robot.graph,
-                forward_dynamics.forward_dynamics(robot.tree, x.q, x.qd, x.tau, x.v0, x.g),
-            )
-        )
+        x = replace(inputs_of(robot), external=[])
+        sizes.append(operations(robot.graph, forward_dynamics.forward_dynamics(robot.tree, x)))
     # Not twice as many exactly: some axes are turned by right angles, as chance has it.
     assert sizes[1] < 2.4 * sizes[0]

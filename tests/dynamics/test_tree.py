@@ -8,7 +8,8 @@ from tests.dynamics.random_bodies import random_bodies
 
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanics.dynamics.generation.emitters.numbers import evaluate
-from kindsl.mechanics.dynamics.generation.inverse_dynamics import actuated_base_inverse_dynamics
+from kindsl.mechanics.dynamics.generation.function import Inputs
+from kindsl.mechanics.dynamics.generation.inverse_dynamics import inverse_dynamics
 from kindsl.mechanics.dynamics.generation.mass_moments import MassMoments
 from kindsl.mechanics.dynamics.generation.terms import Graph, Term
 from kindsl.mechanics.dynamics.generation.tree import (
@@ -79,7 +80,7 @@ def test_masses_may_be_known_later(is_floating: bool) -> None:
     generator = np.random.default_rng(3)
     q, qd, qdd = generator.uniform(-2.0, 2.0, (3, 4)).tolist()
     v0, g = (generator.uniform(-1.0, 1.0, 6) * is_floating).tolist(), [0.1, 0.2, -9.0]
-    forces = actuated_base_inverse_dynamics(tree, q, qd, qdd, v0, [0.0] * 6, g)
+    forces = inverse_dynamics(tree, Inputs(q, qd, qdd, [], v0, [0.0] * 6, g, []))
     base = (v0,) if is_floating else (None,)
     mechanics = Mechanics(bodies)
     M = mechanics.joint_space_inertia(q)[:, -4:]

@@ -17,7 +17,7 @@ from kindsl.mechanics.dynamics.generation.factorization import (
 )
 from kindsl.mechanics.dynamics.generation.force_derivatives import force_derivatives
 from kindsl.mechanics.dynamics.generation.function import Function, Inputs, Result, flat
-from kindsl.mechanics.dynamics.generation.inverse_dynamics import actuated_base_inverse_dynamics
+from kindsl.mechanics.dynamics.generation.inverse_dynamics import bias_torque, inverse_dynamics
 from kindsl.mechanics.dynamics.generation.mass_moments import MassMoments
 from kindsl.mechanics.dynamics.generation.robot import Robot, massless
 from kindsl.mechanics.dynamics.generation.vectors import (
@@ -56,9 +56,7 @@ def forward_dynamics_derivatives(robot: Robot, inputs: Inputs) -> list[Function]
     linear velocity changes are accelerations of all points alike, which the base's undoes.
     """
     rest: Vector = [0.0] * len(inputs.q)
-    bias = actuated_base_inverse_dynamics(
-        robot.tree, inputs.q, inputs.qd, rest, inputs.v0, [0.0] * 6, inputs.g
-    )
+    bias = bias_torque(robot.tree, inputs)
     factors = factorize(joint_space_inertia(robot.tree, inputs.q))
     forces: Vector = [*[0.0] * (len(bias) - len(inputs.tau)), *inputs.tau]
     solution = solve_factorized(factors, subtract(forces, bias))
@@ -87,18 +85,13 @@ def regressor(robot: Robot, inputs: Inputs) -> list[Function]:
     Columns are ten a body, a floating base's first: mass, mass times CoM, then the entries
     xx, xy, yy, xz, yz, zz of the inertia tensor about the body's origin.
     """
-    tree = robot.tree
+    tree, x = robot.tree, replace(inputs, external=[])
     columns = []
     for body in range(0 if tree.is_floating else 1, len(tree.parents)):
         for unit in unit_bodies():
             alone = [massless() for _ in tree.parents]
             alone[body] = unit
-            columns.append(
-                actuated_base_inverse_dynamics(
-                    replace(tree, masses=alone, drives=None),
-                    inputs.q, inputs.qd, inputs.qdd, inputs.v0, inputs.a0, inputs.g,
-                )
-            )  # fmt: skip
+            columns.append(inverse_dynamics(replace(tree, masses=alone, drives=None), x))
     Y = Result("Y", (len(columns[0]), len(columns)), flat(transpose(columns)))
     summary = "the matrix that takes the bodies' inertial parameters to the forces of a motion"
     return [Function("regressor", summary, inputs.motion("qdd", "a0"), (Y,))]

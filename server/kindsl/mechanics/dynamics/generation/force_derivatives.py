@@ -106,7 +106,7 @@ def _in_motion(tree: Tree, inputs: Inputs) -> _Mechanism:
     joints, bodies = joint_motions(tree, inputs.q), composites(tree, inputs.q)
     w, v = inputs.v0[:3], inputs.v0[3:]
     a = subtract(add(inputs.a0[3:], cross(w, v)), inputs.g)
-    motions = body_motions(tree, joints, inputs.qd, inputs.qdd, w, a, inputs.a0[:3])
+    motions = body_motions(tree, joints, inputs, a)
     steps = [ZERO, *(_step(tree, joints[i], motions, i, inputs.qd[i - 1]) for i in tree.links())]
     forces, moments = carried_wrenches(tree, joints, motions.forces, motions.moments)
     fields = [_fields(joints[i], motions, tree.parents[i], i) for i in tree.links()]

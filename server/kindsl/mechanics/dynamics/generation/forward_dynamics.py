@@ -1,10 +1,11 @@
 """Forward dynamics, for tracing: by the joint-space inertia, or by articulated bodies."""
 
-from collections.abc import Sequence
+from dataclasses import replace
 
 from kindsl.mechanics.dynamics.generation.articulated_bodies import accelerations
 from kindsl.mechanics.dynamics.generation.composite_bodies import joint_space_inertia
 from kindsl.mechanics.dynamics.generation.factorization import solve_symmetric
+from kindsl.mechanics.dynamics.generation.function import Inputs
 from kindsl.mechanics.dynamics.generation.inverse_dynamics import (
     body_motions,
     loaded,
@@ -23,30 +24,22 @@ SURELY_DEEP = 560
 WRENCH_OPERATIONS = 15
 
 
-def forward_dynamics(
-    tree: Tree,
-    q: Vector,
-    qd: Vector,
-    tau: Vector,
-    base_velocity: Vector,
-    gravity: Vector,
-    external: Sequence[Vector] = (),
-) -> list[Scalar]:
+def forward_dynamics(tree: Tree, x: Inputs) -> list[Scalar]:
     """Return the joint accelerations, then a floating base's spatial acceleration.
 
     Of both ways the one with fewer operations is taken: those of articulated bodies grow with the
     number of bodies, those of the inertia's factors with its square and with the cube of the depth.
     """
-    w, v = base_velocity[:3], base_velocity[3:]
-    start = ZERO if tree.is_floating else subtract(ZERO, gravity)
+    start = ZERO if tree.is_floating else subtract(ZERO, x.g)
     per_link = factorization_operations(tree) / len(tree.links())
+    rest = replace(x.unaccelerated(), external=x.external)
     ways = []
     if per_link > SURELY_SHALLOW:
-        ways.append(_by_articulated_bodies(tree, q, qd, tau, w, start, external))
+        ways.append(_by_articulated_bodies(tree, rest, start))
     if per_link < SURELY_DEEP:
-        ways.append(_by_inertia(tree, q, qd, tau, w, start, external))
+        ways.append(_by_inertia(tree, rest, start))
     qdd, base = ways[0] if len(ways) == 1 else min(ways, key=lambda way: _operations(*way))
-    return [*qdd, *spatial_acceleration(base, w, v, gravity)] if tree.is_floating else qdd
+    return [*qdd, *spatial_acceleration(base, x)] if tree.is_floating else qdd
 
 
 def factorization_operations(tree: Tree) -> int:
@@ -63,36 +56,18 @@ def _operations(*values: Vector) -> int:
     return operations(graph, entries) if graph is not None else 0
 
 
-def _by_inertia(
-    tree: Tree,
-    q: Vector,
-    qd: Vector,
-    tau: Vector,
-    w: Vector,
-    start: Vector,
-    external: Sequence[Vector],
-) -> tuple[Vector, Vector]:
-    rest: Vector = [0.0] * len(q)
-    M = joint_space_inertia(tree, q)
-    bias, wrench = newton_euler(tree, q, qd, rest, w, start, external=external)
+def _by_inertia(tree: Tree, rest: Inputs, start: Vector) -> tuple[Vector, Vector]:
+    M = joint_space_inertia(tree, rest.q)
+    bias, wrench = newton_euler(tree, rest, start)
     if not tree.is_floating:
-        return solve_symmetric(M, subtract(tau, bias)), []
-    found = solve_symmetric(M, [*subtract([0.0] * 6, wrench), *subtract(tau, bias)])
+        return solve_symmetric(M, subtract(rest.tau, bias)), []
+    found = solve_symmetric(M, [*subtract([0.0] * 6, wrench), *subtract(rest.tau, bias)])
     return found[6:], found[:6]
 
 
-def _by_articulated_bodies(
-    tree: Tree,
-    q: Vector,
-    qd: Vector,
-    tau: Vector,
-    w: Vector,
-    start: Vector,
-    external: Sequence[Vector],
-) -> tuple[Vector, Vector]:
-    joints, rest = joint_motions(tree, q), list[Scalar]([0.0] * len(q))
-    motions = body_motions(tree, joints, qd, rest, w, start, ZERO)
-    forces, moments = loaded(motions, external)
+def _by_articulated_bodies(tree: Tree, rest: Inputs, start: Vector) -> tuple[Vector, Vector]:
+    joints, tau = joint_motions(tree, rest.q), rest.tau
+    forces, moments = loaded(body_motions(tree, joints, rest, start), rest.external)
     if tree.drives is not None:
-        tau = subtract(tau, tree.drives.force(qd, rest))
+        tau = subtract(tau, tree.drives.force(rest.qd, rest.qdd))
     return accelerations(tree, joints, tau, forces, moments)

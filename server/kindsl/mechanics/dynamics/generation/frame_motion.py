@@ -2,6 +2,7 @@
 
 from typing import NamedTuple
 
+from kindsl.mechanics.dynamics.generation.function import Inputs
 from kindsl.mechanics.dynamics.generation.inverse_dynamics import body_motions
 from kindsl.mechanics.dynamics.generation.mass_moments import acceleration_field
 from kindsl.mechanics.dynamics.generation.robot import PlacedFrame
@@ -28,11 +29,11 @@ class Velocities(NamedTuple):
     v: list[Vector]
 
 
-def body_velocities(tree: Tree, q: Vector, qd: Vector, base_velocity: Vector) -> Velocities:
+def body_velocities(tree: Tree, x: Inputs) -> Velocities:
     """Return the velocities of all bodies."""
-    joints, w, v = joint_motions(tree, q), [base_velocity[:3]], [base_velocity[3:]]
+    joints, w, v = joint_motions(tree, x.q), [x.v0[:3]], [x.v0[3:]]
     for i in tree.links():
-        parent, joint, along = tree.parents[i], joints[i], [0.0, 0.0, qd[i - 1]]
+        parent, joint, along = tree.parents[i], joints[i], [0.0, 0.0, x.qd[i - 1]]
         is_revolute = joint.kind == "revolute"
         v_i = joint.to_link(add(v[parent], cross(w[parent], joint.offset)))
         w.append(add(joint.to_link(w[parent]), along if is_revolute else ZERO))
@@ -47,23 +48,10 @@ def frame_velocity(velocities: Velocities, frame: PlacedFrame) -> Vector:
     return [*transform(E, w), *transform(E, v)]
 
 
-def frame_accelerations(
-    tree: Tree,
-    q: Vector,
-    qd: Vector,
-    qdd: Vector,
-    base_velocity: Vector,
-    base_acceleration: Vector,
-    frames: tuple[PlacedFrame, ...],
-) -> list[Vector]:
-    """Return frames' accelerations in their own coordinates, of their origins as points.
-
-    The base's acceleration is a spatial one.
-    """
-    w, v = base_velocity[:3], base_velocity[3:]
-    a = add(base_acceleration[3:], cross(w, v))
-    joints = joint_motions(tree, q)
-    motions = body_motions(tree, joints, qd, qdd, w, a, base_acceleration[:3])
+def frame_accelerations(tree: Tree, x: Inputs, frames: tuple[PlacedFrame, ...]) -> list[Vector]:
+    """Return frames' accelerations in their own coordinates, of their origins as points."""
+    a = add(x.a0[3:], cross(x.v0[:3], x.v0[3:]))
+    motions = body_motions(tree, joint_motions(tree, x.q), x, a)
     found = []
     for frame in frames:
         E, wd = transpose(frame.R), motions.wd[frame.body]

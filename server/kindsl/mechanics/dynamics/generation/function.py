@@ -1,6 +1,6 @@
 """Arguments and results of a generated function."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from kindsl.mechanics.dynamics.generation.robot import Robot
@@ -62,8 +62,8 @@ class Inputs:
         tau: Joint forces.
         v0: Spatial velocity of the base.
         a0: Spatial acceleration of the base.
-        g: Gravity.
-        external: The wrench on each body in its own coordinates, base first.
+        g: Gravity, in base coordinates.
+        external: The wrench on each body in its own coordinates, moment first; none if empty.
     """
 
     q: Vector
@@ -74,6 +74,10 @@ class Inputs:
     a0: Vector
     g: Vector
     external: list[Vector]
+
+    def unaccelerated(self) -> "Inputs":
+        """Return the same with joints and base that do not accelerate, and nothing from outside."""
+        return replace(self, qdd=[0.0] * len(self.q), a0=[0.0] * 6, external=[])
 
     def motion(self, *further: str) -> tuple[Argument, ...]:
         """Return q, qd, a further joint vector, a floating base's motion, and gravity."""

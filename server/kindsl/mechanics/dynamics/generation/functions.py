@@ -4,6 +4,7 @@ Base coordinates, angular part first; a floating base adds its six rows and colu
 """
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Final, NamedTuple
 
 from kindsl.mechanics.dynamics.generation import masses
@@ -18,7 +19,6 @@ from kindsl.mechanics.dynamics.generation.factorization import factorize
 from kindsl.mechanics.dynamics.generation.forward_dynamics import forward_dynamics
 from kindsl.mechanics.dynamics.generation.function import Function, Inputs, Result, argument, flat
 from kindsl.mechanics.dynamics.generation.inverse_dynamics import (
-    actuated_base_inverse_dynamics,
     bias_torque,
     floating_base_inverse_dynamics,
     inverse_dynamics,
@@ -128,24 +128,27 @@ def inertia_factorization(robot: Robot, inputs: Inputs) -> list[Function]:
     return [Function("inertia_factorization", summary, (argument("q", inputs.q),), results)]
 
 
+def _with_and_without_loads(
+    results: Callable[[Inputs], tuple[Result, ...]], inputs: Inputs
+) -> tuple[tuple[Result, ...], tuple[Result, ...] | None]:
+    """Return results without external forces, then under these, if there are such inputs."""
+    free = results(replace(inputs, external=[]))
+    return free, results(inputs) if inputs.external else None
+
+
 def inverse(robot: Robot, inputs: Inputs) -> list[Function]:
     """Record inverse dynamics; without any wrench on a floating base."""
     n = len(robot.link_names)
 
-    def results(external: list[Vector]) -> tuple[Result, ...]:
+    def results(x: Inputs) -> tuple[Result, ...]:
         if not robot.tree.is_floating:
-            tau = inverse_dynamics(robot.tree, inputs.q, inputs.qd, inputs.qdd, inputs.g, external)
-            return (Result("tau", (n,), tau),)
-        entries = floating_base_inverse_dynamics(
-            robot.tree, inputs.q, inputs.qd, inputs.qdd, inputs.v0, inputs.g, external
-        )
+            return (Result("tau", (n,), inverse_dynamics(robot.tree, x)),)
+        entries = floating_base_inverse_dynamics(robot.tree, x)
         return Result("tau", (n,), entries[:n]), Result("a0", (6,), entries[n:])
 
     what = ", and the base's acceleration under no wrench" if robot.tree.is_floating else ""
-    summary = f"the joint forces of a motion{what}"
-    arguments = inputs.motion("qdd")
-    none, loaded = results([]), results(inputs.external) if inputs.external else None
-    return [Function("inverse_dynamics", summary, arguments, none, loaded)]
+    summary, both = f"the joint forces of a motion{what}", _with_and_without_loads(results, inputs)
+    return [Function("inverse_dynamics", summary, inputs.motion("qdd"), *both)]
 
 
 def actuated(robot: Robot, inputs: Inputs) -> list[Function]:
@@ -154,39 +157,33 @@ def actuated(robot: Robot, inputs: Inputs) -> list[Function]:
         return []
     n = len(robot.link_names)
 
-    def results(external: list[Vector]) -> tuple[Result, ...]:
-        entries = actuated_base_inverse_dynamics(
-            robot.tree, inputs.q, inputs.qd, inputs.qdd, inputs.v0, inputs.a0, inputs.g, external
-        )
+    def results(x: Inputs) -> tuple[Result, ...]:
+        entries = inverse_dynamics(robot.tree, x)
         return Result("tau", (n,), entries[6:]), Result("f0", (6,), entries[:6])
 
     summary = "the joint forces and the base's wrench of a motion"
-    arguments = inputs.motion("qdd", "a0")
-    none, loaded = results([]), results(inputs.external) if inputs.external else None
-    return [Function("inverse_dynamics_actuated", summary, arguments, none, loaded)]
+    arguments, both = inputs.motion("qdd", "a0"), _with_and_without_loads(results, inputs)
+    return [Function("inverse_dynamics_actuated", summary, arguments, *both)]
 
 
 def forward(robot: Robot, inputs: Inputs) -> list[Function]:
     """Record forward dynamics."""
     n = len(robot.link_names)
 
-    def results(external: list[Vector]) -> tuple[Result, ...]:
-        entries = forward_dynamics(
-            robot.tree, inputs.q, inputs.qd, inputs.tau, inputs.v0, inputs.g, external
-        )
+    def results(x: Inputs) -> tuple[Result, ...]:
+        entries = forward_dynamics(robot.tree, x)
         parts = (Result("qdd", (n,), entries[:n]), Result("a0", (6,), entries[n:]))
         return parts if robot.tree.is_floating else parts[:1]
 
     what = ", and the base's acceleration" if robot.tree.is_floating else ""
     summary = f"the joint accelerations under joint forces{what}"
-    none, loaded = results([]), results(inputs.external) if inputs.external else None
-    return [Function("forward_dynamics", summary, inputs.motion("tau"), none, loaded)]
+    both = _with_and_without_loads(results, inputs)
+    return [Function("forward_dynamics", summary, inputs.motion("tau"), *both)]
 
 
 def gravity(robot: Robot, inputs: Inputs) -> list[Function]:
     """Record the forces that hold the mechanism at rest."""
-    rest: Vector = [0.0] * len(inputs.q)
-    tau = bias_torque(robot.tree, inputs.q, rest, [0.0] * 6, inputs.g)
+    tau = bias_torque(robot.tree, replace(inputs, qd=[0.0] * len(inputs.q), v0=[0.0] * 6))
     arguments = (argument("q", inputs.q), argument("g", inputs.g))
     summary = "the forces that hold the mechanism at rest"
     return [Function("gravity_torque", summary, arguments, (Result("tau", (len(tau),), tau),))]
@@ -194,7 +191,7 @@ def gravity(robot: Robot, inputs: Inputs) -> list[Function]:
 
 def bias(robot: Robot, inputs: Inputs) -> list[Function]:
     """Record the forces at zero acceleration."""
-    tau = bias_torque(robot.tree, inputs.q, inputs.qd, inputs.v0, inputs.g)
+    tau = bias_torque(robot.tree, inputs)
     summary = "the forces at zero acceleration, gravity's included"
     result = Result("tau", (len(tau),), tau)
     return [Function("bias_torque", summary, inputs.motion(), (result,))]
@@ -202,7 +199,7 @@ def bias(robot: Robot, inputs: Inputs) -> list[Function]:
 
 def energies(robot: Robot, inputs: Inputs) -> list[Function]:
     """Record kinetic and potential energy."""
-    T = masses.kinetic_energy(robot, inputs.q, inputs.qd, inputs.v0)
+    T = masses.kinetic_energy(robot, inputs)
     V = masses.potential_energy(robot, body_poses(robot.tree, inputs.q), inputs.g)
     *moving, g = inputs.motion()
     zero = "zero for all mass at the base's origin"

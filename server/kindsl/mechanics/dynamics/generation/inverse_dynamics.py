@@ -6,6 +6,7 @@ accelerations are relative to gravity throughout.
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 from kindsl.mechanics.dynamics.generation.composite_bodies import (
@@ -14,6 +15,7 @@ from kindsl.mechanics.dynamics.generation.composite_bodies import (
     rigid_body_inertia,
 )
 from kindsl.mechanics.dynamics.generation.factorization import solve_symmetric
+from kindsl.mechanics.dynamics.generation.function import Inputs
 from kindsl.mechanics.dynamics.generation.mass_moments import acceleration_field
 from kindsl.mechanics.dynamics.generation.terms import Scalar
 from kindsl.mechanics.dynamics.generation.tree import JointMotion, Tree, joint_motions
@@ -28,37 +30,22 @@ from kindsl.mechanics.dynamics.generation.vectors import (
 )
 
 
-def newton_euler(
-    tree: Tree,
-    q: Vector,
-    qd: Vector,
-    qdd: Vector,
-    base_w: Vector,
-    base_a: Vector,
-    base_wd: Vector = ZERO,
-    external: Sequence[Vector] = (),
-) -> tuple[Vector, Vector]:
+def newton_euler(tree: Tree, x: Inputs, base_a: Vector) -> tuple[Vector, Vector]:
     """Return the joint forces and the base's wrench, moment first.
 
     Args:
         tree: The mechanism.
-        q: Joint positions.
-        qd: Joint velocities.
-        qdd: Joint accelerations.
-        base_w: Angular velocity of the base.
-        base_a: Acceleration of the base's origin, relative to gravity.
-        base_wd: Angular acceleration of the base.
-        external: The wrench that acts on each body, in its coordinates at its origin, moment
-            first; none if empty.
+        x: The motion, and what acts on bodies from outside.
+        base_a: Acceleration of the base's origin as a point, relative to gravity.
     """
-    joints = joint_motions(tree, q)
-    motions = body_motions(tree, joints, qd, qdd, base_w, base_a, base_wd)
-    forces, moments = carried_wrenches(tree, joints, *loaded(motions, external))
+    joints = joint_motions(tree, x.q)
+    motions = body_motions(tree, joints, x, base_a)
+    forces, moments = carried_wrenches(tree, joints, *loaded(motions, x.external))
     tau = [
         moments[i][2] if joints[i].kind == "revolute" else forces[i][2] for i in tree.links()
     ]  # fmt: skip
     if tree.drives is not None:
-        tau = add(tau, tree.drives.force(qd, qdd))
+        tau = add(tau, tree.drives.force(x.qd, x.qdd))
     return tau, [*moments[0], *forces[0]]
 
 
@@ -81,19 +68,13 @@ class BodyMotions(NamedTuple):
 
 
 def body_motions(
-    tree: Tree,
-    joints: Sequence[JointMotion],
-    qd: Vector,
-    qdd: Vector,
-    base_w: Vector,
-    base_a: Vector,
-    base_wd: Vector,
+    tree: Tree, joints: Sequence[JointMotion], x: Inputs, base_a: Vector
 ) -> BodyMotions:
     """Return accelerations, from the base outward, and the wrenches that they take."""
-    w, wd, a = [base_w], [base_wd], [base_a]
-    W = [acceleration_field(base_w, base_wd)]
+    w, wd, a = [x.v0[:3]], [x.a0[:3]], [base_a]
+    W = [acceleration_field(w[0], wd[0])]
     for i in tree.links():
-        parent, joint, rate, acceleration = tree.parents[i], joints[i], qd[i - 1], qdd[i - 1]
+        parent, joint, rate, acceleration = tree.parents[i], joints[i], x.qd[i - 1], x.qdd[i - 1]
         w_i, wd_i = joint.to_link(w[parent]), joint.to_link(wd[parent])
         a_i = joint.to_link(add(a[parent], transform(W[parent], joint.offset)))
         if joint.kind == "revolute":
@@ -135,53 +116,17 @@ def carried_wrenches(
     return forces, moments
 
 
-def inverse_dynamics(
-    tree: Tree,
-    q: Vector,
-    qd: Vector,
-    qdd: Vector,
-    gravity: Vector,
-    external: Sequence[Vector] = (),
-) -> list[Scalar]:
-    """Return the joint forces of a mechanism with a fixed base."""
-    up = subtract(ZERO, gravity)
-    tau, _ = newton_euler(tree, q, qd, qdd, ZERO, up, external=external)
-    return tau
-
-
-def actuated_base_inverse_dynamics(
-    tree: Tree,
-    q: Vector,
-    qd: Vector,
-    qdd: Vector,
-    base_velocity: Vector,
-    base_acceleration: Vector,
-    gravity: Vector,
-    external: Sequence[Vector] = (),
-) -> list[Scalar]:
-    """Return the base's wrench, if it floats, and the joint forces of a given motion.
-
-    The base's acceleration is a spatial one, like its velocity in base coordinates.
-    """
-    w, v = base_velocity[:3], base_velocity[3:]
-    a = subtract(add(base_acceleration[3:], cross(w, v)), gravity)
-    tau, wrench = newton_euler(tree, q, qd, qdd, w, a, base_acceleration[:3], external)
+def inverse_dynamics(tree: Tree, x: Inputs) -> list[Scalar]:
+    """Return the wrench on the base, if it floats, and the joint forces of a given motion."""
+    w, v = x.v0[:3], x.v0[3:]
+    tau, wrench = newton_euler(tree, x, subtract(add(x.a0[3:], cross(w, v)), x.g))
     return [*wrench, *tau] if tree.is_floating else tau
 
 
-def floating_base_inverse_dynamics(
-    tree: Tree,
-    q: Vector,
-    qd: Vector,
-    qdd: Vector,
-    base_velocity: Vector,
-    gravity: Vector,
-    external: Sequence[Vector] = (),
-) -> list[Scalar]:
+def floating_base_inverse_dynamics(tree: Tree, x: Inputs) -> list[Scalar]:
     """Return the joint forces and the spatial acceleration of a base without any wrench."""
-    w, v = base_velocity[:3], base_velocity[3:]
-    tau, wrench = newton_euler(tree, q, qd, qdd, w, ZERO, external=external)
-    joints, composite = joint_motions(tree, q), composites(tree, q)
+    tau, wrench = newton_euler(tree, replace(x, a0=[0.0] * 6), ZERO)
+    joints, composite = joint_motions(tree, x.q), composites(tree, x.q)
     base_acceleration = solve_symmetric(
         rigid_body_inertia(composite[0]), subtract([0.0] * 6, wrench)
     )
@@ -193,20 +138,15 @@ def floating_base_inverse_dynamics(
         wd.append(joint.to_link(wd[parent]))
         moment, force = joint_reaction(joint.kind, composite[i])
         tau[i - 1] = tau[i - 1] + (dot(moment, wd[i]) + dot(force, a[i]))
-    return [*tau, *spatial_acceleration(base_acceleration, w, v, gravity)]
+    return [*tau, *spatial_acceleration(base_acceleration, x)]
 
 
-def bias_torque(
-    tree: Tree, q: Vector, qd: Vector, base_velocity: Vector, gravity: Vector
-) -> list[Scalar]:
+def bias_torque(tree: Tree, x: Inputs) -> list[Scalar]:
     """Return the forces at zero joint and spatial base acceleration, base rows first."""
-    rest: Vector = [0.0] * len(q)
-    return actuated_base_inverse_dynamics(tree, q, qd, rest, base_velocity, [0.0] * 6, gravity)
+    return inverse_dynamics(tree, x.unaccelerated())
 
 
-def spatial_acceleration(
-    acceleration: Vector, w: Vector, v: Vector, gravity: Vector
-) -> list[Scalar]:
+def spatial_acceleration(acceleration: Vector, x: Inputs) -> list[Scalar]:
     """Return a spatial acceleration from that of the base's origin relative to gravity."""
-    linear = add(subtract(acceleration[3:], cross(w, v)), gravity)
-    return [*acceleration[:3], *linear]
+    w, v = x.v0[:3], x.v0[3:]
+    return [*acceleration[:3], *add(subtract(acceleration[3:], cross(w, v)), x.g)]

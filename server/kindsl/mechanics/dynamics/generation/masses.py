@@ -1,6 +1,7 @@
 """Centre of mass, its Jacobian, and energies, for tracing; with the bodies as they are given."""
 
 from kindsl.mechanics.dynamics.generation.frame_motion import body_velocities
+from kindsl.mechanics.dynamics.generation.function import Inputs
 from kindsl.mechanics.dynamics.generation.jacobians import BodyPoses
 from kindsl.mechanics.dynamics.generation.mass_moments import MassMoments
 from kindsl.mechanics.dynamics.generation.robot import Robot
@@ -65,14 +66,14 @@ def potential_energy(robot: Robot, poses: BodyPoses, gravity: Vector) -> Scalar:
     return 0.0 - dot(first_moments(robot, poses)[0][1], gravity)
 
 
-def kinetic_energy(robot: Robot, q: Vector, qd: Vector, base_velocity: Vector) -> Scalar:
+def kinetic_energy(robot: Robot, x: Inputs) -> Scalar:
     """Return the kinetic energy of all bodies."""
-    velocities = body_velocities(robot.tree, q, qd, base_velocity)
+    velocities = body_velocities(robot.tree, x)
     energy: Scalar = 0.0
     for body, w, v in zip(robot.bodies, *velocities, strict=True):
         energy = energy + _energy(body, w, v)
     if robot.tree.drives is not None:
-        for rotor, rate in zip(robot.tree.drives.armature, qd, strict=True):
+        for rotor, rate in zip(robot.tree.drives.armature, x.qd, strict=True):
             energy = energy + 0.5 * rotor * (rate * rate)
     return energy
 

@@ -59,8 +59,7 @@ def centroidal_momentum(robot: Robot, inputs: Inputs) -> list[Function]:
 
     columns = [about_com(*wrench) for wrench in base_reactions(robot.tree, inputs.q)]
     w, v = inputs.v0[:3], inputs.v0[3:]
-    rest: Vector = [0.0] * len(inputs.qd)
-    _, wrench = newton_euler(robot.tree, inputs.q, inputs.qd, rest, w, cross(w, v))
+    _, wrench = newton_euler(robot.tree, inputs.unaccelerated(), cross(w, v))
     *moving, _ = inputs.motion()
     return [
         Function(
@@ -80,11 +79,9 @@ def centroidal_momentum(robot: Robot, inputs: Inputs) -> list[Function]:
 
 def frame_motions(robot: Robot, inputs: Inputs) -> list[Function]:
     """Record velocity and acceleration of each link and frame, in its own coordinates."""
-    x, tree, n = inputs, robot.tree, len(inputs.q)
-    rest, still = list[Scalar]([0.0] * n), list[Scalar]([0.0] * 6)
-    velocities = body_velocities(tree, x.q, x.qd, x.v0)
-    accelerations = frame_accelerations(tree, x.q, x.qd, x.qdd, x.v0, x.a0, robot.targets)
-    drifts = frame_accelerations(tree, x.q, x.qd, rest, x.v0, still, robot.targets)
+    velocities = body_velocities(robot.tree, inputs)
+    accelerations = frame_accelerations(robot.tree, inputs, robot.targets)
+    drifts = frame_accelerations(robot.tree, inputs.unaccelerated(), robot.targets)
     *moving, _ = inputs.motion()
     *accelerating, _ = inputs.motion("qdd", "a0")
     functions = []
@@ -122,8 +119,7 @@ def coriolis_matrix(robot: Robot, inputs: Inputs) -> list[Function]:
     It is half the derivative of the bias, but for a floating base's columns: their coordinates turn
     with the base.
     """
-    n = len(inputs.q)
-    still = replace(inputs, qdd=[0.0] * n, a0=[0.0] * 6, g=[0.0] * 3)
+    still = replace(inputs.unaccelerated(), g=[0.0] * 3)
     _, dqd, M = force_derivatives(replace(robot.tree, drives=None), still)
     doubled = [list(row) for row in dqd]
     if robot.tree.is_floating:
@@ -149,15 +145,14 @@ def contact_dynamics(robot: Robot, inputs: Inputs) -> list[Function]:
     x, tree, k = inputs, robot.tree, 6 if robot.tree.is_floating else 0
     active = robot.graph.vector(len(contacts))
     switches = [switch for switch in active for _ in range(3)]
-    rest, still = list[Scalar]([0.0] * len(x.q)), list[Scalar]([0.0] * 6)
     found, J, drifts = body_poses(tree, x.q), list[Vector](), list[Scalar]()
-    accelerations = frame_accelerations(tree, x.q, x.qd, rest, x.v0, still, contacts)
+    accelerations = frame_accelerations(tree, x.unaccelerated(), contacts)
     for contact, drift in zip(contacts, accelerations, strict=True):
         J += jacobian(robot, found, contact, EYE)[3:]
         drifts += transform(frame_pose(found, contact)[0], drift[3:])
     factors = factorize(joint_space_inertia(tree, x.q))
     zeros: Vector = [0.0] * k
-    free = subtract([*zeros, *x.tau], bias_torque(tree, x.q, x.qd, x.v0, x.g))
+    free = subtract([*zeros, *x.tau], bias_torque(tree, x))
     forces, Lambda = _contact_forces(factors, J, drifts, free, switches)
     pulled = add(free, transform(transpose(J), forces))
     a = solve_factorized(factors, pulled)

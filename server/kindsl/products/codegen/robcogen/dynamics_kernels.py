@@ -1,12 +1,12 @@
 """The functions behind the classes of dynamics and inertia."""
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from typing import TypeAlias
 
 from kindsl.mechanics.dynamics.generation.composite_bodies import joint_space_inertia
 from kindsl.mechanics.dynamics.generation.forward_dynamics import forward_dynamics
 from kindsl.mechanics.dynamics.generation.inverse_dynamics import (
-    actuated_base_inverse_dynamics,
     bias_torque,
     floating_base_inverse_dynamics,
     inverse_dynamics,
@@ -50,12 +50,11 @@ def _of_fixed_base(robot: GeneratedRobot) -> list[str]:
     g = graph.input()
     weight: Vector = [0.0, 0.0, -g]
     motion: dict[str, Sequence[Scalar]] = {"q": x.q, "qd": x.qd, "qdd": x.qdd, "g": [g]}
-    rest: Vector = [0.0] * robot.n_joints
-    still = bias_torque(tree, x.q, rest, [0.0] * 6, weight)
-    floating = bias_torque(tree, x.q, x.qd, [0.0] * 6, ZERO)
+    still = bias_torque(tree, replace(x, qd=[0.0] * robot.n_joints, g=weight))
+    floating = bias_torque(tree, replace(x, g=ZERO))
 
-    def results(forces: Sequence[Vector]) -> Arguments:
-        return {"tau": inverse_dynamics(tree, x.q, x.qd, x.qdd, weight, forces)}
+    def results(forces: list[Vector]) -> Arguments:
+        return {"tau": inverse_dynamics(tree, replace(x, g=weight, external=forces))}
 
     return [
         *_under_loads(robot, "inverse_dynamics", motion, results),
@@ -66,24 +65,23 @@ def _of_fixed_base(robot: GeneratedRobot) -> list[str]:
 
 def _of_floating_base(robot: GeneratedRobot) -> list[str]:
     """Return functions for a base in free fall; what gravity does is added to accelerations."""
-    tree, x, n = robot.tree, robot.library.inputs, robot.n_joints
+    tree, x, n = robot.tree, replace(robot.library.inputs, g=ZERO), robot.n_joints
     motion: dict[str, Sequence[Scalar]] = {"q": x.q, "qd": x.qd, "qdd": x.qdd, "v0": x.v0}
     driven = {**motion, "a0": x.a0}
 
-    def free(forces: Sequence[Vector]) -> Arguments:
-        found = floating_base_inverse_dynamics(tree, x.q, x.qd, x.qdd, x.v0, ZERO, forces)
+    def free(forces: list[Vector]) -> Arguments:
+        found = floating_base_inverse_dynamics(tree, replace(x, external=forces))
         return {"tau": found[:n], "a0": found[n:]}
 
-    def held(forces: Sequence[Vector]) -> Arguments:
-        found = actuated_base_inverse_dynamics(tree, x.q, x.qd, x.qdd, x.v0, x.a0, ZERO, forces)
+    def held(forces: list[Vector]) -> Arguments:
+        found = inverse_dynamics(tree, replace(x, external=forces))
         return {"tau": found[6:], "f0": found[:6]}
 
     kernels = _under_loads(robot, "inverse_dynamics", motion, free)
     kernels += _under_loads(robot, "inverse_dynamics_actuated", driven, held)
     rest: Vector = [0.0] * n
-    still: Vector = [0.0] * 6
-    weight = actuated_base_inverse_dynamics(tree, x.q, rest, rest, still, x.a0, ZERO)
-    moving = bias_torque(tree, x.q, x.qd, x.v0, ZERO)
+    weight = inverse_dynamics(tree, replace(x, qd=rest, qdd=rest, v0=[0.0] * 6, external=[]))
+    moving = bias_torque(tree, x)
     gives = {"tau": weight[6:], "f0": weight[:6]}
     kernels.append(robot.kernel("gravity", {"q": x.q, "a0": x.a0}, gives))
     takes = {"q": x.q, "qd": x.qd, "v0": x.v0}
@@ -102,8 +100,8 @@ def forward_dynamics_kernels(robot: GeneratedRobot) -> list[str]:
         g = robot.library.robot.graph.input()
         takes["g"], weight = [g], [0.0, 0.0, -g]
 
-    def results(forces: Sequence[Vector]) -> Arguments:
-        found = forward_dynamics(tree, x.q, x.qd, x.tau, x.v0, weight, forces)
+    def results(forces: list[Vector]) -> Arguments:
+        found = forward_dynamics(tree, replace(x, g=weight, external=forces))
         return {"qdd": found[:n], "a0": found[n:]} if robot.is_floating else {"qdd": found[:n]}
 
     return _under_loads(robot, "forward_dynamics", takes, results)
@@ -113,7 +111,7 @@ def _under_loads(
     robot: GeneratedRobot,
     name: str,
     takes: Arguments,
-    results: Callable[[Sequence[Vector]], Arguments],
+    results: Callable[[list[Vector]], Arguments],
 ) -> list[str]:
     """Return a function without forces on links, and with them: its name with `_loaded`.
 
