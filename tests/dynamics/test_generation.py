@@ -184,9 +184,7 @@ def test_both_ways_of_forward_dynamics_agree(
     for shallow, deep in ((0.0, 0.0), (1e9, 1e9), (0.0, 1e9)):
         monkeypatch.setattr(forward_dynamics, "SURELY_SHALLOW", shallow)
         monkeypatch.setattr(forward_dynamics, "SURELY_DEEP", deep)
-        entries = forward_dynamics.forward_dynamics(
-            robot.tree, x.q, x.qd, x.tau, x.v0, x.g, x.external
-        )
+        entries = forward_dynamics.forward_dynamics(robot.tree, x)
         found.append(np.array(evaluate(robot.graph, values, entries)))
         counts.append(operations(robot.graph, entries))
     scale = abs(found[1]).max()

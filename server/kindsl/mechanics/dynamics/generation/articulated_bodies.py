@@ -12,7 +12,7 @@ from typing import NamedTuple
 from kindsl.mechanics.dynamics.generation.factorization import is_zero, solve_symmetric
 from kindsl.mechanics.dynamics.generation.mass_moments import MassMoments
 from kindsl.mechanics.dynamics.generation.terms import Scalar
-from kindsl.mechanics.dynamics.generation.tree import JointMotion, Tree
+from kindsl.mechanics.dynamics.generation.tree import JointMotion, Tree, Wrench
 from kindsl.mechanics.dynamics.generation.vectors import (
     ZERO,
     Matrix,
@@ -35,11 +35,10 @@ class ArticulatedInertia(NamedTuple):
     B: Matrix
     C: Matrix
 
-    def column(self, kind: str) -> tuple[Vector, Vector]:
-        """Return moment and force of a unit acceleration along the joint."""
+    def column(self, kind: str) -> Wrench:
+        """Return the wrench of a unit acceleration along the joint."""
         block = (self.A, transpose(self.B)) if kind == "revolute" else (self.B, self.C)
-        moment, force = ([row[2] for row in part] for part in block)
-        return moment, force
+        return Wrench(*([row[2] for row in part] for part in block))
 
 
 class _Joint(NamedTuple):
@@ -55,8 +54,7 @@ def accelerations(
     tree: Tree,
     joints: Sequence[JointMotion],
     tau: Vector,
-    forces: Sequence[Vector],
-    moments: Sequence[Vector],
+    wrenches: Sequence[Wrench],
 ) -> tuple[Vector, Vector]:
     """Return what the joints accelerate by, and a floating base more than it did.
 
@@ -64,15 +62,14 @@ def accelerations(
         tree: The mechanism.
         joints: The motion across each joint.
         tau: The joint forces, less those of drives.
-        forces: What each body's motion takes while the joints do not accelerate, less what acts
-            on it from outside, in its coordinates.
-        moments: The same about the bodies' origins.
+        wrenches: What each body's motion takes while the joints do not accelerate, less what acts
+            on it from outside.
 
     Raises:
         SingularInertiaError: If a joint certainly moves no mass.
     """
     inertias = [body_inertia(body) for body in tree.masses]
-    forces, moments = [*forces], [*moments]
+    moments, forces = ([*part] for part in zip(*wrenches, strict=True))
     taken: dict[int, _Joint] = {}
     for i in tree.links_leaves_first():
         joint, parent, kind = joints[i], tree.parents[i], joints[i].kind

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from kindsl.mechanics.dynamics.generation.mass_moments import MassMoments
 from kindsl.mechanics.dynamics.generation.terms import Scalar
-from kindsl.mechanics.dynamics.generation.tree import JointMotion, Tree
+from kindsl.mechanics.dynamics.generation.tree import JointMotion, Tree, Wrench
 from kindsl.mechanics.dynamics.generation.vectors import (
     Matrix,
     Vector,
@@ -45,13 +45,6 @@ class Field(NamedTuple):
     a: Vector
     b: Vector
     o: Vector
-
-
-class Wrench(NamedTuple):
-    """A moment about a link's origin, and a force."""
-
-    moment: Vector
-    force: Vector
 
 
 def flows(
@@ -132,9 +125,3 @@ def joint_force(field: Field, reaction: Wrench, turning: Vector) -> Scalar:
         turning: Its `flow_reaction`, moved there.
     """
     return dot([*reaction.force, *reaction.moment, *turning], [*field.a, *field.b, *field.o])
-
-
-def wrench_in_parent(joint: JointMotion, wrench: Wrench) -> Wrench:
-    """Return a wrench about the parent's origin, in its coordinates."""
-    force = joint.to_parent(wrench.force)
-    return Wrench(add(joint.to_parent(wrench.moment), cross(joint.offset, force)), force)

@@ -1,8 +1,8 @@
 """Composite bodies and the joint-space inertia, for tracing."""
 
 from kindsl.mechanics.dynamics.generation.mass_moments import MassMoments
-from kindsl.mechanics.dynamics.generation.tree import JointMotion, Tree, joint_motions
-from kindsl.mechanics.dynamics.generation.vectors import Matrix, Vector, add, cross
+from kindsl.mechanics.dynamics.generation.tree import Tree, Wrench, joint_motions
+from kindsl.mechanics.dynamics.generation.vectors import Matrix, Vector
 
 
 def composites(tree: Tree, q: Vector) -> list[MassMoments]:
@@ -13,13 +13,13 @@ def composites(tree: Tree, q: Vector) -> list[MassMoments]:
     return composite
 
 
-def joint_reaction(kind: str, body: MassMoments) -> tuple[Vector, Vector]:
-    """Return the moment and the force of a body that its joint accelerates by one."""
+def joint_reaction(kind: str, body: MassMoments) -> Wrench:
+    """Return the wrench of a body that its joint accelerates by one."""
     (xx, _, xz), (_, yy, yz), _ = body.second
     x, y, _ = body.first
     if kind == "revolute":
-        return [0.0 - xz, 0.0 - yz, xx + yy], [0.0 - y, x, 0.0]
-    return [y, 0.0 - x, 0.0], [0.0, 0.0, body.mass]
+        return Wrench([0.0 - xz, 0.0 - yz, xx + yy], [0.0 - y, x, 0.0])
+    return Wrench([y, 0.0 - x, 0.0], [0.0, 0.0, body.mass])
 
 
 def joint_space_inertia(tree: Tree, q: Vector) -> Matrix:
@@ -30,19 +30,18 @@ def joint_space_inertia(tree: Tree, q: Vector) -> Matrix:
     M: Matrix = [[0.0] * size for _ in range(size)]
     for i in tree.links():
         row = first + i - 1
-        moment, force = joint_reaction(joints[i].kind, composite[i])
-        M[row][row] = moment[2] if joints[i].kind == "revolute" else force[2]
+        reaction = joint_reaction(joints[i].kind, composite[i])
+        M[row][row] = joints[i].along(reaction)
         if tree.drives is not None:
             M[row][row] = M[row][row] + tree.drives.armature[i - 1]
         j = i
         while tree.parents[j] != 0:
-            moment, force = _in_parent(joints[j], moment, force)
-            j = tree.parents[j]
+            reaction, j = joints[j].wrench_in_parent(reaction), tree.parents[j]
             column = first + j - 1
-            M[row][column] = moment[2] if joints[j].kind == "revolute" else force[2]
+            M[row][column] = joints[j].along(reaction)
             M[column][row] = M[row][column]
         if tree.is_floating:
-            moment, force = _in_parent(joints[j], moment, force)
+            moment, force = joints[j].wrench_in_parent(reaction)
             for column, entry in enumerate([*moment, *force]):
                 M[row][column] = M[column][row] = entry
     if tree.is_floating:
@@ -51,28 +50,20 @@ def joint_space_inertia(tree: Tree, q: Vector) -> Matrix:
     return M
 
 
-def base_reactions(tree: Tree, q: Vector) -> list[tuple[Vector, Vector]]:
-    """Return moment and force on the base of each unit acceleration, a floating base's six first.
+def base_reactions(tree: Tree, q: Vector) -> list[Wrench]:
+    """Return the wrench on the base of each unit acceleration, a floating base's six first.
 
     Momentum is the same of a unit velocity.
     """
     joints, composite = joint_motions(tree, q), composites(tree, q)
     whole = rigid_body_inertia(composite[0]) if tree.is_floating else []
-    found: list[tuple[Vector, Vector]] = [(column[:3], column[3:]) for column in whole]
+    found = [Wrench(column[:3], column[3:]) for column in whole]
     for i in tree.links():
-        moment, force = joint_reaction(joints[i].kind, composite[i])
-        j = i
+        reaction, j = joint_reaction(joints[i].kind, composite[i]), i
         while j != 0:
-            moment, force = _in_parent(joints[j], moment, force)
-            j = tree.parents[j]
-        found.append((moment, force))
+            reaction, j = joints[j].wrench_in_parent(reaction), tree.parents[j]
+        found.append(reaction)
     return found
-
-
-def _in_parent(joint: JointMotion, moment: Vector, force: Vector) -> tuple[Vector, Vector]:
-    """Return a moment and a force about the parent's origin, in its coordinates."""
-    force = joint.to_parent(force)
-    return add(joint.to_parent(moment), cross(joint.offset, force)), force
 
 
 def rigid_body_inertia(body: MassMoments) -> Matrix:

@@ -16,7 +16,7 @@ from kindsl.mechanics.dynamics.generation.factorization import (
     solve_factorized,
 )
 from kindsl.mechanics.dynamics.generation.force_derivatives import force_derivatives
-from kindsl.mechanics.dynamics.generation.function import Function, Inputs, Result, flat
+from kindsl.mechanics.dynamics.generation.function import Function, Inputs, matrix
 from kindsl.mechanics.dynamics.generation.inverse_dynamics import bias_torque, inverse_dynamics
 from kindsl.mechanics.dynamics.generation.mass_moments import MassMoments
 from kindsl.mechanics.dynamics.generation.robot import Robot, massless
@@ -38,12 +38,7 @@ TENSOR_ENTRIES = ((0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2))
 def inverse_dynamics_derivatives(robot: Robot, inputs: Inputs) -> list[Function]:
     """Record what the forces change by with positions, velocities and accelerations."""
     dq, dqd, M = force_derivatives(robot.tree, inputs)
-    shape = (len(M), len(M))
-    results = (
-        Result("dtau_dq", shape, flat(dq)),
-        Result("dtau_dqd", shape, flat(dqd)),
-        Result("dtau_dqdd", shape, flat(M)),
-    )
+    results = matrix("dtau_dq", dq), matrix("dtau_dqd", dqd), matrix("dtau_dqdd", M)
     summary = "the derivatives of the forces that a motion takes"
     arguments = inputs.motion("qdd", "a0")
     return [Function("inverse_dynamics_derivatives", summary, arguments, results)]
@@ -69,11 +64,10 @@ def forward_dynamics_derivatives(robot: Robot, inputs: Inputs) -> list[Function]
             turn, moving = cross(inputs.g, axis), cross(axis, inputs.v0[:3])
             _set_column(by_position, column, [*ZERO, *turn, *rest])
             _set_column(by_velocity, 3 + column, [*ZERO, *moving, *rest])
-    shape = (len(bias), len(bias))
     results = (
-        Result("dqdd_dq", shape, flat(by_position)),
-        Result("dqdd_dqd", shape, flat(by_velocity)),
-        Result("dqdd_dtau", shape, flat(inverse(factors))),
+        matrix("dqdd_dq", by_position),
+        matrix("dqdd_dqd", by_velocity),
+        matrix("dqdd_dtau", inverse(factors)),
     )
     summary = "the derivatives of the accelerations under forces"
     return [Function("forward_dynamics_derivatives", summary, inputs.motion("tau"), results)]
@@ -92,7 +86,7 @@ def regressor(robot: Robot, inputs: Inputs) -> list[Function]:
             alone = [massless() for _ in tree.parents]
             alone[body] = unit
             columns.append(inverse_dynamics(replace(tree, masses=alone, drives=None), x))
-    Y = Result("Y", (len(columns[0]), len(columns)), flat(transpose(columns)))
+    Y = matrix("Y", transpose(columns))
     summary = "the matrix that takes the bodies' inertial parameters to the forces of a motion"
     return [Function("regressor", summary, inputs.motion("qdd", "a0"), (Y,))]
 

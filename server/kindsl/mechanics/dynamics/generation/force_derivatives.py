@@ -10,11 +10,9 @@ from typing import NamedTuple
 from kindsl.mechanics.dynamics.generation.carried_motion import (
     Field,
     Flow,
-    Wrench,
     flow_reaction,
     flows,
     joint_force,
-    wrench_in_parent,
     wrench_of,
 )
 from kindsl.mechanics.dynamics.generation.composite_bodies import (
@@ -30,7 +28,7 @@ from kindsl.mechanics.dynamics.generation.inverse_dynamics import (
 )
 from kindsl.mechanics.dynamics.generation.mass_moments import MassMoments
 from kindsl.mechanics.dynamics.generation.terms import Scalar
-from kindsl.mechanics.dynamics.generation.tree import JointMotion, Tree, joint_motions
+from kindsl.mechanics.dynamics.generation.tree import JointMotion, Tree, Wrench, joint_motions
 from kindsl.mechanics.dynamics.generation.vectors import (
     EYE,
     ZERO,
@@ -108,7 +106,7 @@ def _in_motion(tree: Tree, inputs: Inputs) -> _Mechanism:
     a = subtract(add(inputs.a0[3:], cross(w, v)), inputs.g)
     motions = body_motions(tree, joints, inputs, a)
     steps = [ZERO, *(_step(tree, joints[i], motions, i, inputs.qd[i - 1]) for i in tree.links())]
-    forces, moments = carried_wrenches(tree, joints, motions.forces, motions.moments)
+    wrenches = carried_wrenches(tree, joints, motions.wrenches)
     fields = [_fields(joints[i], motions, tree.parents[i], i) for i in tree.links()]
     still = Field(ZERO, ZERO, ZERO)
     return _Mechanism(
@@ -117,7 +115,7 @@ def _in_motion(tree: Tree, inputs: Inputs) -> _Mechanism:
         steps,
         bodies,
         flows(tree, joints, motions.w, steps, bodies),
-        [Wrench(moment, force) for moment, force in zip(moments, forces, strict=True)],
+        wrenches,
         [still, *(by_position for by_position, _ in fields)],
         [still, *(by_velocity for _, by_velocity in fields)],
     )
@@ -164,13 +162,13 @@ def _fill_joint(mechanism: _Mechanism, link: int, inputs: Inputs, dq: Matrix, dq
     tree, joints = mechanism.tree, mechanism.joints
     first = 6 if tree.is_floating else 0
     here, column = first + link - 1, _own_column(mechanism, link)
-    dq[here][here] = _along(joints[link].kind, column.by_position)
-    dqd[here][here] = _along(joints[link].kind, column.by_velocity)
+    dq[here][here] = joints[link].along(column.by_position)
+    dqd[here][here] = joints[link].along(column.by_velocity)
     while tree.parents[link] != 0:
         column, link = _in_parent(mechanism, link, column), tree.parents[link]
-        there, kind = first + link - 1, joints[link].kind
-        dq[there][here] = _along(kind, column.by_position)
-        dqd[there][here] = _along(kind, column.by_velocity)
+        there = first + link - 1
+        dq[there][here] = joints[link].along(column.by_position)
+        dqd[there][here] = joints[link].along(column.by_velocity)
         dq[here][there] = _taken(mechanism.by_position[link], column)
         dqd[here][there] = _taken(mechanism.by_velocity[link], column)
     if tree.is_floating:
@@ -189,7 +187,7 @@ def _own_column(mechanism: _Mechanism, link: int) -> _Column:
     return _Column(
         _turned(kind, by_position, mechanism.wrenches[link]),
         wrench_of(mechanism.by_velocity[link], body, flow),
-        Wrench(*joint_reaction(kind, body)),
+        joint_reaction(kind, body),
         flow_reaction(kind, flow),
     )
 
@@ -197,7 +195,7 @@ def _own_column(mechanism: _Mechanism, link: int) -> _Column:
 def _in_parent(mechanism: _Mechanism, link: int, column: _Column) -> _Column:
     joint = mechanism.joints[link]
     by_position, by_velocity, reaction = (
-        wrench_in_parent(joint, wrench) for wrench in column[:3]
+        joint.wrench_in_parent(wrench) for wrench in column[:3]
     )  # fmt: skip
     moved = scale(2.0, cross(mechanism.steps[link], reaction.force))
     return _Column(by_position, by_velocity, reaction, add(joint.to_parent(column.turning), moved))
@@ -205,10 +203,6 @@ def _in_parent(mechanism: _Mechanism, link: int, column: _Column) -> _Column:
 
 def _taken(field: Field, column: _Column) -> Scalar:
     return joint_force(field, column.reaction, column.turning)
-
-
-def _along(kind: str, wrench: Wrench) -> Scalar:
-    return wrench.moment[2] if kind == "revolute" else wrench.force[2]
 
 
 def _turned(kind: str, change: Wrench, wrench: Wrench) -> Wrench:

@@ -67,7 +67,7 @@ def _by_inertia(tree: Tree, rest: Inputs, start: Vector) -> tuple[Vector, Vector
 
 def _by_articulated_bodies(tree: Tree, rest: Inputs, start: Vector) -> tuple[Vector, Vector]:
     joints, tau = joint_motions(tree, rest.q), rest.tau
-    forces, moments = loaded(body_motions(tree, joints, rest, start), rest.external)
+    wrenches = loaded(body_motions(tree, joints, rest, start), rest.external)
     if tree.drives is not None:
         tau = subtract(tau, tree.drives.force(rest.qd, rest.qdd))
-    return accelerations(tree, joints, tau, forces, moments)
+    return accelerations(tree, joints, tau, wrenches)

@@ -75,6 +75,11 @@ class Inputs:
     g: Vector
     external: list[Vector]
 
+    @property
+    def positions(self) -> tuple[Argument]:
+        """The joint positions as the only argument of a function."""
+        return (argument("q", self.q),)
+
     def unaccelerated(self) -> "Inputs":
         """Return the same with joints and base that do not accelerate, and nothing from outside."""
         return replace(self, qdd=[0.0] * len(self.q), a0=[0.0] * 6, external=[])
@@ -100,11 +105,11 @@ def inputs_of(robot: Robot) -> Inputs:
     return Inputs(q, qd, qdd, tau, base[0], base[1], gravity, external)
 
 
+def matrix(name: str, M: Matrix) -> Result:
+    """Return a matrix as a result."""
+    return Result(name, (len(M), len(M[0])), [entry for row in M for entry in row])
+
+
 def argument(name: str, vector: Vector) -> Argument:
     """Return an argument from input values."""
     return Argument(name, [x for x in vector if isinstance(x, Term)])
-
-
-def flat(matrix: Matrix) -> list[Scalar]:
-    """Return a matrix's entries by rows."""
-    return [entry for row in matrix for entry in row]

@@ -17,7 +17,7 @@ from kindsl.mechanics.dynamics.generation.derivative_functions import (
 )
 from kindsl.mechanics.dynamics.generation.factorization import factorize
 from kindsl.mechanics.dynamics.generation.forward_dynamics import forward_dynamics
-from kindsl.mechanics.dynamics.generation.function import Function, Inputs, Result, argument, flat
+from kindsl.mechanics.dynamics.generation.function import Function, Inputs, Result, argument, matrix
 from kindsl.mechanics.dynamics.generation.inverse_dynamics import (
     bias_torque,
     floating_base_inverse_dynamics,
@@ -64,13 +64,12 @@ def poses(robot: Robot, inputs: Inputs) -> list[Function]:
         entries += [x for row, c in zip(R, r, strict=True) for x in (*row, c)]
     shape = (len(robot.targets), 3, 4)
     summary = "the upper three rows of base_T_x of each link, then of each frame x"
-    return [Function("poses", summary, (argument("q", inputs.q),), (Result("T", shape, entries),))]
+    return [Function("poses", summary, inputs.positions, (Result("T", shape, entries),))]
 
 
 def jacobians(robot: Robot, inputs: Inputs) -> list[Function]:
     """Record each link's and frame's Jacobian, in its own and in base coordinates."""
     found, functions = body_poses(robot.tree, inputs.q), []
-    shape = (6, robot.n_velocities)
     for frame in robot.targets:
         own, _ = frame_pose(found, frame)
         for suffix, seen_from, where in (
@@ -82,8 +81,8 @@ def jacobians(robot: Robot, inputs: Inputs) -> list[Function]:
                 Function(
                     f"jacobian_{frame.name}{suffix}",
                     f"the geometric Jacobian of {frame.name}'s origin, in {where}",
-                    (argument("q", inputs.q),),
-                    (Result("J", shape, flat(J)),),
+                    inputs.positions,
+                    (matrix("J", J),),
                     about=(frame.name,),
                 )
             )
@@ -97,22 +96,20 @@ def foot_jacobians(robot: Robot, inputs: Inputs) -> list[Function]:
     about = tuple(foot.name for foot in feet(robot))
     for foot in feet(robot):
         J = jacobian_relative_to_base(robot, found, foot)
-        results.append(Result(f"J_{foot.name}", (6, len(J[0])), flat(J)))
+        results.append(matrix(f"J_{foot.name}", J))
     summary = (
         "the feet's Jacobians relative to the base, in base coordinates, each with the columns "
         "of the joints that carry it"
     )
-    arguments = (argument("q", inputs.q),)
-    function = Function("foot_jacobians", summary, arguments, tuple(results), about=about)
+    function = Function("foot_jacobians", summary, inputs.positions, tuple(results), about=about)
     return [function] if results else []
 
 
 def inertia(robot: Robot, inputs: Inputs) -> list[Function]:
     """Record the joint-space inertia."""
-    M = joint_space_inertia(robot.tree, inputs.q)
-    result = Result("M", (len(M), len(M)), flat(M))
+    result = matrix("M", joint_space_inertia(robot.tree, inputs.q))
     summary = "the joint-space inertia"
-    return [Function("joint_space_inertia", summary, (argument("q", inputs.q),), (result,))]
+    return [Function("joint_space_inertia", summary, inputs.positions, (result,))]
 
 
 def inertia_factorization(robot: Robot, inputs: Inputs) -> list[Function]:
@@ -123,9 +120,9 @@ def inertia_factorization(robot: Robot, inputs: Inputs) -> list[Function]:
         [*row[:-1], 1.0, *[0.0] * (size - i - 1)] for i, row in enumerate(factors.L)
     ]
     D = [row[-1] for row in factors.L]
-    results = (Result("L", (size, size), flat(unit)), Result("D", (size,), D))
+    results = (matrix("L", unit), Result("D", (size,), D))
     summary = "M = L^T D L, L unit lower triangular with the zeros of the branches"
-    return [Function("inertia_factorization", summary, (argument("q", inputs.q),), results)]
+    return [Function("inertia_factorization", summary, inputs.positions, results)]
 
 
 def _with_and_without_loads(
@@ -184,7 +181,7 @@ def forward(robot: Robot, inputs: Inputs) -> list[Function]:
 def gravity(robot: Robot, inputs: Inputs) -> list[Function]:
     """Record the forces that hold the mechanism at rest."""
     tau = bias_torque(robot.tree, replace(inputs, qd=[0.0] * len(inputs.q), v0=[0.0] * 6))
-    arguments = (argument("q", inputs.q), argument("g", inputs.g))
+    arguments = (*inputs.positions, argument("g", inputs.g))
     summary = "the forces that hold the mechanism at rest"
     return [Function("gravity_torque", summary, arguments, (Result("tau", (len(tau),), tau),))]
 
@@ -202,37 +199,24 @@ def energies(robot: Robot, inputs: Inputs) -> list[Function]:
     T = masses.kinetic_energy(robot, inputs)
     V = masses.potential_energy(robot, body_poses(robot.tree, inputs.q), inputs.g)
     *moving, g = inputs.motion()
-    zero = "zero for all mass at the base's origin"
+    kinetic, potential = Result("T", (1,), [T]), Result("V", (1,), [V])
+    about = "the potential energy, zero for all mass at the base's origin"
     return [
-        Function("kinetic_energy", "the kinetic energy", tuple(moving), (Result("T", (1,), [T]),)),
-        Function(
-            "potential_energy",
-            f"the potential energy, {zero}",
-            (argument("q", inputs.q), g),
-            (Result("V", (1,), [V]),),
-        ),
+        Function("kinetic_energy", "the kinetic energy", tuple(moving), (kinetic,)),
+        Function("potential_energy", about, (*inputs.positions, g), (potential,)),
     ]
 
 
 def center_of_mass(robot: Robot, inputs: Inputs) -> list[Function]:
     """Record the centre of mass and its Jacobian."""
     found = body_poses(robot.tree, inputs.q)
-    com = masses.center_of_mass(robot, found)
-    J = masses.center_of_mass_jacobian(robot, found)
-    arguments = (argument("q", inputs.q),)
-    shape = (3, robot.n_velocities)
+    com = Result("c", (3,), masses.center_of_mass(robot, found))
+    J = matrix("J", masses.center_of_mass_jacobian(robot, found))
+    given, what = inputs.positions, "the centre of mass"
     return [
+        Function("center_of_mass", f"{what} of all bodies", given, (com,)),
         Function(
-            "center_of_mass",
-            "the centre of mass of all bodies",
-            arguments,
-            (Result("c", (3,), com),),
-        ),
-        Function(
-            "center_of_mass_jacobian",
-            "the Jacobian of the centre of mass, in base coordinates",
-            arguments,
-            (Result("J", shape, flat(J)),),
+            "center_of_mass_jacobian", f"the Jacobian of {what}, in base coordinates", given, (J,)
         ),
     ]
 

@@ -18,7 +18,7 @@ from kindsl.mechanics.dynamics.generation.factorization import solve_symmetric
 from kindsl.mechanics.dynamics.generation.function import Inputs
 from kindsl.mechanics.dynamics.generation.mass_moments import acceleration_field
 from kindsl.mechanics.dynamics.generation.terms import Scalar
-from kindsl.mechanics.dynamics.generation.tree import JointMotion, Tree, joint_motions
+from kindsl.mechanics.dynamics.generation.tree import JointMotion, Tree, Wrench, joint_motions
 from kindsl.mechanics.dynamics.generation.vectors import (
     ZERO,
     Vector,
@@ -40,13 +40,11 @@ def newton_euler(tree: Tree, x: Inputs, base_a: Vector) -> tuple[Vector, Vector]
     """
     joints = joint_motions(tree, x.q)
     motions = body_motions(tree, joints, x, base_a)
-    forces, moments = carried_wrenches(tree, joints, *loaded(motions, x.external))
-    tau = [
-        moments[i][2] if joints[i].kind == "revolute" else forces[i][2] for i in tree.links()
-    ]  # fmt: skip
+    carried = carried_wrenches(tree, joints, loaded(motions, x.external))
+    tau = [joints[i].along(carried[i]) for i in tree.links()]
     if tree.drives is not None:
         tau = add(tau, tree.drives.force(x.qd, x.qdd))
-    return tau, [*moments[0], *forces[0]]
+    return tau, [*carried[0].moment, *carried[0].force]
 
 
 class BodyMotions(NamedTuple):
@@ -56,15 +54,13 @@ class BodyMotions(NamedTuple):
         w: Angular velocities.
         wd: Angular accelerations.
         a: Accelerations of the bodies' origins, relative to gravity.
-        forces: Forces that the bodies' own motions take.
-        moments: The same about the bodies' origins.
+        wrenches: What the bodies' own motions take.
     """
 
     w: list[Vector]
     wd: list[Vector]
     a: list[Vector]
-    forces: list[Vector]
-    moments: list[Vector]
+    wrenches: list[Wrench]
 
 
 def body_motions(
@@ -90,30 +86,32 @@ def body_motions(
     own = list(zip(tree.masses, a, W, strict=True))
     forces = [body.force(a_i, W_i) for body, a_i, W_i in own]
     moments = [body.moment(a_i, W_i) for body, a_i, W_i in own]
-    return BodyMotions(w, wd, a, forces, moments)
+    return BodyMotions(w, wd, a, list(map(Wrench, moments, forces)))
 
 
-def loaded(motions: BodyMotions, external: Sequence[Vector]) -> tuple[list[Vector], list[Vector]]:
-    """Return the forces and moments of bodies less what acts on them from outside, if anything."""
+def loaded(motions: BodyMotions, external: Sequence[Vector]) -> list[Wrench]:
+    """Return the wrenches of bodies less what acts on them from outside, if anything."""
     if not external:
-        return motions.forces, motions.moments
-    wrenches = list(zip(external, motions.forces, motions.moments, strict=True))
-    forces = [subtract(force, wrench[3:]) for wrench, force, _ in wrenches]
-    return forces, [subtract(moment, wrench[:3]) for wrench, _, moment in wrenches]
+        return motions.wrenches
+    pairs = list(zip(motions.wrenches, external, strict=True))
+    forces = [subtract(wrench.force, load[3:]) for wrench, load in pairs]
+    return [
+        Wrench(subtract(wrench.moment, load[:3]), force)
+        for (wrench, load), force in zip(pairs, forces, strict=True)
+    ]
 
 
 def carried_wrenches(
-    tree: Tree, joints: Sequence[JointMotion], forces: list[Vector], moments: list[Vector]
-) -> tuple[list[Vector], list[Vector]]:
-    """Return forces and moments of bodies with all that they carry, from the leaves inward."""
-    forces, moments = [*forces], [*moments]
+    tree: Tree, joints: Sequence[JointMotion], wrenches: Sequence[Wrench]
+) -> list[Wrench]:
+    """Return the wrenches of bodies with all that they carry, from the leaves inward."""
+    carried = [*wrenches]
     for i in tree.links_leaves_first():
-        parent, joint = tree.parents[i], joints[i]
-        force = joint.to_parent(forces[i])
-        moment = add(joint.to_parent(moments[i]), cross(joint.offset, force))
-        forces[parent] = add(forces[parent], force)
-        moments[parent] = add(moments[parent], moment)
-    return forces, moments
+        moment, force = joints[i].wrench_in_parent(carried[i])
+        parent = carried[tree.parents[i]]
+        force = add(parent.force, force)
+        carried[tree.parents[i]] = Wrench(add(parent.moment, moment), force)
+    return carried
 
 
 def inverse_dynamics(tree: Tree, x: Inputs) -> list[Scalar]:

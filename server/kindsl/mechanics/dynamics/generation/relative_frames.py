@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from kindsl.mechanics.dynamics.generation.function import Function, Inputs, Result, argument, flat
+from kindsl.mechanics.dynamics.generation.function import Function, Inputs, Result, matrix
 from kindsl.mechanics.dynamics.generation.jacobians import (
     frame_pose,
     joint_columns,
@@ -35,7 +35,7 @@ def relative_poses(robot: Robot, inputs: Inputs, pairs: Sequence[FramePair]) -> 
             Function(
                 f"pose_{target.name}_in_{base.name}",
                 f"the upper three rows of the pose of {target.name} in {base.name}",
-                (argument("q", inputs.q),),
+                inputs.positions,
                 (Result("T", (3, 4), entries),),
                 about=(target.name, base.name),
             )
@@ -75,8 +75,8 @@ def relative_jacobians(robot: Robot, inputs: Inputs, pairs: Sequence[FramePair])
                 Function(
                     f"jacobian_{target.name}_in_{base.name}",
                     f"the velocity of {target.name} relative to {base.name}, in its coordinates",
-                    (argument("q", inputs.q),),
-                    (Result("J", (6, len(columns)), flat(transpose(columns))),),
+                    inputs.positions,
+                    (matrix("J", transpose(columns)),),
                     about=(target.name, base.name),
                 )
             )

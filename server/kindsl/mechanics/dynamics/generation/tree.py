@@ -1,6 +1,7 @@
 """A mechanism as nested lists of floats, prepared for tracing."""
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,6 +18,7 @@ from kindsl.mechanics.dynamics.generation.vectors import (
     Matrix,
     Vector,
     add,
+    cross,
     scale,
     transform,
 )
@@ -94,6 +96,13 @@ def tree_drives(drives: Drives | None) -> TreeDrives | None:
     return TreeDrives(drives.armature.tolist(), drives.damping.tolist(), drives.friction.tolist())
 
 
+class Wrench(NamedTuple):
+    """A moment about a body's origin, and a force, in the body's coordinates."""
+
+    moment: Vector
+    force: Vector
+
+
 class JointMotion:
     """Moves vectors across the supporting joint of one link: (p)arent and (i) the link.
 
@@ -125,6 +134,15 @@ class JointMotion:
         x, y, z = v
         turned = [self._cosine * x - self._sine * y, self._sine * x + self._cosine * y, z]
         return transform(self._R, turned)
+
+    def wrench_in_parent(self, wrench: Wrench) -> Wrench:
+        """Return a wrench on the link about the parent's origin, in the parent's coordinates."""
+        force = self.to_parent(wrench.force)
+        return Wrench(add(self.to_parent(wrench.moment), cross(self.offset, force)), force)
+
+    def along(self, wrench: Wrench) -> Scalar:
+        """Return the force that a wrench on the link is along the joint."""
+        return wrench.moment[2] if self.kind == "revolute" else wrench.force[2]
 
     def mass_in_parent(self, body: MassMoments) -> MassMoments:
         """Express a mass distribution, given in the link, in the parent."""

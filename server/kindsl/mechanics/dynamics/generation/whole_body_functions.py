@@ -28,8 +28,7 @@ from kindsl.mechanics.dynamics.generation.function import (
     Function,
     Inputs,
     Result,
-    argument,
-    flat,
+    matrix,
 )
 from kindsl.mechanics.dynamics.generation.inverse_dynamics import bias_torque, newton_euler
 from kindsl.mechanics.dynamics.generation.jacobians import body_poses, feet, frame_pose, jacobian
@@ -65,8 +64,8 @@ def centroidal_momentum(robot: Robot, inputs: Inputs) -> list[Function]:
         Function(
             "centroidal_momentum_matrix",
             "the matrix that takes velocities to the momentum about the centre of mass",
-            (argument("q", inputs.q),),
-            (Result("A", (6, robot.n_velocities), flat(transpose(columns))),),
+            inputs.positions,
+            (matrix("A", transpose(columns)),),
         ),
         Function(
             "centroidal_momentum_drift",
@@ -107,10 +106,9 @@ def frame_motions(robot: Robot, inputs: Inputs) -> list[Function]:
 def inertia_inverse(robot: Robot, inputs: Inputs) -> list[Function]:
     """Record the inverse of the joint-space inertia."""
     found = inverse(factorize(joint_space_inertia(robot.tree, inputs.q)))
-    result = Result("Minv", (len(found), len(found)), flat(found))
     summary = "the inverse of the joint-space inertia"
-    arguments = (argument("q", inputs.q),)
-    return [Function("joint_space_inertia_inverse", summary, arguments, (result,))]
+    result = matrix("Minv", found)
+    return [Function("joint_space_inertia_inverse", summary, inputs.positions, (result,))]
 
 
 def coriolis_matrix(robot: Robot, inputs: Inputs) -> list[Function]:
@@ -129,8 +127,7 @@ def coriolis_matrix(robot: Robot, inputs: Inputs) -> list[Function]:
     C = [scale(0.5, row) for row in doubled]
     summary = "C, with the bias torque C v and gravity's; C + C^T is the rate of M"
     *moving, _ = inputs.motion()
-    result = Result("C", (len(C), len(C)), flat(C))
-    return [Function("coriolis_matrix", summary, tuple(moving), (result,))]
+    return [Function("coriolis_matrix", summary, tuple(moving), (matrix("C", C),))]
 
 
 def contact_dynamics(robot: Robot, inputs: Inputs) -> list[Function]:
@@ -160,7 +157,7 @@ def contact_dynamics(robot: Robot, inputs: Inputs) -> list[Function]:
         Result("qdd", (len(x.q),), a[k:]),
         Result("a0", (6,), a[:k]),
         Result("f", (len(contacts), 3), forces),
-        Result("Lambda", (len(J), len(J)), flat(Lambda)),
+        matrix("Lambda", Lambda),
     ]
     q, qd, tau, *others = inputs.motion("tau")
     arguments = (q, qd, tau, Argument("active", active), *others)
