@@ -6,7 +6,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.codegen.robcogen.programs import COMPILERS, HEAD, built, generated, needs_cpp, printed
+from tests.codegen.robcogen.programs import (
+    COMPILERS,
+    HEAD,
+    QUICK,
+    built,
+    generated,
+    needs_cpp,
+    printed,
+)
 
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanics.dynamics.generation.emitters import cpp_templates
@@ -204,7 +212,9 @@ def case(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactor
             patch.setattr(cpp_templates, "OPERATIONS_PER_PART", 70)
         analysis, library = generated(ROBOTS[request.param], VALUES, folder)
     used = {name: VALUES[name] for name in library.defaults}
-    return analysis.mechanism(used), library, printed(folder, program(library), "-march=native")
+    compiler = COMPILERS[0] if request.param == "crab" else QUICK
+    found = printed(folder, program(library), "-march=native", compiler=compiler)
+    return analysis.mechanism(used), library, found
 
 
 def equal(found: Array, expected: Array, tolerance: float = 1e-12) -> None:
@@ -449,7 +459,8 @@ void call(Own& own, Own::JointState& t) { own.call(t); }
 def test_the_guide_closes_its_loop(tmp_path: Path) -> None:
     guide = EXAMPLES.parent / "docs" / "guide"
     generated((guide / "crane.kindsl").read_text(), {}, tmp_path)
-    done = built(tmp_path, (guide / "control.cpp").read_text(), "-std=c++14")
+    source = (guide / "control.cpp").read_text()
+    done = built(tmp_path, source, "-std=c++14", compiler=COMPILERS[0])
     assert (done.returncode, done.stderr) == (0, "")
     told = subprocess.run([tmp_path / "main"], capture_output=True, text=True, check=False)
     assert told.stdout == "the crane is where it should be\n"

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import pytest
 from tests.codegen.compiling import EIGEN
-from tests.codegen.robcogen.programs import COMPILERS, STRICT, generated, needs_cpp
+from tests.codegen.robcogen.programs import COMPILERS, QUICK, STRICT, generated, needs_cpp
 from tests.codegen.robcogen.test_classes import CRAB, VALUES
 
 from kindsl.products.codegen.robcogen.files import RUNTIME
@@ -50,6 +50,9 @@ int main()
 """
 
 
+GCC = COMPILERS[0] if COMPILERS else ""
+
+
 class Project(NamedTuple):
     """A program that was written for one of RobCoGen's forms.
 
@@ -59,6 +62,7 @@ class Project(NamedTuple):
         names: Where it looks for names.
         dynamics: Where it looks for classes of dynamics.
         headers: The folder of the headers in the generated one.
+        compiler: What builds it.
     """
 
     options: dict[str, object]
@@ -66,6 +70,7 @@ class Project(NamedTuple):
     names: str
     dynamics: str
     headers: str = "."
+    compiler: str = QUICK
 
 
 PROJECTS = {
@@ -77,12 +82,13 @@ PROJECTS = {
         "iit/robots/crab",
     ),
     "float": Project(
-        {"layout": "control-toolbox", "real": "float", "namespace": "a::b"}, "", "a::b", "a::b::dyn"
+        {"layout": "control-toolbox", "real": "float", "namespace": "a::b"},
+        "", "a::b", "a::b::dyn", compiler=GCC,
     ),
     "robcogen-0.5": Project({"layout": "robcogen-0.5"}, "", "Crab::rcg", "Crab::rcg"),
     "pronto": Project(
         {"layout": "robcogen-0.5", "namespace": "pronto::crab", "has_sources": True},
-        "crab_robcogen/", "pronto::crab", "pronto::crab::dyn",
+        "crab_robcogen/", "pronto::crab", "pronto::crab::dyn", compiler=GCC,
     ),
 }  # fmt: skip
 HEADERS = (
@@ -115,7 +121,7 @@ def test_a_project_is_built_as_it_stands(name: str, tmp_path: Path) -> None:
         MAIN.format(includes=includes, names=project.names, dynamics=project.dynamics)
     )
     command = [
-        COMPILERS[0], "-std=c++14", *STRICT, "-Wconversion", "-I", "own", "-I", "include",
+        project.compiler, "-std=c++14", *STRICT, "-Wconversion", "-I", "own", "-I", "include",
         "-I", f"include/{project.prefix}", "-isystem", str(EIGEN),
         *(f"src/{name}.cpp" for name in ("main", "miscellaneous", *["jsim"] * has_all)),
         "-o", "program",

@@ -4,7 +4,14 @@ from pathlib import Path
 
 import pytest
 from tests.codegen.robcogen import test_classes
-from tests.codegen.robcogen.programs import built, generated, needs_cpp, told
+from tests.codegen.robcogen.programs import (
+    COMPILERS,
+    QUICK,
+    built,
+    generated,
+    needs_cpp,
+    told,
+)
 from tests.codegen.robcogen.test_classes import CRAB, VALUES, Case, program
 
 from kindsl.judgement.analysis.analysis import Analysis
@@ -78,7 +85,8 @@ def compiled(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFa
         f"    source.{n} = std::atof(arguments[{i}]);\n" for i, n in enumerate(names, 2)
     )
     text = program(library, GIVEN.replace("@VALUES@", values), CHANGE.replace("@VALUES@", changes))
-    done = built(folder, "#include <cstdlib>\n" + text, "-std=c++14")
+    compiler = COMPILERS[0] if request.param == "fixed" else QUICK
+    done = built(folder, "#include <cstdlib>\n" + text, "-std=c++14", compiler=compiler)
     assert (done.returncode, done.stderr) == (0, "")
     return folder, analysis, library
 
