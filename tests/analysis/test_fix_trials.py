@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 import pytest
+from tests.support.examples import four_legs, link, robot
 
 from kindsl.frontends.features.actions.code_actions import quick_fixes
 from kindsl.judgement.analysis.analysis import Analysis, analyse
@@ -11,7 +12,6 @@ from kindsl.judgement.analysis.fix_trials import offered
 from kindsl.judgement.analysis.fixing import announced, fixed, is_fixable
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.judgement.analysis.text_fix import TextFix
-from kindsl.judgement.rules.examples import four_legs, link, robot
 from kindsl.language.syntax.document import SyntaxDocument, parse
 from kindsl.language.text.edits import TextEdit
 

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 import pytest
 from tests.support import robots
+from tests.support.examples import joint, link, robot
 from tests.support.kept import errors
 
 from kindsl.judgement.analysis.analysis import Analysis, analyse
@@ -13,7 +14,6 @@ from kindsl.judgement.analysis.fixing import Made, announced, fixed, is_fixable,
 from kindsl.judgement.analysis.proof import EditEffect, effect
 from kindsl.judgement.analysis.text_fix import TextFix
 from kindsl.judgement.rules.base import Severity
-from kindsl.judgement.rules.examples import joint, link, robot
 from kindsl.language.syntax.document import parse
 from kindsl.language.text.edits import TextEdit
 

@@ -1,10 +1,10 @@
 """Elements of URDF pasted into a document are one finding; its fix writes what an import would."""
 
 import pytest
+from tests.support.examples import link, robot
 
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.judgement.analysis.diagnostics import Diagnostic
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.language.text.edits import apply_edits
 from kindsl.robots.interchange.format import ReadRobot
 from kindsl.robots.interchange.kindsl_writing import kindsl_text

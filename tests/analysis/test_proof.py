@@ -5,12 +5,12 @@ import re
 
 import pytest
 from tests.support import robots
+from tests.support.examples import joint, link, robot
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.fixing import fixed, is_fixable, is_safe, made
 from kindsl.judgement.analysis.proof import EditEffect, Effect, effect
 from kindsl.judgement.analysis.text_fix import TextFix, prove
-from kindsl.judgement.rules.examples import joint, link, robot
 from kindsl.language.syntax.document import parse
 from kindsl.language.text.edits import TextEdit, apply_edits
 

@@ -5,10 +5,10 @@ from pathlib import Path
 
 import pytest
 from tests.interchange import documents
+from tests.support.examples import sdf_arm
 
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.judgement.rules.xml_bodies import xml_bodies
-from kindsl.judgement.rules.xml_elements import sdf_arm
 from kindsl.language.text.edits import TextEdit
 from kindsl.mechanics.rigid.body import seen_from
 from kindsl.robots.interchange.format import AS_WRITTEN

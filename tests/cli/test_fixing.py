@@ -13,13 +13,13 @@ from tests.cli.conftest import Runner
 from tests.cli.samples import GOOD, INTEGER, arm
 from tests.support import robots
 from tests.support.amount import usually
+from tests.support.examples import link, robot
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.analysis.fixing import disjoint_fixes, fixed, in_line_style, is_fixable
 from kindsl.judgement.analysis.text_fix import TextFix, edits_of
 from kindsl.judgement.rules.base import Severity
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.language.text.edits import TextEdit, apply_edits
 
 FIXED = arm(reach="1.0")

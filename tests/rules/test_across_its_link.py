@@ -1,10 +1,10 @@
 """A rod across its link (KD313) or behind its joint (KD511): which bodies are, and the repairs."""
 
 import pytest
+from tests.support.examples import joint, link, placed_joint, robot
 from tests.support.one_rule import found, told
 
 from kindsl.judgement.analysis.analysis import analyse
-from kindsl.judgement.rules.examples import joint, link, placed_joint, robot
 from kindsl.language.text.edits import apply_edits
 
 SECTION = "inertia_params { mass = 2.0 CoM = (%s) Ix=%s Iy=%s Iz=%s Ixy=0.0 Ixz=0.0 Iyz=0.0 }"

@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 
 import pytest
+from tests.support.examples import STEEL_BALL, link, robot
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.rules.broken_text import is_cut_off
-from kindsl.judgement.rules.examples import STEEL_BALL, link, robot
 from kindsl.language.semantics.places import Place, has_problem_within
 
 

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from tests.support.examples import joint, link, robot
 from tests.support.one_rule import section, told, with_base
 
 from kindsl.judgement.analysis.analysis import analyse
-from kindsl.judgement.rules.examples import joint, link, robot
 from kindsl.mechanics.rigid.body import MassDistribution, moments_of, shifted
 
 DOCUMENT = """Robot R {{

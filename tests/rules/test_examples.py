@@ -4,12 +4,18 @@ import re
 from collections import Counter
 
 import pytest
-from tests.support.example_documents import bindings_of, document_of, fixed_document_of
+from tests.support.example_documents import (
+    bindings_of,
+    document_of,
+    examples_of,
+    fixed_document_of,
+)
+from tests.support.examples import Example
 
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.analysis.settings import Settings
-from kindsl.judgement.rules.base import Example, Rule
+from kindsl.judgement.rules.base import Rule
 from kindsl.judgement.rules.registry import all_rules, page_of
 from kindsl.language.text.edits import apply_edits
 
@@ -25,7 +31,7 @@ def cases(kind: str) -> list[object]:
     return [
         pytest.param(rule, example, id=f"{rule.code}-{number}")
         for rule in all_rules()
-        for number, example in enumerate(getattr(rule, kind))
+        for number, example in enumerate(getattr(examples_of(rule), kind))
     ]
 
 
@@ -87,11 +93,12 @@ def test_fix_removes_the_finding_and_brings_none(rule: Rule, example: str | Exam
 
 @pytest.mark.parametrize("rule", all_rules(), ids=lambda rule: rule.code)
 def test_rule_is_complete(rule: Rule) -> None:
-    assert rule.code in NEEDS_NO_EXAMPLE or (rule.good and rule.bad)
+    examples = examples_of(rule)
+    assert rule.code in NEEDS_NO_EXAMPLE or (examples.good and examples.bad)
     page = page_of(rule)
     for heading in ("## What it does", "## Why is this bad?", "## Example"):
         assert heading in page
-    has_fixed_example = any(fixed_document_of(example) is not None for example in rule.bad)
+    has_fixed_example = any(fixed_document_of(example) is not None for example in examples.bad)
     assert has_fixed_example == ("## Fix" in page) or rule.code in OF_FILES
 
 

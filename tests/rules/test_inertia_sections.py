@@ -2,9 +2,9 @@
 
 import pytest
 from tests.support.example_documents import document_of
+from tests.support.examples import STEEL_BALL, link
 from tests.support.one_rule import body, found, row, section, told, with_base
 
-from kindsl.judgement.rules.examples import STEEL_BALL, link
 from kindsl.language.semantics.parameters import Binding
 from kindsl.language.text.edits import apply_edits
 

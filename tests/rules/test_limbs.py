@@ -5,12 +5,7 @@ from itertools import product
 from typing import Any
 
 import pytest
-from tests.support.one_rule import found, section, told
-from tests.support.published import CORPUS, published
-
-from kindsl.judgement.analysis.analysis import analyse
-from kindsl.judgement.rules import limb_verdicts
-from kindsl.judgement.rules.examples import (
+from tests.support.examples import (
     STEEL_BALL,
     four_legs,
     link,
@@ -18,6 +13,11 @@ from kindsl.judgement.rules.examples import (
     robot,
     two_arms,
 )
+from tests.support.one_rule import found, section, told
+from tests.support.published import CORPUS, published
+
+from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.rules import limb_verdicts
 from kindsl.judgement.rules.inertia import shapes
 from kindsl.judgement.rules.inertia.shapes import shape_verdicts
 from kindsl.language.semantics.declarations import Link

@@ -1,11 +1,11 @@
 """What is offered for names that nothing has: what may be meant, or a block of that name."""
 
 import pytest
+from tests.support.examples import link, robot
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.fixing import fixed, is_fixable
 from kindsl.judgement.rules.base import Fix
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.judgement.rules.missing_names import missing_names
 from kindsl.judgement.rules.new_blocks import new_joint, new_link
 from kindsl.language.semantics.model import Model

@@ -1,9 +1,8 @@
 """Names, numbers and references: which of two is reported, as what, and for whom."""
 
 import pytest
+from tests.support.examples import STEEL_BALL, joint, link, robot
 from tests.support.one_rule import found, told, told_as
-
-from kindsl.judgement.rules.examples import STEEL_BALL, joint, link, robot
 
 POSE = "{ translation = (0.1, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) }"
 

@@ -2,10 +2,10 @@
 
 import pytest
 from tests.support.example_documents import document_of
+from tests.support.examples import STEEL_BALL, joint, link, robot
 from tests.support.one_rule import found, told
 
 from kindsl.judgement.rules.checks.kd404_unused_binding import unused_bindings
-from kindsl.judgement.rules.examples import STEEL_BALL, joint, link, robot
 from kindsl.language.text.edits import apply_edits
 
 

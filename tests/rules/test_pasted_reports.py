@@ -3,12 +3,12 @@
 import pytest
 from tests.cad.test_reports import EXPECTED, REPORTS
 from tests.cad.test_sentences import ON_AXIS
+from tests.support.examples import link, robot
 
 import kindsl
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.analysis.text_fix import TextFix
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.language.text.edits import apply_edits
 
 LINK = """link upper {

@@ -2,9 +2,9 @@
 
 import pytest
 from tests.support.example_documents import document_of
+from tests.support.examples import STEEL_BALL, joint, link, pitched_joint, robot
 from tests.support.one_rule import found, told
 
-from kindsl.judgement.rules.examples import STEEL_BALL, joint, link, pitched_joint, robot
 from kindsl.language.text.edits import apply_edits
 
 

@@ -6,11 +6,11 @@ from math import cos, sin
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from tests.support.examples import STEEL_BALL, joint, link, robot
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.rules.checks.kd404_unused_binding import unused_bindings
-from kindsl.judgement.rules.examples import STEEL_BALL, joint, link, robot
 from kindsl.language.text.edits import apply_edits
 from kindsl.robots.mechanism.body_verdicts import GREATEST_LENGTH
 

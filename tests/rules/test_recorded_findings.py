@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from tests.features.samples import BROKEN, PARAMETRIC, TANGLED
-from tests.support.example_documents import bindings_of, document_of
+from tests.support.example_documents import bindings_of, document_of, examples_of
 from tests.support.markers import marked_files
 from tests.support.recorded import Teller, assert_as_recorded
 from tests.support.robots import STUB
@@ -52,7 +52,7 @@ def _fix(fix: TextFix, kind: str, teller: Teller) -> Iterator[str]:
 
 def of_examples() -> Iterator[str]:
     for rule in all_rules():
-        for number, example in enumerate(rule.bad, 1):
+        for number, example in enumerate(examples_of(rule).bad, 1):
             yield f"## {rule.code} {number}"
             targets = () if isinstance(example, str) else example.targets
             settings = Settings(frozenset(targets), ("KD",), bindings=bindings_of(example))

@@ -3,9 +3,9 @@
 from typing import Any
 
 import pytest
+from tests.support.examples import link, robot
 
 from kindsl.judgement.analysis.analysis import analyse
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.judgement.rules.reference_defects import (
     ReferenceDefects,
     reference_defects,

@@ -1,10 +1,10 @@
 """What robcogen2 refuses to load, and what it takes though a rule speaks of it."""
 
 import pytest
+from tests.support.examples import link, robot
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.settings import Settings
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.judgement.rules.refusals import load_refusal
 
 ONE, TWO = "arm via elbow", "arm via elbow hand via wrist"

@@ -7,12 +7,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.support.amount import usually
+from tests.support.examples import link, robot
 from tests.support.one_rule import found, told
 from tests.support.published import published_models
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.settings import Settings
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.judgement.rules.renumbering import regular_order, renumbering
 from kindsl.language.text.edits import apply_edits
 

@@ -2,11 +2,11 @@
 
 import pytest
 from tests.support.cursor import at_cursor
+from tests.support.examples import robot
 
 from kindsl.frontends.features.completion.completion import completions
 from kindsl.frontends.features.completion.item import without_placeholders
 from kindsl.judgement.analysis.analysis import analyse
-from kindsl.judgement.rules.examples import robot
 from kindsl.language.text.edits import apply_edits
 
 LINK = "link upper {\n    id = 1\n    %s\n    children {}\n}\n"

@@ -4,9 +4,10 @@ import ast
 from pathlib import Path
 
 import pytest
+from tests.support.example_documents import examples_of
+from tests.support.examples import Example
 
 import kindsl
-from kindsl.judgement.rules.base import Example
 from kindsl.judgement.rules.registry import rule_named
 
 ROOT = Path(kindsl.__file__).parent
@@ -52,7 +53,7 @@ def test_a_finding_names_what_it_is_about(code: str, kind: str, name: str) -> No
 def test_a_link_attached_wrongly_is_the_subject_not_what_carries_it(code: str) -> None:
     rule = rule_named(code)
     assert rule is not None
-    example = rule.bad[0]
+    example = examples_of(rule).bad[0]
     text = example.text if isinstance(example, Example) else example
     found = [f for f in kindsl.parse(text).findings if f.code == code]
     assert found

@@ -2,11 +2,11 @@
 
 import pytest
 from tests.support.example_documents import document_of
+from tests.support.examples import link
 from tests.support.one_rule import found
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.settings import Settings
-from kindsl.judgement.rules.examples import link
 from kindsl.language.text.edits import apply_edits
 
 LINK = document_of(link("upper", 1, inertia=""))

@@ -4,12 +4,12 @@ from collections.abc import Callable
 
 import pytest
 from tests.support.example_documents import document_of
+from tests.support.examples import inertia, joint, link, pitched_joint, robot
 from tests.support.one_rule import section
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.analysis.settings import Settings
-from kindsl.judgement.rules.examples import inertia, joint, link, pitched_joint, robot
 from kindsl.language.semantics.parameters import Binding
 
 EVERY_RULE = Settings(select=("KD",))

@@ -1,10 +1,10 @@
 """Loops and repeated children: what is told of them, for whom, and what their fixes write."""
 
 import pytest
+from tests.support.examples import link, robot
 from tests.support.one_rule import found
 
 from kindsl.judgement.analysis.analysis import analyse
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.language.text.edits import apply_edits
 
 LOOP = link("upper", 1, "lower via elbow"), link("lower", 2, "upper via wrist")

@@ -1,9 +1,9 @@
 """Numbers with a unit behind them, and what they are in metres, kilograms and radians."""
 
 import pytest
+from tests.support.examples import inertia, joint, link, robot
 
 from kindsl.judgement.analysis.analysis import analyse
-from kindsl.judgement.rules.examples import inertia, joint, link, robot
 from kindsl.judgement.rules.units import NumberWithUnit, numbers_with_unit
 
 

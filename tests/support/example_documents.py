@@ -1,14 +1,35 @@
 """The examples of rules as whole documents, with the values that they need."""
 
 import re
+from importlib import import_module
+from pathlib import Path
+from typing import NamedTuple
 
-from kindsl.judgement.rules.base import Example
-from kindsl.judgement.rules.examples import STEEL_BALL, joint, link
+from tests.support.examples import STEEL_BALL, Example, joint, link
+
+from kindsl.judgement.rules.base import Rule
 from kindsl.language.semantics.parameters import Binding
 
+_EXAMPLES = Path(__file__).parents[1] / "rules" / "examples"
 _NAME_OF_BLOCK = re.compile(r"^\s*(?:link|RobotBase|[rp]_joint)\s+(\S+)", re.MULTILINE)
 _IS_DOCUMENT = re.compile(r"Robot\s|<(robot|sdf)\b")
 _EDGE = re.compile(r"(\w+)\s+via\s+(\w+)")
+
+
+class Examples(NamedTuple):
+    """Documents, or single blocks: a rule finds nothing in good ones, something in bad ones."""
+
+    good: tuple[str | Example, ...] = ()
+    bad: tuple[str | Example, ...] = ()
+
+
+def examples_of(rule: Rule) -> Examples:
+    """Return the examples of a rule, which are in a file of its name in `tests/rules/examples`."""
+    name = rule.module.rpartition(".")[2]
+    if not (_EXAMPLES / f"{name}.py").exists():
+        return Examples()
+    module = import_module(f"tests.rules.examples.{name}")
+    return Examples(module.GOOD, module.BAD)
 
 
 def bindings_of(example: str | Example) -> dict[str, Binding]:

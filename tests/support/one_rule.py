@@ -1,11 +1,11 @@
 """What one rule says of a document, or of single blocks; no rule may fail meanwhile."""
 
 from tests.support.example_documents import document_of
+from tests.support.examples import link, robot
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.analysis.settings import Settings
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.language.semantics.parameters import Binding
 
 MOMENTS = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")

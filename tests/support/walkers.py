@@ -4,8 +4,8 @@ import random
 import re
 
 from tests.support.bodies import inertia_text, random_body, significant
+from tests.support.examples import joint, link, robot
 
-from kindsl.judgement.rules.examples import joint, link, robot
 from kindsl.mechanics.rigid.body import MassDistribution, shifted
 
 LEGS = ("LF", "RF", "LH", "RH")

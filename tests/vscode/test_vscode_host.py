@@ -4,12 +4,11 @@ from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser
+from tests.support.examples import urdf_link
 from tests.vscode import code_server, models
 from tests.vscode.browser import missing
 from tests.vscode.code_server import CodeServer
 from tests.vscode.extension_host import HOST, run_suite, write_interpreters
-
-from kindsl.judgement.rules.xml_elements import urdf_link
 
 
 @pytest.fixture

@@ -5,6 +5,7 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
+from tests.support.example_documents import examples_of
 from tests.support.markers import marked_files
 
 from kindsl.frontends.features.actions.code_actions import quick_fixes
@@ -17,7 +18,7 @@ FIXTURES = sorted((Path(__file__).parents[2] / "fixtures" / "rules").glob("*.kin
 EXAMPLES = [
     example if isinstance(example, str) else example.text
     for rule in all_rules()
-    for example in rule.bad
+    for example in examples_of(rule).bad
 ]
 SOURCES = [path.read_text() for path in FIXTURES] + EXAMPLES
 DOCUMENTS = [document.text for source in SOURCES for document in marked_files(source)]

@@ -15,12 +15,12 @@ from tests.support.bodies import (
     short_decimals,
     significant,
 )
+from tests.support.examples import joint, link, robot
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.judgement.diagnosis import judge
-from kindsl.judgement.rules.examples import joint, link, robot
 from kindsl.judgement.rules.inertia import repairs
 from kindsl.language.semantics.parameters import Binding
 from kindsl.language.text.edits import TextEdit, apply_edits

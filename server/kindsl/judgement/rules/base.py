@@ -87,24 +87,6 @@ class Finding(NamedTuple):
     probability: float | None = None
 
 
-class Example(NamedTuple):
-    """A document that shows a rule, with its targets and parameters.
-
-    Attributes:
-        text: A document, or single blocks.
-        targets: The generators that must accept it.
-        parameters: Values by name.
-        ranges: Least and greatest values by name, of some of the parameters.
-        fixed: The text with the fix of the rule's finding applied, if it offers one.
-    """
-
-    text: str
-    targets: tuple[str, ...] = ()
-    parameters: tuple[tuple[str, float], ...] = ()
-    ranges: tuple[tuple[str, float, float], ...] = ()
-    fixed: str | None = None
-
-
 DocumentCheck = Callable[[Model, Context], Iterator[Finding]]
 BodyCheck = Callable[[Link, tuple[Joint, ...], Context], Iterator[Finding]]
 IslandCheck = Callable[[Declarations, Context], Iterator[Finding]]
@@ -129,8 +111,6 @@ class Rule(NamedTuple):
         reads: All that `check_document` reads of the document.
         reads_twins: Whether `check_document` reads other files of the robot, too.
         is_default: Whether it runs without being selected or needed by a target.
-        good: Documents, or single blocks, in which it finds nothing.
-        bad: The same, in which it finds something; with the fixed text where there is a fix.
     """
 
     module: str
@@ -141,8 +121,6 @@ class Rule(NamedTuple):
     reads: Aspect = Aspect.ALL
     reads_twins: bool = False
     is_default: bool = True
-    good: tuple[str | Example, ...] = ()
-    bad: tuple[str | Example, ...] = ()
 
     @property
     def code(self) -> str:

@@ -19,14 +19,6 @@ Makes the small change after which the block is complete, if there is just one. 
 guess.
 """
 
-from kindsl.judgement.rules.base import Example, Rule, Severity
-from kindsl.judgement.rules.examples import link
+from kindsl.judgement.rules.base import Rule, Severity
 
-_LINK = link("upper", 1, "lower via elbow wrist via roll")
-
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    good=(_LINK,),
-    bad=(Example(link("upper", 1, "lower via elbow, wrist via roll"), fixed=_LINK),),
-)
+RULE = Rule(__name__, Severity.ERROR)

@@ -18,14 +18,6 @@ link upper {
 Inserts the brace where the indentation says that the block ends. Unsafe: it is a guess.
 """
 
-from kindsl.judgement.rules.base import Example, Rule, Severity
-from kindsl.judgement.rules.examples import link
+from kindsl.judgement.rules.base import Rule, Severity
 
-_LINK = link("upper", 1, "lower via elbow")
-
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    good=(_LINK,),
-    bad=(Example(link("upper", 1, "lower via elbow").removesuffix("}\n"), fixed=_LINK),),
-)
+RULE = Rule(__name__, Severity.ERROR)

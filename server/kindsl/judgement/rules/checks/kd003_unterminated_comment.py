@@ -18,14 +18,6 @@ Writes the `*/`. Unsafe: the comment may be meant to end elsewhere. Where a word
 comment becomes code, only editors offer it.
 """
 
-from kindsl.judgement.rules.base import Example, Rule, Severity
-from kindsl.judgement.rules.examples import link
+from kindsl.judgement.rules.base import Rule, Severity
 
-_LINK = link("upper", 1)
-
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    good=("/* the first one */\n" + _LINK,),
-    bad=(Example("/* the first one\n" + _LINK, fixed="/* the first one */\n" + _LINK),),
-)
+RULE = Rule(__name__, Severity.ERROR)

@@ -24,20 +24,6 @@ an unusual blank by a space. Safe: these have no meaning. Removes any other char
 removed; text that cannot be read there is not a valid number (KD005).
 """
 
-from kindsl.judgement.rules.base import Example, Rule, Severity
-from kindsl.judgement.rules.examples import link
+from kindsl.judgement.rules.base import Rule, Severity
 
-_LINK = link("upper", 1)
-
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    good=(_LINK,),
-    bad=(
-        Example(_LINK.replace("id = 1", "id\xa0= 1"), fixed=_LINK),
-        Example(_LINK.replace("id = 1", "\xa7 id = 1"), fixed=_LINK.replace("id = 1", " id = 1")),
-        Example(_LINK.replace("0.0041", "4.1\xd710⁻³", 1), fixed=_LINK),
-        Example(_LINK.replace("4.1", "\u0664\u066b\u0661", 1), fixed=_LINK),
-        Example(_LINK.replace("(0.0", "(\u22120.0"), fixed=_LINK.replace("(0.0", "(-0.0")),
-    ),
-)
+RULE = Rule(__name__, Severity.ERROR)

@@ -19,19 +19,6 @@ Writes `1.0` for `1` and `0.001` for `1.0*10^-3`. Safe: the value stays. Writes 
 `1234.5` for `1 234.5` and the like. Unsafe: it is a guess; `1,234` may be either of two numbers.
 """
 
-from kindsl.judgement.rules.base import Example, Rule, Severity
-from kindsl.judgement.rules.examples import joint
+from kindsl.judgement.rules.base import Rule, Severity
 
-_ELBOW = joint("elbow", 1.0)
-
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    good=(_ELBOW,),
-    bad=(
-        Example(_ELBOW.replace("1.0", "1"), fixed=_ELBOW),
-        Example(_ELBOW.replace("1.0", "1,0"), fixed=_ELBOW),
-        Example(_ELBOW.replace("1.0", "10.0*10^-1"), fixed=_ELBOW),
-        Example(_ELBOW.replace("1.0", "0.123 456"), fixed=_ELBOW.replace("1.0", "0.123456")),
-    ),
-)
+RULE = Rule(__name__, Severity.ERROR)

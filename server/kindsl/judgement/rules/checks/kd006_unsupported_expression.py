@@ -17,17 +17,6 @@ Writes the number, if the expression contains no name. Unsafe: it is rounded to 
 Parentheses around a supported value are removed, which is safe.
 """
 
-from kindsl.judgement.rules.base import Example, Rule, Severity
-from kindsl.judgement.rules.examples import pitched_joint
+from kindsl.judgement.rules.base import Rule, Severity
 
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    good=(pitched_joint("PI/4.0"),),
-    bad=(
-        Example(pitched_joint("3.0*PI/4.0"), fixed=pitched_joint("2.356194490192345")),
-        Example(pitched_joint("(PI/4.0)"), fixed=pitched_joint("PI/4.0")),
-        pitched_joint("tilt+0.1"),
-        pitched_joint("atan(1.0)"),
-    ),
-)
+RULE = Rule(__name__, Severity.ERROR)

@@ -20,23 +20,6 @@ Moves the section and the comments before it. Safe, since only the order changes
 Unsafe if a comment is moved or left behind: the section that it belongs to is a guess.
 """
 
-from kindsl.judgement.rules.base import Example, Rule, Severity
-from kindsl.judgement.rules.examples import link
+from kindsl.judgement.rules.base import Rule, Severity
 
-_SECTIONS = {
-    "mass": "\n        mass = 4.1",
-    "CoM": "\n        CoM = (0.0, 0.0, 0.0)",
-}
-
-
-def _link(first: str, second: str) -> str:
-    usual, written = _SECTIONS["mass"] + _SECTIONS["CoM"], _SECTIONS[first] + _SECTIONS[second]
-    return link("upper", 1).replace(usual, written)
-
-
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    good=(_link("mass", "CoM"),),
-    bad=(Example(_link("CoM", "mass"), fixed=_link("mass", "CoM")),),
-)
+RULE = Rule(__name__, Severity.ERROR)

@@ -16,19 +16,6 @@ link upper { children {} }
 Removes a `frames` section without a frame. Unsafe: a frame may be missing.
 """
 
-from kindsl.judgement.rules.base import Example, Rule, Severity
-from kindsl.judgement.rules.examples import link
+from kindsl.judgement.rules.base import Rule, Severity
 
-_LINK = link("upper", 1)
-
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    good=(_LINK,),
-    bad=(
-        _LINK.replace("id = 1", ""),
-        Example(
-            _LINK.replace("{  }", "{  }\n    frames {}"), fixed=_LINK.replace("{  }", "{  }\n    ")
-        ),
-    ),
-)
+RULE = Rule(__name__, Severity.ERROR)

@@ -20,17 +20,6 @@ Removes the second one, or gives it the keyword of the section that is missing. 
 guess. No whole block is removed but in an editor, by hand.
 """
 
-from kindsl.judgement.rules.base import Example, Rule, Severity
-from kindsl.judgement.rules.examples import link
+from kindsl.judgement.rules.base import Rule, Severity
 
-_LINK = link("upper", 1)
-
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    good=(_LINK,),
-    bad=(
-        Example(_LINK.replace("id = 1", "id = 1 id = 1"), fixed=_LINK),
-        Example(_LINK.replace("Iy=", "Ix="), fixed=_LINK),
-    ),
-)
+RULE = Rule(__name__, Severity.ERROR)

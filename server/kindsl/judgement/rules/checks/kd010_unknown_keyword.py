@@ -19,21 +19,6 @@ Writes the keyword that is meant. Unsafe: it is a guess. Safe for `moments`, whi
 `Ix`, `Iy`, `Iz`, `Ixy`, `Ixz`, `Iyz` in this order.
 """
 
-from kindsl.judgement.rules.base import Example, Rule, Severity
-from kindsl.judgement.rules.examples import link
-from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.judgement.rules.base import Rule, Severity
 
-_LINK = link("upper", 1)
-_HEAD = "inertia_params {\n        mass = 4.1\n        CoM = (0.0, 0.0, 0.0)\n        "
-_SIX = "\n        ".join(f"{name} = {0.2 if len(name) < 3 else 0.0}" for name in MOMENTS)
-_TODAY = link("upper", 1, inertia=f"{_HEAD}{_SIX}\n    }}")
-
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    good=(_LINK,),
-    bad=(
-        Example(_LINK.replace("children", "childrn"), fixed=_LINK),
-        Example(_TODAY.replace(_SIX, "moments = 0.2, 0.2, 0.2, 0.0, 0.0, 0.0"), fixed=_TODAY),
-    ),
-)
+RULE = Rule(__name__, Severity.ERROR)

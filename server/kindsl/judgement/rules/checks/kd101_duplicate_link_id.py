@@ -26,10 +26,9 @@ ids.
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from kindsl.judgement.rules.base import Example, Finding, Fix, Related, Replacement, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.duplicates import repeats
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
@@ -73,16 +72,4 @@ def _new_id(copied: "CopiedId") -> Fix | None:
     return Fix(title, (Replacement(place, str(copied.missing)),))
 
 
-def _arm(second: int) -> str:
-    links = link("upper", 1, "lower via elbow"), link("lower", second)
-    return robot(*links, base="upper via shoulder", joints="shoulder elbow")
-
-
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE,
-    good=(_arm(2),),
-    bad=(Example(_arm(1), fixed=_arm(2)),),
-)
+RULE = Rule(__name__, Severity.ERROR, check_document=check_document, reads=Aspect.STRUCTURE)

@@ -19,7 +19,6 @@ from collections.abc import Iterator
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.duplicates import repeated_names
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 
@@ -33,16 +32,4 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
             yield Finding(again.name, message, (Related(first.name, f"{what} '{first.name}'"),))
 
 
-_BASE = "finger via left thumb via right"
-
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE,
-    good=(robot(link("finger", 1), link("thumb", 2), base=_BASE, joints="left right"),),
-    bad=(
-        robot(link("finger", 1), link("finger", 2), base=_BASE, joints="left right"),
-        robot(link("ground", 1), link("thumb", 2), base="thumb via left", joints="left right"),
-    ),
-)
+RULE = Rule(__name__, Severity.ERROR, check_document=check_document, reads=Aspect.STRUCTURE)

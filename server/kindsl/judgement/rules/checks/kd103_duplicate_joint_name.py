@@ -19,7 +19,6 @@ from collections.abc import Iterator
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.duplicates import repeated_names
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 
@@ -31,16 +30,4 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         yield Finding(again.name, message, (Related(first.name, f"joint '{first.name}'"),))
 
 
-_LINKS = link("arm", 1, "hand via wrist"), link("hand", 2)
-
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE,
-    good=(robot(*_LINKS, base="arm via shoulder", joints="shoulder wrist"),),
-    bad=(
-        robot(*_LINKS, base="arm via shoulder", joints="shoulder wrist wrist"),
-        robot(*_LINKS, base="arm via shoulder", joints="wrist wrist"),
-    ),
-)
+RULE = Rule(__name__, Severity.ERROR, check_document=check_document, reads=Aspect.STRUCTURE)

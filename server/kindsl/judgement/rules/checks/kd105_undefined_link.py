@@ -20,9 +20,8 @@ its parent's is less. Unsafe: each is a guess.
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.judgement.rules.missing_names import missing_names
 from kindsl.judgement.rules.new_blocks import new_link
 from kindsl.judgement.rules.reference_defects import reference_defects
@@ -51,28 +50,4 @@ def _swap(child: Child) -> Fix:
     return Fix("Exchange link and joint", changes)
 
 
-_JOINTS = "shoulder elbow"
-_WITH_CAMERA = "upper via shoulder camera via pan"
-_CAMERA = "\nlink camera {\n    id = 3\n    children {}\n}\n"
-
-
-def _arm(base: str, more: str = "", joints: str = _JOINTS) -> str:
-    links = link("upper", 1, "forearm via elbow"), link("forearm", 2)
-    return robot(*links, more, base=base, joints=joints)
-
-
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE,
-    good=(_arm("upper via shoulder"),),
-    bad=(
-        Example(_arm("uper via shoulder"), fixed=_arm("upper via shoulder")),
-        Example(_arm("shoulder via upper"), fixed=_arm("upper via shoulder")),
-        Example(
-            _arm(_WITH_CAMERA, joints=_JOINTS + " pan"),
-            fixed=_arm(_WITH_CAMERA, _CAMERA, joints=_JOINTS + " pan"),
-        ),
-    ),
-)
+RULE = Rule(__name__, Severity.ERROR, check_document=check_document, reads=Aspect.STRUCTURE)

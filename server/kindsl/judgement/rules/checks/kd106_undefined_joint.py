@@ -20,9 +20,8 @@ chosen), or else adds a revolute joint of that name. Unsafe: each is a guess.
 from collections.abc import Iterator
 from functools import partial
 
-from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.judgement.rules.missing_names import missing_names
 from kindsl.judgement.rules.new_blocks import new_joint
 from kindsl.judgement.rules.reference_defects import reference_defects
@@ -38,33 +37,4 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
     yield from missing_names(names, "joint", defects.idle_joints, model.joints, add)
 
 
-def _arm(joint: str, joints: str) -> str:
-    links = link("upper", 1, f"forearm via {joint}"), link("forearm", 2)
-    return robot(*links, base="upper via shoulder", joints=joints)
-
-
-_ELBOW = """
-
-r_joint elbow {
-    ref_frame {
-        translation = (0.0, 0.0, 0.0)
-        rotation = (0.0, 0.0, 0.0)
-    }
-}
-}
-"""
-
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE,
-    good=(_arm("elbow", "shoulder elbow"),),
-    bad=(
-        Example(_arm("elbow", "shoulder elbwo"), fixed=_arm("elbwo", "shoulder elbwo")),
-        Example(
-            _arm("elbow", "shoulder"),
-            fixed=_arm("elbow", "shoulder").removesuffix("\n}\n") + _ELBOW,
-        ),
-    ),
-)
+RULE = Rule(__name__, Severity.ERROR, check_document=check_document, reads=Aspect.STRUCTURE)

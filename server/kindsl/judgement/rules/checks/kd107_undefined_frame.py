@@ -23,7 +23,7 @@ Writes the name of the link's frame that is probably meant. Unsafe: it is a gues
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Link
@@ -54,22 +54,4 @@ def _may_be_lost(model: Model, body: Link, name: str) -> bool:
     return mentions > 1 or any(not frame.name for frame in body.frames)
 
 
-_LINK = """link upper {
-    id = 1
-    inertia_params {
-        mass = 1.0 CoM = (0.0, 0.0, 0.0)
-        Ix=0.01 Iy=0.01 Iz=0.01 Ixy=0.0 Ixz=0.0 Iyz=0.0
-        ref_frame = %s
-    }
-    children {}
-    frames { fr_COM { translation = (0.1, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }
-}"""
-
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE,
-    good=(_LINK % "fr_COM",),
-    bad=(Example(_LINK % "fr_CoM", fixed=_LINK % "fr_COM"), _LINK % "gripper", _LINK % "upper"),
-)
+RULE = Rule(__name__, Severity.ERROR, check_document=check_document, reads=Aspect.STRUCTURE)

@@ -22,9 +22,8 @@ programs that use the generated code identify joints by these ids.
 from collections.abc import Iterator
 from itertools import pairwise
 
-from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import two_links
 from kindsl.judgement.rules.reference_defects import reference_defects
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Link
@@ -81,14 +80,4 @@ def _message(low: int, high: int, number: int, least: int) -> str:
     return f"{which} missing, and id {number} is out of sequence"
 
 
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE,
-    good=(two_links(1, 2),),
-    bad=(
-        Example(two_links(1, 4), fixed=two_links(1, 2)),
-        Example(two_links(7, 8), fixed=two_links(1, 2)),
-    ),
-)
+RULE = Rule(__name__, Severity.ERROR, check_document=check_document, reads=Aspect.STRUCTURE)

@@ -21,10 +21,9 @@ use the generated code identify joints by these ids.
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Example, Finding, Fix, Related, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Related, Rule, Severity
 from kindsl.judgement.rules.context import ROBCOGEN2, Context
 from kindsl.judgement.rules.duplicates import repeats
-from kindsl.judgement.rules.examples import two_links
 from kindsl.judgement.rules.reference_defects import reference_defects
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Link
@@ -71,11 +70,4 @@ def _finding(parent: Link, child: Link, severity: Severity, fix: Fix | None) -> 
     return Finding(child.id_place or child.name, message, (related,), fix, severity)
 
 
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE,
-    good=(two_links(1, 2),),
-    bad=(Example(two_links(2, 1), fixed=two_links(1, 2)),),
-)
+RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.STRUCTURE)

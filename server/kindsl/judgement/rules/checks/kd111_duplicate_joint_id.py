@@ -19,7 +19,6 @@ from collections.abc import Iterator
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.duplicates import repeats
-from kindsl.judgement.rules.examples import joint, link, robot
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 
@@ -34,21 +33,4 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         yield Finding(again.id_place or again.name, message, (related,))
 
 
-def _numbered(name: str, number: int) -> str:
-    return joint(name).replace("{", f"{{ id = {number}", 1)
-
-
-def _arm(number: int) -> str:
-    links = link("upper", 1, "lower via elbow"), link("lower", 2)
-    joints = _numbered("shoulder", 1), _numbered("elbow", number)
-    return robot(*links, *joints, base="upper via shoulder")
-
-
-RULE = Rule(
-    __name__,
-    Severity.INFORMATION,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE,
-    good=(_arm(2),),
-    bad=(_arm(1),),
-)
+RULE = Rule(__name__, Severity.INFORMATION, check_document=check_document, reads=Aspect.STRUCTURE)

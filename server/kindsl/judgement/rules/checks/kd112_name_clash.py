@@ -21,7 +21,6 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import ROBCOGEN2, Context
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Name
@@ -65,15 +64,4 @@ def _finding(what: str, name: Name, other: str, known: Name, is_fatal: bool) -> 
     return Finding(name, message, (Related(known, f"{other} '{known}'"),), severity=severity)
 
 
-def _arm(joint: str) -> str:
-    return robot(link("wrist", 1), base=f"wrist via {joint}", joints=joint)
-
-
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE,
-    good=(_arm("wrist_roll"),),
-    bad=(_arm("wrist"), _arm("Wrist"), _arm("arm")),
-)
+RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.STRUCTURE)

@@ -19,7 +19,6 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import joint, link
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Name
@@ -51,22 +50,9 @@ def _names(model: Model) -> Iterator[Name | None]:
     yield from (parameter.name for parameter in model.parameters)
 
 
-_FRAMED = """link head {
-    id = 1
-    children {}
-    frames { %s { translation = (0.1, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }
-}"""
-
 RULE = Rule(
     __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
-    good=(link("gripper", 1), _FRAMED % "fr_eye"),
-    bad=(
-        link("union", 1),
-        link("until", 1),
-        _FRAMED % "fr_head",
-        f"{link('fr_neck', 1)}\n{joint('neck')}",
-    ),
 )

@@ -20,9 +20,8 @@ there. Unsafe: it is a guess.
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Example, Finding, Fix, Related, Replacement, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.judgement.rules.reference_defects import reference_defects
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.kinematic_tree import Edge
@@ -52,27 +51,4 @@ def _to_idle_link(model: Model, edge: Edge) -> Fix | None:
     return Fix(f"Replace '{name}' with '{idle.name}'", (Replacement(name, str(idle.name)),))
 
 
-def _arm(last: str, *more: str) -> str:
-    links = link("upper", 1, "lower via elbow"), link("lower", 2, last)
-    joints = "shoulder elbow" + last.partition(" via")[2]
-    return robot(*links, *more, base="upper via shoulder", joints=joints)
-
-
-def _with_hand(last: str) -> str:
-    return _arm(last, link("hand", 3))
-
-
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE,
-    good=(_arm(""),),
-    bad=(
-        _arm("upper via wrist"),
-        _arm("lower via wrist"),
-        Example(_with_hand("upper via wrist"), fixed=_with_hand("hand via wrist")),
-        _arm("upper via wrist", link("hand", 3), link("tool", 4)),
-        _arm("upper via wrist", link("hand", 3, "lower via elbow")),
-    ),
-)
+RULE = Rule(__name__, Severity.ERROR, check_document=check_document, reads=Aspect.STRUCTURE)

@@ -19,7 +19,6 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.judgement.rules.reference_defects import reference_defects
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
@@ -34,21 +33,4 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         yield Finding(name, message, (related,))
 
 
-def _linkage(right: str) -> str:
-    links = (
-        link("left", 1, "coupler via pin_left"),
-        link("right", 2, right),
-        link("coupler", 3),
-    )
-    joints = "to_left to_right pin_left" + right.partition(" via")[2]
-    return robot(*links, base="left via to_left right via to_right", joints=joints)
-
-
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE,
-    good=(_linkage(""),),
-    bad=(_linkage("coupler via pin_right"),),
-)
+RULE = Rule(__name__, Severity.ERROR, check_document=check_document, reads=Aspect.STRUCTURE)

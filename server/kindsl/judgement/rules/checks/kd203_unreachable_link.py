@@ -19,7 +19,6 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.judgement.rules.reference_defects import reference_defects
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Link
@@ -44,17 +43,4 @@ def _carried(model: Model, body: Link) -> list[Link]:
     return model.tree.in_topological_order(body)
 
 
-_ARM = link("upper", 1, "lower via elbow"), link("lower", 2)
-
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE,
-    good=(robot(*_ARM, base="upper via shoulder", joints="shoulder elbow"),),
-    bad=(
-        robot(*_ARM, joints="elbow"),
-        robot(*_ARM, joints="shoulder elbow"),
-        robot(*_ARM, link("camera", 3), base="upper via shoulder", joints="shoulder elbow"),
-    ),
-)
+RULE = Rule(__name__, Severity.ERROR, check_document=check_document, reads=Aspect.STRUCTURE)

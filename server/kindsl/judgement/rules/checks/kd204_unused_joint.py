@@ -18,7 +18,6 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.judgement.rules.reference_defects import reference_defects
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
@@ -30,15 +29,4 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         yield Finding(joint.name, f"joint '{joint.name}' is not used")
 
 
-def _arm(joints: str) -> str:
-    return robot(link("upper", 1), base="upper via shoulder", joints=joints)
-
-
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE,
-    good=(_arm("shoulder"),),
-    bad=(_arm("shoulder spare"),),
-)
+RULE = Rule(__name__, Severity.ERROR, check_document=check_document, reads=Aspect.STRUCTURE)

@@ -17,7 +17,6 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.judgement.rules.reference_defects import ReferenceDefects, reference_defects
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Joint
@@ -40,16 +39,4 @@ def _spare(defects: ReferenceDefects) -> list[Joint]:
     return defects.idle_joints if len(defects.idle_joints) == 1 else []
 
 
-def _hand(right: str) -> str:
-    base = f"left via finger right via {right}"
-    return robot(link("left", 1), link("right", 2), base=base, joints="finger thumb")
-
-
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE,
-    good=(_hand("thumb"),),
-    bad=(_hand("finger"),),
-)
+RULE = Rule(__name__, Severity.ERROR, check_document=check_document, reads=Aspect.STRUCTURE)

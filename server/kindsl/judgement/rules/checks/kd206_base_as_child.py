@@ -18,7 +18,6 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.judgement.rules.reference_defects import reference_defects
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
@@ -32,16 +31,4 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         yield Finding(edge.child.link, message, (Related(base.name, "the base"),))
 
 
-def _leg(children: str) -> str:
-    links = link("leg", 1, children), link("foot", 2)
-    return robot(*links, base="leg via hip", joints="hip knee")
-
-
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE,
-    good=(_leg("foot via knee"),),
-    bad=(_leg("ground via knee"),),
-)
+RULE = Rule(__name__, Severity.ERROR, check_document=check_document, reads=Aspect.STRUCTURE)

@@ -23,7 +23,6 @@ Removes the repetition if it names the same joint. Safe: it adds nothing.
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import (
-    Example,
     Finding,
     Fix,
     Related,
@@ -33,7 +32,6 @@ from kindsl.judgement.rules.base import (
     Tag,
 )
 from kindsl.judgement.rules.context import ROBCOGEN2, Context
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.judgement.rules.reference_defects import reference_defects
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Child
@@ -61,23 +59,7 @@ def _removal(child: Child) -> Fix:
     return Fix("Remove the repetition", (removal(child),), is_safe=True)
 
 
-def _arm(children: str) -> str:
-    return robot(link("arm", 1), base=f"arm via shoulder{children}", joints="shoulder")
-
-
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE,
-    good=(_arm(""),),
-    bad=(
-        Example(_arm(" arm via shoulder"), fixed=_arm("")),
-        Example(_arm("\n        arm via shoulder\n"), fixed=_arm("\n")),
-        Example(_arm(" arm via shoulder  \n"), fixed=_arm(" \n")),
-        _arm(" arm via elbow"),
-    ),
-)
+RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.STRUCTURE)
 
 
 def removal(at: Located) -> Replacement:

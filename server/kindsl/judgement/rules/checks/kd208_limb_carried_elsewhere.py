@@ -26,9 +26,8 @@ changes the robot.
 
 from collections.abc import Iterator, Sequence
 
-from kindsl.judgement.rules.base import Example, Finding, Fix, Related, Replacement, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import four_legs
 from kindsl.judgement.rules.limb_places import child_of, told_either, told_elsewhere
 from kindsl.judgement.rules.limb_verdicts import limb_names
 from kindsl.judgement.rules.subject import link_subject
@@ -94,15 +93,4 @@ def _moved(model: Model, child: Child, misplaced: Misplaced) -> Fix | None:
     return Fix(f"Move '{child.link}' to '{parent.name}'", changes)
 
 
-_SHANK = "RF_shank via RF_KFE"
-_HERE, _THERE = f"children {{ {_SHANK} }}", "children { LF_shank via LF_KFE }"
-_CROSSED = four_legs().replace(_HERE, "children { }").replace(_THERE, f"{_THERE[:-1]}{_SHANK} }}")
-
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE,
-    good=(four_legs(),),
-    bad=(Example(_CROSSED, fixed=four_legs()),),
-)
+RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.STRUCTURE)

@@ -24,9 +24,8 @@ the robot.
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Example, Finding, Fix, Related, Replacement, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import four_legs, joint, link, robot
 from kindsl.judgement.rules.limb_places import are_exchanged, child_of, told_crossed
 from kindsl.judgement.rules.limb_verdicts import limb_names
 from kindsl.judgement.rules.subject import link_subject
@@ -61,26 +60,4 @@ def _exchanged(model: Model, one: Misplaced, other: Misplaced) -> Fix:
     return Fix(f"Exchange joints '{here}' and '{there}'", changes)
 
 
-_CROSSED = (four_legs().replace("via RF_HFE", "via X").replace("via RF_KFE", "via RF_HFE")).replace(
-    "via X", "via RF_KFE"
-)
-
-
-def _arm(second: str, third: str) -> str:
-    chain = (f"link2 via {second}", f"link3 via {third}", "link4 via joint4", "")
-    links = [link(f"link{number}", number, below) for number, below in enumerate(chain, 1)]
-    joints = [joint(f"joint{number}") for number in range(1, 5)]
-    return robot(*links, *joints, base="link1 via joint1")
-
-
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE,
-    good=(four_legs(), _arm("joint2", "joint3")),
-    bad=(
-        Example(_CROSSED, fixed=four_legs()),
-        Example(_arm("joint3", "joint2"), fixed=_arm("joint2", "joint3")),
-    ),
-)
+RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.STRUCTURE)

@@ -22,9 +22,8 @@ the robot.
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Example, Finding, Fix, Related, Replacement, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import four_legs
 from kindsl.judgement.rules.limb_places import joint_of
 from kindsl.judgement.rules.limb_verdicts import limb_slips
 from kindsl.language.semantics.aspects import Aspect
@@ -64,11 +63,4 @@ RULE = Rule(
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
-    good=(four_legs(),),
-    bad=(
-        Example(
-            four_legs().replace("r_joint RH_KFE", "p_joint RH_KFE"),
-            fixed=four_legs(),
-        ),
-    ),
 )

@@ -32,7 +32,6 @@ from collections.abc import Iterator
 from kindsl.judgement.diagnosis.judgements import Verdict, judgements
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import inertia, link
 from kindsl.judgement.rules.inertia.impossible import impossible
 from kindsl.language.semantics.declarations import Declarations
 from kindsl.language.text.quantities import with_unit
@@ -48,13 +47,4 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
             yield impossible(found, message, context.values)
 
 
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    check_island=check_island,
-    good=(link("upper", 1, inertia=inertia("2.0", "0.3", "0.2", "0.2", "0.002")),),
-    bad=(
-        link("upper", 1, inertia=inertia("2.0", "0.3", "0.02", "0.02", "0.002")),
-        link("upper", 1, inertia=inertia("2.0", "0.1", "0.012", "0.012", "0.002")),
-    ),
-)
+RULE = Rule(__name__, Severity.ERROR, check_island=check_island)

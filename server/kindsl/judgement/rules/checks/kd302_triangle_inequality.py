@@ -34,7 +34,6 @@ from collections.abc import Iterator
 from kindsl.judgement.diagnosis.judgements import Verdict, judgements
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import inertia, link
 from kindsl.judgement.rules.inertia.impossible import impossible
 from kindsl.language.semantics.declarations import Declarations
 from kindsl.language.text.quantities import sum_below
@@ -54,13 +53,4 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
             yield finding
 
 
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    check_island=check_island,
-    good=(link("plate", 1, inertia=inertia("1.8", "0.0", "0.0045", "0.0046", "0.0090")),),
-    bad=(
-        link("plate", 1, inertia=inertia("1.8", "0.0", "0.0005", "0.0005", "0.0090")),
-        link("plate", 1, inertia=inertia("1.8", "0.0", "0.0045", "0.00449", "0.0090")),
-    ),
-)
+RULE = Rule(__name__, Severity.ERROR, check_island=check_island)

@@ -21,9 +21,8 @@ from collections.abc import Iterator, Mapping
 
 from kindsl.judgement.diagnosis.digits import likely_half_widths, numbers_written
 from kindsl.judgement.diagnosis.judgements import Verdict, is_moving, verdict_of
-from kindsl.judgement.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import STEEL_BALL, link
 from kindsl.language.semantics.declarations import Declarations, Inertia
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.numbers import mass_distribution
@@ -64,19 +63,4 @@ def _without_sign(inertia: Inertia, mass: Expression, values: Mapping[str, float
     return Fix(f"Write {text}", (Replacement(mass, text),))
 
 
-def _ball(mass: str) -> str:
-    return link("ball", 1, inertia=STEEL_BALL.replace("4.1", mass, 1))
-
-
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    check_island=check_island,
-    good=(_ball("4.1"), _ball("m_ball")),
-    bad=(
-        Example(_ball("-4.1"), fixed=_ball("4.1")),
-        link("ball", 1, inertia=STEEL_BALL.replace("4.1", "-4.1", 1).replace("0.0041", "-0.0041")),
-        _ball("0.0"),
-        _ball("-m_ball[4.1]"),
-    ),
-)
+RULE = Rule(__name__, Severity.ERROR, check_island=check_island)

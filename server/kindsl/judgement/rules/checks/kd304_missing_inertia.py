@@ -23,7 +23,6 @@ from collections.abc import Iterator
 from kindsl.judgement.diagnosis.judgements import is_moving
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import ROBCOGEN, Context
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 
@@ -53,19 +52,4 @@ def _severity(*is_error: bool) -> Severity:
     return Severity.ERROR if any(is_error) else Severity.WARNING
 
 
-_FLOATING = robot(link("leg", 1), base="leg via hip", joints="hip").replace(
-    "ground {", "ground floating {"
-)
-
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE,
-    good=(link("upper", 1),),
-    bad=(
-        link("upper", 1, inertia=""),
-        _FLOATING,
-        link("upper", 1, inertia="") + link("lower", 2, inertia=""),
-    ),
-)
+RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.STRUCTURE)

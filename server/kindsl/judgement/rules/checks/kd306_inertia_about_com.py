@@ -37,9 +37,8 @@ where no other cause is left. Unsafe: it is a guess, though a likely one.
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import joint, link, robot
 from kindsl.judgement.rules.inertia.told_causes import explained
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
@@ -50,21 +49,9 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     yield from explained(model, context, "KD306")
 
 
-def _upper(moment: str) -> str:
-    inertia = f"""inertia_params {{
-        mass = 2.0
-        CoM = (0.0, 0.0, 0.3)
-        Ix={moment} Iy={moment} Iz=0.002 Ixy=0.0 Ixz=0.0 Iyz=0.0
-    }}"""
-    links = link("upper", 1, "lower via elbow", inertia), link("lower", 2)
-    return robot(*links, joint("shoulder"), joint("elbow", 0.6), base="upper via shoulder")
-
-
 RULE = Rule(
     __name__,
     Severity.INFORMATION,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
-    good=(_upper("0.2"),),
-    bad=(Example(_upper("0.020"), fixed=_upper("0.2")),),
 )

@@ -28,9 +28,8 @@ though a likely one.
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import link
 from kindsl.judgement.rules.inertia.told_causes import explained
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
@@ -41,19 +40,9 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     yield from explained(model, context, "KD307")
 
 
-_INERTIA = """inertia_params {
-        mass = 2.0
-        CoM = (0.2, 0.1, 0.3)
-        Ix=0.22 Iy=0.28 Iz=0.12 Ixy=%s Ixz=%s Iyz=%s
-    }"""
-_LINK = link("upper", 1, inertia=_INERTIA)
-_RIGHT, _WRONG = ("0.04", "0.12", "0.06"), ("-0.04", "-0.12", "-0.06")
-
 RULE = Rule(
     __name__,
     Severity.INFORMATION,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
-    good=(_LINK % _RIGHT,),
-    bad=(Example(_LINK % _WRONG, fixed=_LINK % _RIGHT),),
 )

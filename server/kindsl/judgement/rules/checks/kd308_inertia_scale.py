@@ -28,9 +28,8 @@ likely one.
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import inertia, joint, link, robot
 from kindsl.judgement.rules.inertia.told_causes import explained
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
@@ -41,19 +40,9 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     yield from explained(model, context, "KD308")
 
 
-_LINK = robot(
-    link("motor", 1, "arm via shaft", inertia("0.5", "0.0", "%s", "%s", "%s")),
-    link("arm", 2),
-    *(joint("mount"), joint("shaft", 0.1)),
-    base="motor via mount",
-)
-_MOMENTS = ("0.0003", "0.0003", "0.00018")
-
 RULE = Rule(
     __name__,
     Severity.INFORMATION,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
-    good=(_LINK % _MOMENTS,),
-    bad=(Example(_LINK % ("300000.0", "300000.0", "180000.0"), fixed=_LINK % _MOMENTS),),
 )

@@ -26,7 +26,6 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import inertia, joint, link, robot
 from kindsl.judgement.rules.inertia.shapes import shape_doubts
 from kindsl.language.semantics.declarations import Joint, Link
 
@@ -38,16 +37,4 @@ def check_body(body: Link, joints: tuple[Joint, ...], context: Context) -> Itera
             yield Finding(body.inertia.com, verdict.sentence)
 
 
-def _arm(com: str, moment: str) -> str:
-    forearm = link("forearm", 1, "hand via wrist", inertia("1.2", com, moment, moment, "0.001"))
-    joints = joint("elbow"), joint("wrist", 0.3)
-    return robot(forearm, link("hand", 2), *joints, base="forearm via elbow")
-
-
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_body=check_body,
-    good=(_arm("0.15", "0.037"), _arm("150.0", "27100.0")),
-    bad=(_arm("1.5", "2.71"),),
-)
+RULE = Rule(__name__, Severity.WARNING, check_body=check_body)

@@ -29,7 +29,6 @@ from itertools import starmap
 from kindsl.judgement.diagnosis.judgements import is_moving, keyword
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.judgement.rules.inertia.told_causes import explained
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Inertia, Link
@@ -100,28 +99,9 @@ def _shared(group: list[tuple[Link, Inertia]]) -> Finding:
     return Finding(keyword(inertia), message, tuple(related))
 
 
-_INERTIA = """inertia_params {
-        mass = 1.0
-        CoM = (0.0, 0.0, 0.0)
-        Ix=%s Iy=%s Iz=%s Ixy=0.0 Ixz=0.0 Iyz=0.0
-    }"""
-_SAME = _INERTIA % ("0.01", "0.01", "0.01")
-
-
-def _arm(third: str) -> str:
-    links = (
-        link("upper", 1, "lower via elbow", _SAME),
-        link("lower", 2, "hand via wrist", _SAME),
-        link("hand", 3, inertia=third),
-    )
-    return robot(*links, base="upper via shoulder", joints="shoulder elbow wrist")
-
-
 RULE = Rule(
     __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
-    good=(_arm(_INERTIA % ("0.02", "0.02", "0.02")),),
-    bad=(_arm(_SAME), link("upper", 1, inertia=_INERTIA % ("1.0", "1.0", "1.0"))),
 )

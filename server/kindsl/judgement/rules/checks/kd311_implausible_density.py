@@ -26,7 +26,6 @@ from collections.abc import Iterator
 from kindsl.judgement.diagnosis.judgements import Verdict, judgements, keyword
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import inertia, link
 from kindsl.language.semantics.declarations import Declarations
 from kindsl.robots.mechanism.body_verdicts import density_verdict
 
@@ -40,13 +39,4 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
                 yield Finding(keyword(found.inertia), verdict.sentence)
 
 
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_island=check_island,
-    good=(link("motor", 1, inertia=inertia("0.5", "0.0", "0.00015", "0.00015", "0.00009")),),
-    bad=(
-        link("motor", 1, inertia=inertia("0.5", "0.0", "0.03", "0.03", "0.018")),
-        link("motor", 1, inertia=inertia("20.0", "0.0", "0.00150", "0.00150", "0.00090")),
-    ),
-)
+RULE = Rule(__name__, Severity.WARNING, check_island=check_island)

@@ -32,7 +32,6 @@ from kindsl.judgement.diagnosis.counterparts import is_mirror_image
 from kindsl.judgement.diagnosis.judgements import keyword
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.judgement.rules.inertia.mirror_images import mirror_difference
 from kindsl.judgement.rules.inertia.shapes import is_told_of
 from kindsl.judgement.rules.inertia.told_causes import explained, has_cause
@@ -117,26 +116,9 @@ def _twins(chunk: Chunk) -> list[tuple[Link, str]]:
     return [(body, twin) for body, twin in left if twin]
 
 
-_INERTIA = """inertia_params {
-        mass = %s
-        CoM = (0.1, %s, 0.0)
-        Ix=0.021 Iy=0.031 Iz=0.041 Ixy=%s Ixz=0.0 Iyz=0.0
-    }"""
-
-
-def _pair(mass: str, product: str) -> str:
-    links = (
-        link("left_arm", 1, inertia=_INERTIA % ("1.24", "0.05", "0.004")),
-        link("right_arm", 2, inertia=_INERTIA % (mass, "-0.05", product)),
-    )
-    return robot(*links, base="left_arm via one right_arm via other", joints="one other")
-
-
 RULE = Rule(
     __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
-    good=(_pair("1.24", "-0.004"),),
-    bad=(_pair("1.42", "-0.004"), _pair("1.24", "0.004")),
 )

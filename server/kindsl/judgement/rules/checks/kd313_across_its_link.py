@@ -29,9 +29,8 @@ where this lays the rod along the link. The fix is unsafe: it changes the robot.
 from collections.abc import Iterator
 
 from kindsl.judgement.diagnosis.judgements import keyword
-from kindsl.judgement.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import inertia, joint, link, placed_joint, robot
 from kindsl.judgement.rules.inertia.shapes import link_ends, shape_doubts
 from kindsl.language.semantics.declarations import Inertia, Joint, Link
 from kindsl.language.semantics.numbers import mass_distribution
@@ -73,28 +72,4 @@ def _laid_along(
     return None
 
 
-def _arm(*moments: str) -> str:
-    upper = link("upper", 1, "lower via elbow", inertia("2.0", "0.2", *moments))
-    joints = joint("shoulder"), joint("elbow", 0.4)
-    return robot(upper, link("lower", 2), *joints, base="upper via shoulder")
-
-
-def _along_x(com: str, *moments: str) -> str:
-    text = _arm(*moments).replace("0.0, 0.0, 0.2", com)
-    elbow = placed_joint("elbow", "0.4, 0.0, 0.0", "PI/2.0, 0.0, 0.0")
-    return text.replace(joint("elbow", 0.4), elbow)
-
-
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_body=check_body,
-    good=(_arm("0.107", "0.107", "0.001"), _arm("0.10", "0.11", "0.02")),
-    bad=(
-        _arm("0.081", "0.107", "0.027"),
-        Example(
-            _along_x("0.0, 0.0, 0.2", "0.107", "0.106", "0.001"),
-            fixed=_along_x("0.2, 0.0, 0.0", "0.001", "0.107", "0.106"),
-        ),
-    ),
-)
+RULE = Rule(__name__, Severity.WARNING, check_body=check_body)

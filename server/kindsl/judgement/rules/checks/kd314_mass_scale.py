@@ -28,9 +28,8 @@ one.
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import link
 from kindsl.judgement.rules.inertia.told_causes import explained
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
@@ -41,18 +40,9 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     yield from explained(model, context, "KD314")
 
 
-_INERTIA = """inertia_params {
-        mass = %s
-        CoM = (0.0, 0.0, 0.15)
-        Ix=0.073 Iy=0.073 Iz=0.004 Ixy=0.0 Ixz=0.0 Iyz=0.0
-    }"""
-_LINK = link("upper", 1, inertia=_INERTIA)
-
 RULE = Rule(
     __name__,
     Severity.INFORMATION,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
-    good=(_LINK % "2.4",),
-    bad=(Example(_LINK % "2400.0", fixed=_LINK % "2.4"),),
 )

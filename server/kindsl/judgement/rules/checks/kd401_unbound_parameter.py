@@ -27,10 +27,9 @@ number is to be replaced by the right one.
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
 from kindsl.judgement.rules.broken_text import is_doubtful, is_greek_pi
 from kindsl.judgement.rules.context import ROBCOGEN2, Context
-from kindsl.judgement.rules.examples import joint
 from kindsl.judgement.rules.subject import parameter_subject
 from kindsl.judgement.rules.units import numbers_with_unit
 from kindsl.language.semantics.aspects import Aspect
@@ -59,19 +58,9 @@ def _default(parameter: Parameter) -> Fix:
     return Fix(f"Give '{name}' a default", (Replacement(behind, "[0.0]"),))
 
 
-_JOINT = joint("elbow").replace("0.3", "length")
-
 RULE = Rule(
     __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
-    good=(
-        Example(_JOINT, parameters=(("length", 0.3),)),
-        joint("elbow").replace("0.3", "length[0.3]"),
-    ),
-    bad=(
-        _JOINT,
-        Example(_JOINT, targets=("robcogen2",), fixed=_JOINT.replace("length", "length[0.0]")),
-    ),
 )

@@ -16,7 +16,6 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import joint
 from kindsl.judgement.rules.subject import parameter_subject
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
@@ -35,15 +34,6 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
                 yield Finding(other, message, (related,), subject=subject)
 
 
-def _joint(second: str) -> str:
-    return joint("elbow").replace("0.0, 0.0, 0.3", f"reach[0.5], 0.0, {second}")
-
-
 RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
-    good=(_joint("reach[0.50]"), _joint("reach")),
-    bad=(_joint("reach[0.4]"),),
+    __name__, Severity.ERROR, check_document=check_document, reads=Aspect.STRUCTURE | Aspect.SYMBOLS
 )

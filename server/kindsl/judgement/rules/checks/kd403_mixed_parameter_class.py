@@ -21,7 +21,6 @@ from typing import assert_never
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import joint
 from kindsl.judgement.rules.subject import parameter_subject
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import ValueKind
@@ -55,15 +54,9 @@ def _words(kind: ValueKind) -> str:
             assert_never(kind)
 
 
-def _joint(angle: str) -> str:
-    return joint("elbow", rotation=f"{angle}, 0.0, 0.0").replace("0.3", "offset")
-
-
 RULE = Rule(
     __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
-    good=(_joint("tilt"),),
-    bad=(_joint("offset"),),
 )

@@ -25,7 +25,6 @@ from collections.abc import Iterable, Iterator
 from kindsl.judgement.diagnosis.judgements import is_moving, is_plain, keyword
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import inertia, link
 from kindsl.judgement.rules.units import is_unit
 from kindsl.language.semantics.declarations import Declarations, Inertia
 from kindsl.language.semantics.expressions import Expression, ParameterUse, symbols
@@ -70,17 +69,4 @@ def _parameters(value: Expression) -> list[ParameterUse]:
     return [use for use in symbols(value) if isinstance(use, ParameterUse)]
 
 
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_island=check_island,
-    good=(
-        link("hand", 1, inertia=inertia("payload", "0.1", "payload/20.0", "0.05", "0.05")),
-        link("hand", 1, inertia=inertia("2.0", "0.1", "0.05", "0.05", "0.05")),
-    ),
-    bad=(
-        link("hand", 1, inertia=inertia("payload", "0.1", "0.05", "0.05", "0.05")),
-        link("hand", 1, inertia=inertia("2.0", "reach", "0.05", "0.05", "0.05")),
-        link("hand", 1, inertia=inertia("2.0", "0.1", "ix", "0.05", "0.05")),
-    ),
-)
+RULE = Rule(__name__, Severity.WARNING, check_island=check_island)

@@ -17,9 +17,8 @@ Writes the name of the constant that is probably meant. Unsafe: it is a guess.
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import joint
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.parameters import Constant
@@ -47,15 +46,6 @@ def _may_be_lost(model: Model, name: Name) -> bool:
     return bool(name.island.problems) or model.is_mentioned_in_broken_text(name, name.island)
 
 
-def _joint(third: str) -> str:
-    return joint("elbow").replace("0.0, 0.0, 0.3", f"<reach=0.5>, 0.0, {third}")
-
-
 RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
-    good=(_joint("<reach>"),),
-    bad=(Example(_joint("<raech>"), fixed=_joint("<reach>")), _joint("<width>")),
+    __name__, Severity.ERROR, check_document=check_document, reads=Aspect.STRUCTURE | Aspect.SYMBOLS
 )

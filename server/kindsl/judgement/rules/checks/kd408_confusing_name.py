@@ -22,10 +22,9 @@ disappears.
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Example, Finding, Fix, Related, Replacement, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Rule, Severity
 from kindsl.judgement.rules.broken_text import is_doubtful, is_greek_pi
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import joint
 from kindsl.judgement.rules.subject import parameter_subject
 from kindsl.judgement.rules.units import NumberWithUnit, numbers_with_unit
 from kindsl.language.semantics.aspects import Aspect
@@ -91,30 +90,4 @@ RULE = Rule(
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
-    good=(
-        joint("elbow", rotation="PI/2.0, tilt, 0.0"),
-        joint("elbow", rotation="2.0 m, 0.5tilt, 0.0"),
-        Example(joint("elbow", rotation="1.57rad, 0.0, 0.0"), parameters=(("rad", 1.0),)),
-    ),
-    bad=(
-        Example(
-            joint("elbow", rotation="pi/2.0, 0.0, 0.0"),
-            fixed=joint("elbow", rotation="PI/2.0, 0.0, 0.0"),
-        ),
-        Example(
-            joint("elbow", rotation="-π/2.0, 0.0, 0.0"),
-            fixed=joint("elbow", rotation="-PI/2.0, 0.0, 0.0"),
-        ),
-        Example(
-            joint("elbow", rotation="90.0 deg, 0.0, 0.0"),
-            fixed=joint("elbow", rotation="PI/2.0, 0.0, 0.0"),
-        ),
-        Example(joint("elbow").replace("0.3", "300.0mm"), fixed=joint("elbow")),
-        Example(
-            joint("elbow", rotation="0.125rad, 0.0, 0.0"),
-            fixed=joint("elbow", rotation="0.125, 0.0, 0.0"),
-        ),
-        joint("elbow", rotation="elbow, 0.0, 0.0"),
-        joint("elbow", rotation="0.0, pitch, 0.0"),
-    ),
 )

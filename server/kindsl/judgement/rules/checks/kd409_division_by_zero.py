@@ -16,7 +16,6 @@ from collections.abc import Iterator, Mapping
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import joint
 from kindsl.language.semantics.declarations import Declarations
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.places import Place
@@ -42,13 +41,4 @@ def _divisions(node: Node, island: Island, values: Mapping[str, float]) -> Itera
         yield from _divisions(part, island, values)
 
 
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    check_island=check_island,
-    good=(joint("elbow", rotation="PI/2.0, 0.0, 0.0"),),
-    bad=(
-        joint("elbow", rotation="PI/0.0, 0.0, 0.0"),
-        joint("elbow", rotation="PI/scale[0.0], 0.0, 0.0"),
-    ),
-)
+RULE = Rule(__name__, Severity.ERROR, check_island=check_island)

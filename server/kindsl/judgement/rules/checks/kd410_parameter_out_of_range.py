@@ -19,9 +19,8 @@ max = 0.5
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import joint
 from kindsl.judgement.rules.subject import parameter_subject
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
@@ -49,16 +48,9 @@ def _broken_limit(binding: Binding, value: float) -> str:
     return ""
 
 
-def _joint(value: float) -> Example:
-    text = joint("elbow").replace("0.3", "length")
-    return Example(text, parameters=(("length", value),), ranges=(("length", 0.2, 0.5),))
-
-
 RULE = Rule(
     __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
-    good=(_joint(0.3), _joint(0.5)),
-    bad=(_joint(0.9), _joint(0.1)),
 )

@@ -26,9 +26,8 @@ with `mass = payload` and constant moments.
 from collections.abc import Iterator
 
 from kindsl.judgement.diagnosis.judgements import is_moving, is_plain, keyword
-from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import inertia, link
 from kindsl.language.semantics.declarations import Declarations, Inertia, Link
 from kindsl.language.semantics.expressions import ParameterUse, symbols
 from kindsl.language.semantics.numbers import mass_distribution
@@ -76,15 +75,4 @@ def _ranges(inertia: Inertia, context: Context) -> dict[str, tuple[float, float]
     return bounds
 
 
-def _hand(moment: str) -> Example:
-    text = link("hand", 1, inertia=inertia("payload", "0.3", moment, moment, "payload/100.0"))
-    return Example(text, parameters=(("payload", 1.0),), ranges=(("payload", 0.5, 4.0),))
-
-
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_island=check_island,
-    good=(_hand("payload/10.0"),),
-    bad=(_hand("0.095"),),
-)
+RULE = Rule(__name__, Severity.WARNING, check_island=check_island)

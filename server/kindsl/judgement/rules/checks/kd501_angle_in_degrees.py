@@ -18,9 +18,8 @@ Writes the angle in radians, as a fraction of `PI` where it is one. Unsafe: degr
 from collections.abc import Iterator
 from math import inf, pi, radians
 
-from kindsl.judgement.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import joint, pitched_joint
 from kindsl.judgement.rules.geometry import rotations
 from kindsl.judgement.rules.number_writing import as_fraction_of_pi
 from kindsl.language.semantics.declarations import Declarations
@@ -45,13 +44,4 @@ def _fix(angle: Expression, degrees: float) -> Fix:
     return Fix(f"Write {text}", (Replacement(angle, text),))
 
 
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_island=check_island,
-    good=(joint("elbow", rotation="PI/2.0, 3.0, 2.0 PI"),),
-    bad=(
-        Example(pitched_joint("90.0"), fixed=pitched_joint("PI/2.0")),
-        Example(pitched_joint("-37.5"), fixed=pitched_joint("-0.65449847")),
-    ),
-)
+RULE = Rule(__name__, Severity.WARNING, check_island=check_island)

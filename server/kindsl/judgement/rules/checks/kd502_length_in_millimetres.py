@@ -21,9 +21,8 @@ Converts the vector to metres. Unsafe: the unit is a guess, of a translation mil
 from collections.abc import Iterator
 
 from kindsl.judgement.diagnosis.judgements import keyword
-from kindsl.judgement.rules.base import Example, Finding, Fix, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import joint, link
 from kindsl.judgement.rules.geometry import lengths
 from kindsl.judgement.rules.inertia.told_causes import SuspectCom, explained, suspect_coms
 from kindsl.judgement.rules.number_writing import rescaled
@@ -77,24 +76,9 @@ def _fix(vector: Vector, factor: float) -> Fix | None:
     return Fix("Convert to metres", tuple(changes)) if changes else None
 
 
-def _block(com: str) -> str:
-    inertia = f"""inertia_params {{
-        mass = 2.4
-        CoM = (0.0, 0.0, {com})
-        Ix=0.073 Iy=0.073 Iz=0.004 Ixy=0.0 Ixz=0.0 Iyz=0.0
-    }}"""
-    return link("upper", 1, inertia=inertia)
-
-
 RULE = Rule(
     __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
-    good=(joint("elbow", 1.5), _block("0.15")),
-    bad=(
-        Example(joint("elbow", 425.0), fixed=joint("elbow", 0.425)),
-        Example(_block("150.0"), fixed=_block("0.15")),
-        Example(_block("15.0"), fixed=_block("0.15")),
-    ),
 )

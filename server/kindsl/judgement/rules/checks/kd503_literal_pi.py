@@ -20,9 +20,8 @@ fraction, rounded or cut off; otherwise unsafe.
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import joint, pitched_joint
 from kindsl.judgement.rules.geometry import rotations
 from kindsl.judgement.rules.number_writing import as_fraction_of_pi
 from kindsl.language.semantics.declarations import Declarations
@@ -50,15 +49,4 @@ def check_island(declared: Declarations, _: Context) -> Iterator[Finding]:
                     yield Finding(angle, f"angle {angle.text} is {fraction}", fix=fix)
 
 
-RULE = Rule(
-    __name__,
-    Severity.HINT,
-    check_island=check_island,
-    is_default=False,
-    good=(joint("elbow", rotation="PI/2.0, 1.5, 1.6"),),
-    bad=(
-        Example(pitched_joint("1.5708"), fixed=pitched_joint("PI/2.0")),
-        Example(pitched_joint("-3.14"), fixed=pitched_joint("-PI")),
-        Example(pitched_joint("0.785398"), fixed=pitched_joint("PI/4.0")),
-    ),
-)
+RULE = Rule(__name__, Severity.HINT, check_island=check_island, is_default=False)

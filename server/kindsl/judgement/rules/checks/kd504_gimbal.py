@@ -20,7 +20,6 @@ from math import cos
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import joint
 from kindsl.judgement.rules.geometry import rotations
 from kindsl.language.semantics.declarations import Declarations
 from kindsl.language.semantics.numbers import triple
@@ -37,10 +36,4 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
             yield Finding(rotation, message)
 
 
-RULE = Rule(
-    __name__,
-    Severity.HINT,
-    check_island=check_island,
-    good=(joint("elbow", rotation="0.0, PI/2.0, PI"),),
-    bad=(joint("elbow", rotation="PI/4.0, PI/2.0, PI/4.0"),),
-)
+RULE = Rule(__name__, Severity.HINT, check_island=check_island)

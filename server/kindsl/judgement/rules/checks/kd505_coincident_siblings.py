@@ -19,7 +19,6 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import joint, link, robot
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Joint
 from kindsl.language.semantics.kinematic_tree import Edge
@@ -63,18 +62,6 @@ def _are_replicas(one: Joint, other: Joint) -> bool:
     return here != there and here.part == there.part
 
 
-def _hand(height: float, second: str = "wheel") -> str:
-    links = link("thumb", 1), link("finger", 2), link("palm", 3)
-    joints = joint("pivot", 0.1), joint(second, height), joint("wrist", 0.5)
-    base = f"thumb via pivot finger via {second} palm via wrist"
-    return robot(*links, *joints, base=base)
-
-
 RULE = Rule(
-    __name__,
-    Severity.HINT,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE | Aspect.PLACES,
-    good=(_hand(0.2), _hand(0.1, "pivot2")),
-    bad=(_hand(0.1),),
+    __name__, Severity.HINT, check_document=check_document, reads=Aspect.STRUCTURE | Aspect.PLACES
 )

@@ -20,7 +20,6 @@ from math import hypot
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import joint, link, robot
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Joint
 from kindsl.language.semantics.model import Model
@@ -53,17 +52,9 @@ def _is_coaxial(joint: Joint, context: Context) -> bool:
     return hypot(x, y) < _PARALLEL and (joint.kind == "prismatic" or offset < _COINCIDENT)
 
 
-def _arm(rotation: str) -> str:
-    links = link("upper", 1, "lower via elbow"), link("lower", 2)
-    joints = joint("shoulder"), joint("elbow", rotation=rotation)
-    return robot(*links, *joints, base="upper via shoulder")
-
-
 RULE = Rule(
     __name__,
     Severity.INFORMATION,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES,
-    good=(_arm("PI/2.0, 0.0, 0.0"),),
-    bad=(_arm("0.0, 0.0, PI/4.0"), _arm("PI, 0.0, 0.0")),
 )

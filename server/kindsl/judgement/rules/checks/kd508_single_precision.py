@@ -18,7 +18,6 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import ROBCOGEN2, Context
-from kindsl.judgement.rules.examples import STEEL_BALL, link
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.lowering import declarations
@@ -62,15 +61,9 @@ def _is_long(value: Expression) -> bool:
     return value.literal is not None and significant_digits(value.text) > _KEPT
 
 
-def _ball(mass: str) -> str:
-    return link("ball", 1, inertia=STEEL_BALL.replace("4.1", mass))
-
-
 RULE = Rule(
     __name__,
     Severity.HINT,
     check_document=check_document,
     reads=Aspect.PLACES | Aspect.MASSES | Aspect.STRUCTURE,
-    good=(_ball("4.10000001"),),
-    bad=(_ball("4.100000000012"),),
 )

@@ -37,9 +37,8 @@ where the whole limb is a copy of the other side (KD510).
 from collections.abc import Iterator
 
 from kindsl.judgement.diagnosis.judgements import TEN, is_impossible, is_round, keyword
-from kindsl.judgement.rules.base import Example, Finding, Fix, Related, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import four_legs
 from kindsl.judgement.rules.inertia.told_causes import explained, has_cause, told_causes
 from kindsl.judgement.rules.limb_places import OF_A_LINK, PARTS, located, numbers_at, place_at, told
 from kindsl.judgement.rules.limb_verdicts import copied_limbs, limb_slips
@@ -202,6 +201,4 @@ RULE = Rule(
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
-    good=(four_legs(), four_legs(LH="0.1, 0.0, 0.0", RH="0.1, 0.0, 0.0")),
-    bad=(Example(four_legs(RH="0.8, 0.0, 0.0"), fixed=four_legs()),),
 )

@@ -28,7 +28,6 @@ from itertools import chain
 
 from kindsl.judgement.rules.base import Finding, Fix, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import two_arms
 from kindsl.judgement.rules.inertia.shapes import is_told_of
 from kindsl.judgement.rules.limb_places import OF_A_LINK, joint_of, located, numbers_at, told
 from kindsl.judgement.rules.limb_verdicts import copied_limbs, limb_slips
@@ -108,6 +107,4 @@ RULE = Rule(
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
-    good=(two_arms("0.3, -0.1, 0.02"), two_arms("0.37, 0.0, -0.1")),
-    bad=(two_arms("0.03, -0.1, 0.02"), two_arms("-0.1, 0.3, 0.02")),
 )

@@ -29,7 +29,6 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import joint, link, robot
 from kindsl.judgement.rules.inertia.shapes import link_ends, shape_doubts
 from kindsl.judgement.rules.number_writing import opposite
 from kindsl.language.semantics.declarations import Joint, Link, Vector
@@ -72,21 +71,4 @@ def _reversed(vector: Vector, axis: int, what: str) -> Fix:
     return Fix(title, (Replacement(component, opposite(component)),))
 
 
-def _arm(com: str) -> str:
-    inertia = """inertia_params {
-        mass = 1.2
-        CoM = (0.0, 0.0, %s)
-        Ix=0.036 Iy=0.036 Iz=0.001 Ixy=0.0 Ixz=0.0 Iyz=0.0
-    }"""
-    forearm = link("forearm", 1, "hand via wrist", inertia % com)
-    joints = joint("elbow"), joint("wrist", 0.3)
-    return robot(forearm, link("hand", 2), *joints, base="forearm via elbow")
-
-
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_body=check_body,
-    good=(_arm("0.15"),),
-    bad=(_arm("-0.15"), _arm("0.45").replace("0.036", "0.252")),
-)
+RULE = Rule(__name__, Severity.WARNING, check_body=check_body)

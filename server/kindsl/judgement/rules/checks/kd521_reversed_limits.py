@@ -17,7 +17,7 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.xml_elements import limited_joints, urdf_arm
+from kindsl.judgement.rules.xml_elements import limited_joints
 from kindsl.language.semantics.model import Model
 
 
@@ -30,10 +30,4 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
             yield Finding(joint.at("lower"), message)
 
 
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    check_document=check_document,
-    good=(urdf_arm('<limit lower="-0.5" upper="1.57" effort="80" velocity="3"/>'),),
-    bad=(urdf_arm('<limit lower="1.57" upper="-0.5" effort="80" velocity="3"/>'),),
-)
+RULE = Rule(__name__, Severity.ERROR, check_document=check_document)

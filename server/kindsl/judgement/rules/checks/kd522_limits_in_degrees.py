@@ -19,7 +19,7 @@ from math import log10, pi
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.xml_elements import limited_joints, urdf_arm
+from kindsl.judgement.rules.xml_elements import limited_joints
 from kindsl.language.semantics.model import Model
 
 # Cables let some joints turn twice each way, none more.
@@ -45,13 +45,4 @@ def _are_degrees(ends: list[float]) -> bool:
     return _MOST < greatest <= _DEGREES and are_whole and not is_none
 
 
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_document=check_document,
-    good=(
-        urdf_arm('<limit lower="-1.57" upper="0.785" effort="80" velocity="3"/>'),
-        urdf_arm('<limit lower="-100" upper="100" effort="80" velocity="3"/>'),
-    ),
-    bad=(urdf_arm('<limit lower="-90" upper="45" effort="80" velocity="3"/>'),),
-)
+RULE = Rule(__name__, Severity.WARNING, check_document=check_document)

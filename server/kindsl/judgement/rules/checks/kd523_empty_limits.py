@@ -18,7 +18,7 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.xml_elements import limited_joints, urdf_arm
+from kindsl.judgement.rules.xml_elements import limited_joints
 from kindsl.language.semantics.model import Model
 
 
@@ -35,13 +35,4 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
             yield Finding(joint.at("" if is_absent else "upper"), message)
 
 
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_document=check_document,
-    good=(urdf_arm('<limit lower="0" upper="1.57" effort="80" velocity="3"/>'),),
-    bad=(
-        urdf_arm('<limit effort="80" velocity="3"/>'),
-        urdf_arm('<limit lower="0.5" upper="0.5" effort="80" velocity="3"/>'),
-    ),
-)
+RULE = Rule(__name__, Severity.WARNING, check_document=check_document)

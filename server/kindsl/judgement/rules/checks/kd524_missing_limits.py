@@ -20,7 +20,7 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.xml_elements import A_FEW, limited_joints, urdf_arm
+from kindsl.judgement.rules.xml_elements import A_FEW, limited_joints
 from kindsl.language.semantics.model import Model
 
 
@@ -36,10 +36,4 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         yield Finding(first.at(""), message, tuple(related))
 
 
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_document=check_document,
-    good=(urdf_arm('<limit lower="0" upper="1.57" effort="80" velocity="3"/>'),),
-    bad=(urdf_arm(""),),
-)
+RULE = Rule(__name__, Severity.WARNING, check_document=check_document)

@@ -16,11 +16,9 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.xml_elements import elements, urdf_arm
+from kindsl.judgement.rules.xml_elements import elements
 from kindsl.language.semantics.model import Model
 from kindsl.language.text.nearest import hint, nearest_name
-
-_LIMIT = '<limit lower="0" upper="1.57" effort="80" velocity="3"/>'
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
@@ -36,10 +34,4 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
             yield Finding(island.place(mimic, "joint"), f"{message}{close}")
 
 
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    check_document=check_document,
-    good=(urdf_arm(_LIMIT),),
-    bad=(urdf_arm(f'{_LIMIT}<mimic joint="elbow"/>'),),
-)
+RULE = Rule(__name__, Severity.ERROR, check_document=check_document)

@@ -21,7 +21,6 @@ from kindsl.judgement.rules.xml_elements import (
     A_FEW,
     LimitedJoint,
     limited_joints,
-    urdf_arm,
 )
 from kindsl.language.semantics.model import Model
 
@@ -47,10 +46,4 @@ def _zeros(joint: LimitedJoint) -> list[str]:
     return [name for name in _NAMES if joint.island.value(joint.limit, name) == 0.0]
 
 
-RULE = Rule(
-    __name__,
-    Severity.INFORMATION,
-    check_document=check_document,
-    good=(urdf_arm('<limit lower="0" upper="1.57" effort="80" velocity="3"/>'),),
-    bad=(urdf_arm('<limit lower="0" upper="1.57" effort="0" velocity="3"/>'),),
-)
+RULE = Rule(__name__, Severity.INFORMATION, check_document=check_document)

@@ -15,11 +15,5 @@ Nothing says where any of them is: no program can load the model.
 """
 
 from kindsl.judgement.rules.base import Rule, Severity
-from kindsl.judgement.rules.xml_elements import sdf_arm
 
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    good=(sdf_arm('<pose relative_to="base">0 0 0.1 0 0 0</pose>'),),
-    bad=(sdf_arm('<pose relative_to="shoulder">0 0 0.1 0 0 0</pose>'),),
-)
+RULE = Rule(__name__, Severity.ERROR)

@@ -20,9 +20,8 @@ Writes an equivalent that both generators support, if there is one: `0.001`. Saf
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import ROBCOGEN, Context
-from kindsl.judgement.rules.examples import STEEL_BALL, joint, link, robot
 from kindsl.judgement.rules.refusals import refused_by
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
@@ -33,24 +32,10 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     yield from refused_by(ROBCOGEN, model, context)
 
 
-def _arm(height: str, fixed: str | None = None) -> Example:
-    shoulder = joint("shoulder").replace("0.3", height)
-    text = robot(link("arm", 1), shoulder, base="arm via shoulder")
-    text = text.replace("ground {", "ground {\n    " + STEEL_BALL, 1)
-    example = Example(text, (ROBCOGEN,), (("reach", 0.3),))
-    return example._replace(fixed=text.replace(height, fixed)) if fixed else example
-
-
 RULE = Rule(
     __name__,
     Severity.ERROR,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.SYMBOLS | Aspect.LAYOUT,
     is_default=False,
-    good=(_arm("0.003"), _arm("reach/2.0")),
-    bad=(
-        _arm("3.0e-3", "0.003"),
-        _arm("2.0*reach", "reach/0.5"),
-        _arm("reach[0.3]"),
-    ),
 )

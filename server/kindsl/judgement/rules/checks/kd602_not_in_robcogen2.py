@@ -21,9 +21,8 @@ Writes an equivalent that both generators support, if there is one. Safe: the va
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Example, Finding, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import ROBCOGEN2, Context
-from kindsl.judgement.rules.examples import joint
 from kindsl.judgement.rules.refusals import refused_by
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
@@ -34,23 +33,10 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     yield from refused_by(ROBCOGEN2, model, context)
 
 
-def _joint(height: str, comment: str = "") -> Example:
-    text = comment + joint("shoulder").replace("0.3", height)
-    return Example(text, (ROBCOGEN2,), (("reach", 0.3), ("pitch", 0.1)))
-
-
 RULE = Rule(
     __name__,
     Severity.ERROR,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.SYMBOLS | Aspect.LAYOUT,
     is_default=False,
-    good=(_joint("0.3"), _joint("reach/2.0"), _joint("0.3", "// seen from above\n")),
-    bad=(
-        _joint("2.0 reach")._replace(fixed=_joint("reach/0.5").text),
-        _joint("pitch"),
-        _joint("0.3", "/* seen from above */\n")._replace(
-            fixed=_joint("0.3", "// seen from above\n").text
-        ),
-    ),
 )

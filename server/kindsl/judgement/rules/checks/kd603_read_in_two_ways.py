@@ -20,9 +20,8 @@ Writes the number that RobCoGen2 reads. Safe where that is the only target, else
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import ROBCOGEN, ROBCOGEN2, Context
-from kindsl.judgement.rules.examples import joint
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Place
@@ -54,23 +53,9 @@ def _finding(island: Island, found: TwoReadings, targets: frozenset[str]) -> Fin
     return Finding(place, message, fix=fix)
 
 
-def _joint(height: str, target: str = "", fixed: str | None = None) -> Example:
-    shoulder = joint("shoulder").replace("0.3", height)
-    targets = (target,) if target else ()
-    example = Example(shoulder, targets, (("reach", 0.3), ("e0", 0.1)))
-    return example._replace(fixed=joint("shoulder").replace("0.3", fixed)) if fixed else example
-
-
 RULE = Rule(
     __name__,
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
-    good=(_joint("0.3"), _joint("2.0e-3", ROBCOGEN2)),
-    bad=(
-        _joint("0.3e0", fixed="0.3"),
-        _joint("0.3e0", ROBCOGEN2, "0.3"),
-        _joint("0.3e0", ROBCOGEN, "0.3"),
-        _joint("2.0 - reach"),
-    ),
 )

@@ -15,9 +15,8 @@ translation = (2.0*reach, 2.0 height, 0.0)      // only RobCoGen2, only RobCoGen
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Example, Finding, Related, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import ROBCOGEN, ROBCOGEN2, Context
-from kindsl.judgement.rules.examples import STEEL_BALL, joint, link, robot
 from kindsl.judgement.rules.refusals import first_refusal
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
@@ -36,18 +35,9 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     yield Finding(one.at, message, (Related(other.at, other.message),))
 
 
-def _arm(height: str, radius: str) -> Example:
-    shoulder = joint("shoulder").replace("(0.0, 0.0, 0.3)", f"({radius}, 0.0, {height})")
-    text = robot(link("arm", 1), shoulder, base="arm via shoulder")
-    text = text.replace("ground {", "ground {\n    " + STEEL_BALL, 1)
-    return Example(text, parameters=(("reach", 0.3),))
-
-
 RULE = Rule(
     __name__,
     Severity.ERROR,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.SYMBOLS | Aspect.LAYOUT,
-    good=(_arm("2.0*reach", "0.0"), _arm("2.0 reach", "0.0")),
-    bad=(_arm("2.0*reach", "2.0 reach"),),
 )

@@ -19,7 +19,6 @@ from itertools import pairwise
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 
@@ -34,13 +33,4 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
             return
 
 
-_UPPER, _LOWER = link("upper", 1, "lower via elbow"), link("lower", 2)
-
-RULE = Rule(
-    __name__,
-    Severity.INFORMATION,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE,
-    good=(robot(_UPPER, _LOWER, base="upper via shoulder", joints="shoulder elbow"),),
-    bad=(robot(_LOWER, _UPPER, base="upper via shoulder", joints="shoulder elbow"),),
-)
+RULE = Rule(__name__, Severity.INFORMATION, check_document=check_document, reads=Aspect.STRUCTURE)

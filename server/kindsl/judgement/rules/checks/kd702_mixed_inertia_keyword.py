@@ -19,9 +19,8 @@ Writes the keyword that the document uses more often, at all places. Safe: they 
 from collections.abc import Iterator
 
 from kindsl.judgement.diagnosis.judgements import keyword
-from kindsl.judgement.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import STEEL_BALL, link, robot
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Place
@@ -45,17 +44,4 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         yield Finding(places[rare][0], message, fix=fix)
 
 
-def _arm(keyword: str) -> str:
-    lower = link("lower", 2, inertia=STEEL_BALL.replace("inertia_params", keyword))
-    upper = link("upper", 1, "lower via elbow"), lower
-    return robot(*upper, base="upper via shoulder", joints="shoulder elbow")
-
-
-RULE = Rule(
-    __name__,
-    Severity.HINT,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE,
-    good=(_arm("inertia_params"),),
-    bad=(Example(_arm("inertia_properties"), fixed=_arm("inertia_params")),),
-)
+RULE = Rule(__name__, Severity.HINT, check_document=check_document, reads=Aspect.STRUCTURE)

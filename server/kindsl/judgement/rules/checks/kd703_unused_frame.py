@@ -18,7 +18,6 @@ from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity, Tag
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import link
 from kindsl.language.semantics.declarations import Declarations, Frame
 
 
@@ -37,14 +36,4 @@ def _is_link_frame(frame: Frame) -> bool:
     return len(values) == 6 and all(value == 0.0 for value in values)
 
 
-_FRAMED = link("head", 1).removesuffix("}\n") + (
-    "    frames { camera { translation = (0.0, 0.0, %s) rotation = (0.0, 0.0, 0.0) } }\n}\n"
-)
-
-RULE = Rule(
-    __name__,
-    Severity.HINT,
-    check_island=check_island,
-    good=(_FRAMED % "0.1",),
-    bad=(_FRAMED % "0.0",),
-)
+RULE = Rule(__name__, Severity.HINT, check_island=check_island)

@@ -19,8 +19,7 @@ Removes the code, or the comment with its last code. Safe: comments do not affec
 
 from collections.abc import Iterable, Iterator
 
-from kindsl.judgement.rules.base import Example, Finding, Fix, Replacement, Rule, Severity, Tag
-from kindsl.judgement.rules.examples import link
+from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity, Tag
 from kindsl.judgement.rules.suppression import Suppression
 from kindsl.language.semantics.places import Place
 
@@ -69,15 +68,4 @@ def without_comment(comment: Place) -> Fix:
     return Fix(_TITLE, (Replacement(Place(comment.island, start, comment.end), ""),), is_safe=True)
 
 
-_LINK = link("upper", 1, inertia="").replace("{", "{ // kindsl: ignore[%s]", 1)
-
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    good=(_LINK % "KD304",),
-    bad=(
-        Example(_LINK % "KD301", fixed=_LINK.replace(" // kindsl: ignore[%s]", "")),
-        Example(_LINK % "KD304, KD301", fixed=_LINK % "KD304"),
-        Example(_LINK % "KD301, KD304", fixed=_LINK % "KD304"),
-    ),
-)
+RULE = Rule(__name__, Severity.WARNING)

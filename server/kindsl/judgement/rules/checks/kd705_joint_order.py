@@ -18,7 +18,6 @@ from itertools import pairwise
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.examples import link, robot
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Joint
 from kindsl.language.semantics.model import Model
@@ -42,16 +41,4 @@ def _moving(model: Model) -> Iterator[tuple[Joint, int]]:
             yield joint, links[0].id
 
 
-def _arm(joints: str) -> str:
-    links = link("upper", 1, "lower via elbow"), link("lower", 2)
-    return robot(*links, base="upper via shoulder", joints=joints)
-
-
-RULE = Rule(
-    __name__,
-    Severity.HINT,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE,
-    good=(_arm("shoulder elbow"),),
-    bad=(_arm("elbow shoulder"),),
-)
+RULE = Rule(__name__, Severity.HINT, check_document=check_document, reads=Aspect.STRUCTURE)

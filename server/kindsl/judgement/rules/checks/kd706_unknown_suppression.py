@@ -21,9 +21,8 @@ codes: unsafe, since it hides findings. A comment that cannot mean anything is r
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import takewhile
 
-from kindsl.judgement.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
 from kindsl.judgement.rules.checks.kd704_unused_suppression import without_code, without_comment
-from kindsl.judgement.rules.examples import link
 from kindsl.judgement.rules.registry import all_codes, rule_named
 from kindsl.judgement.rules.suppression import Directive, is_known
 from kindsl.language.semantics.places import Place
@@ -100,18 +99,4 @@ def _with_codes(directive: Directive, codes: Sequence[str]) -> Fix:
     return Fix(f"Replace with '{text}'", (Replacement(directive.at, text),))
 
 
-_LINK = link("upper", 1, inertia="").replace("{", "{ // %s", 1)
-_GOOD = _LINK % "kindsl: ignore[KD304]"
-
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    good=(_GOOD,),
-    bad=(
-        Example(_LINK % "kindsl: ignore[KD3O4]", fixed=_GOOD),
-        Example(_LINK % "kindsl: ignore[KD304, KD999]", fixed=_GOOD),
-        Example(_LINK % "kindsl: ignroe[KD304]", fixed=_GOOD),
-        Example(_LINK % "kindsl: ignore", fixed=_GOOD),
-        Example(_LINK % "kindsl: ignore[missing-inertia]", fixed=_GOOD),
-    ),
-)
+RULE = Rule(__name__, Severity.WARNING)

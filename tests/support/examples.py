@@ -2,6 +2,26 @@
 
 from collections.abc import Mapping, Sequence
 from functools import cache
+from typing import NamedTuple
+
+
+class Example(NamedTuple):
+    """A document that shows a rule, with its targets and parameters.
+
+    Attributes:
+        text: A document, or single blocks.
+        targets: The generators that must accept it.
+        parameters: Values by name.
+        ranges: Least and greatest values by name, of some of the parameters.
+        fixed: The text with the fix of the rule's finding applied, if it offers one.
+    """
+
+    text: str
+    targets: tuple[str, ...] = ()
+    parameters: tuple[tuple[str, float], ...] = ()
+    ranges: tuple[tuple[str, float, float], ...] = ()
+    fixed: str | None = None
+
 
 _INERTIA = """inertia_params {
         mass = %s
@@ -106,3 +126,57 @@ def _with_limbs(
         for name, (translation, rotation) in zip(joints, limb_poses, strict=True):
             placed.append(placed_joint(f"{limb}_{name}", translation, rotation))
     return robot(*links, *placed, base=" ".join(heads))
+
+
+def urdf_link(inertia: str) -> str:
+    """Return a URDF with one link, its moments being given."""
+    return f"""<robot name="arm">
+  <link name="upper">
+    <inertial>
+      <mass value="2"/>
+      <inertia {inertia}/>
+    </inertial>
+  </link>
+</robot>
+"""
+
+
+def urdf_arm(limit: str) -> str:
+    """Return a URDF with one joint, its limits and the like being given."""
+    return f"""<robot name="arm">
+  <link name="base"/>
+  <link name="upper">
+    <inertial>
+      <mass value="2"/>
+      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.02"/>
+    </inertial>
+  </link>
+  <joint name="shoulder" type="revolute">
+    <parent link="base"/>
+    <child link="upper"/>
+    {limit}
+  </joint>
+</robot>
+"""
+
+
+def sdf_arm(pose: str = "", axis: str = "") -> str:
+    """Return an SDF with one joint, the pose of its child and more of its axis being given."""
+    return f"""<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/>
+    <link name="upper">
+      {pose}
+      <inertial>
+        <mass>2</mass>
+        <inertia><ixx>0.01</ixx><iyy>0.02</iyy><izz>0.02</izz></inertia>
+      </inertial>
+    </link>
+    <joint name="shoulder" type="revolute">
+      <parent>base</parent>
+      <child>upper</child>
+      <axis><xyz>0 0 1</xyz>{axis}</axis>
+    </joint>
+  </model>
+</sdf>
+"""
