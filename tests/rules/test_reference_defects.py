@@ -17,7 +17,7 @@ from kindsl.language.semantics.kinematic_tree import Edge
 def defects(text: str) -> dict[str, list[Any]]:
     """Return what is found, as written; without the idle things, of which nothing is said."""
     found = reference_defects(analyse(text).model)
-    names = [name for name in ReferenceDefects.__slots__ if not name.startswith("idle")]
+    names = [name for name in ReferenceDefects._fields if not name.startswith("idle")]
     return {name: list(map(written, things)) for name in names if (things := getattr(found, name))}
 
 

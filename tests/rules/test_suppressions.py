@@ -96,7 +96,7 @@ def test_what_a_comment_silences(link: str, end: str, line_end: str) -> None:
     assert (found.start, found.end) == covered
     assert found.at.island.text[found.at.start : found.at.end] == found.code == "KD3"
     (directive,) = (d for island in document.islands for d in directives(island))
-    assert covered_by(document.islands, document.starts, directive) == covered
+    assert covered_by(document.islands, document.starts, len(text), directive) == covered
 
 
 def test_a_comment_silences_a_whole_document() -> None:

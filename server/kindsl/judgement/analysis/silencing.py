@@ -44,8 +44,6 @@ def _unknown(
     islands, starts = document.islands, document.starts
     for island in islands:
         for directive in directives(island):
-            start, end = covered_by(islands, starts, directive)
-            if directive.word == "ignore-file":
-                start, end = 0, len(document.text) + 1
+            start, end = covered_by(islands, starts, len(document.text), directive)
             here = [d.code for d in found if start <= d.start < end and d.code[:3] != "KD0"]
             yield directive, here

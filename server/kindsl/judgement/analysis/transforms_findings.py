@@ -1,6 +1,6 @@
 """Findings in a transforms document beside a model."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterable
 
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.analysis.settings import Settings, is_enabled, severity_of
@@ -18,19 +18,7 @@ from kindsl.language.semantics.transforms import (
     unknown_frames,
     unknown_listed_frames,
 )
-from kindsl.language.syntax.transforms_text import Defect, TransformsDocument, read_transforms
-
-_ALONE: tuple[tuple[Rule, Callable[[TransformsDocument, Model | None], Iterator[Defect]]], ...] = (
-    (UNDECLARED, undeclared_frames),
-    (REPEATED, repetitions),
-)
-_Check = Callable[[TransformsDocument, Model], Iterator[Defect]]
-# With the severity of what a check finds.
-_WITH_MODEL: tuple[tuple[Rule, Severity, _Check], ...] = (
-    (UNKNOWN, UNKNOWN.severity, unknown_frames),
-    (UNKNOWN, Severity.WARNING, unknown_listed_frames),
-    (OTHER, OTHER.severity, other_robot),
-)
+from kindsl.language.syntax.transforms_text import Defect, read_transforms
 
 
 def transforms_findings(
@@ -44,15 +32,21 @@ def transforms_findings(
         settings: Decisions of the user.
     """
     document = read_transforms(text)
-    found = [(SYNTAX, SYNTAX.severity, defect) for defect in document.defects]
-    for rule, check in _ALONE:
-        found += [(rule, rule.severity, wrong) for wrong in check(document, model)]
+    found: list[tuple[Rule, Severity, Iterable[Defect]]] = [
+        (SYNTAX, SYNTAX.severity, document.defects),
+        (UNDECLARED, UNDECLARED.severity, undeclared_frames(document, model)),
+        (REPEATED, REPEATED.severity, repetitions(document, model)),
+    ]
     if model is not None:
-        for rule, severity, check_with in _WITH_MODEL:
-            found += [(rule, severity, wrong) for wrong in check_with(document, model)]
+        found += [
+            (UNKNOWN, UNKNOWN.severity, unknown_frames(document, model)),
+            (UNKNOWN, Severity.WARNING, unknown_listed_frames(document, model)),
+            (OTHER, OTHER.severity, other_robot(document, model)),
+        ]
     shown = [
         Diagnostic(rule.code, rule.name, severity_of(rule, own, settings), message, start, end)
-        for rule, own, (message, start, end) in found
+        for rule, own, defects in found
         if is_enabled(rule, settings)
+        for message, start, end in defects
     ]
     return tuple(sorted(shown, key=lambda d: (d.start, d.end, d.code)))

@@ -1,21 +1,12 @@
 """Things with the same name or number."""
 
 from collections.abc import Callable, Hashable, Iterable
-from typing import Protocol, TypeVar
+from typing import TypeVar
 
-from kindsl.language.semantics.places import Name
-
-
-class Named(Protocol):
-    """Whatever has a name."""
-
-    @property
-    def name(self) -> Name:
-        """Its name, empty where it is missing."""
-
+from kindsl.language.semantics.declarations import Frame, Joint, Link
 
 _Thing = TypeVar("_Thing")
-_NamedThing = TypeVar("_NamedThing", bound=Named)
+_NamedThing = TypeVar("_NamedThing", Frame, Joint, Link)
 
 
 def repeats(

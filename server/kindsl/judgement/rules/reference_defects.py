@@ -8,7 +8,7 @@ may close a loop, excuses no joint, and no link where a joint is left over besid
 """
 
 from collections.abc import Iterable, Sequence
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 from kindsl.judgement.rules.broken_text import is_cut_off
 from kindsl.judgement.rules.duplicates import repeated_names
@@ -23,7 +23,7 @@ _MOST_SUGGESTIONS = 20
 _Thing = TypeVar("_Thing", Link, Joint)
 
 
-class ReferenceDefects:
+class ReferenceDefects(NamedTuple):
     """The defects of parents and children.
 
     Attributes:
@@ -41,24 +41,18 @@ class ReferenceDefects:
         idle_links: All links that no pair names.
     """
 
-    __slots__ = (
-        "bases", "extra_parents", "idle_joints", "idle_links", "loops", "orphans", "repeated",
-        "reused_joints", "swapped", "undefined_joints", "undefined_links", "unused_joints",
-    )  # fmt: skip
-
-    def __init__(self) -> None:
-        self.undefined_links: list[Edge] = []
-        self.undefined_joints: list[Edge] = []
-        self.swapped: list[Edge] = []
-        self.bases: list[Edge] = []
-        self.loops: list[tuple[Edge, ...]] = []
-        self.repeated: list[tuple[Edge, Edge]] = []
-        self.extra_parents: list[tuple[Edge, Edge]] = []
-        self.reused_joints: list[tuple[Edge, Edge]] = []
-        self.unused_joints: list[Joint] = []
-        self.orphans: list[Link] = []
-        self.idle_joints: list[Joint] = []
-        self.idle_links: list[Link] = []
+    undefined_links: list[Edge]
+    undefined_joints: list[Edge]
+    swapped: list[Edge]
+    bases: list[Edge]
+    loops: list[tuple[Edge, ...]]
+    repeated: list[tuple[Edge, Edge]]
+    extra_parents: list[tuple[Edge, Edge]]
+    reused_joints: list[tuple[Edge, Edge]]
+    unused_joints: list[Joint]
+    orphans: list[Link]
+    idle_joints: list[Joint]
+    idle_links: list[Link]
 
 
 def suggestions(
@@ -76,7 +70,7 @@ def suggestions(
 @kept
 def reference_defects(model: Model) -> ReferenceDefects:
     """Return the wrong references of a model; computed once in its life."""
-    found = ReferenceDefects()
+    found = ReferenceDefects(*([] for _ in ReferenceDefects._fields))
     for edge in model.tree.edges:
         if edge.link is None or edge.joint is None or edge.link.is_base:
             _classify(model, edge, found)

@@ -59,7 +59,7 @@ def _stop(target: str, model: Model, context: Context) -> Finding | None:
     if is_blank(model):
         return Finding(Place(model.islands[0], 0, 0), "the document is empty")
     if target == ROBCOGEN:
-        return next(_defects(target, model, context), None)
+        return next(_of_rules(_STOPPING[target], model, context), None)
     if model.broken_islands:
         return None
     from kindsl.judgement.rules.robcogen2_loading import loading_defect
@@ -70,14 +70,10 @@ def _stop(target: str, model: Model, context: Context) -> Finding | None:
         defect = loading_defect(model)
         if defect is None or any(_of_rules(_REFERENCES, model, context)):
             return None
-        return next(_defects(target, model, context), defect)
+        return next(_of_rules(_STOPPING[target], model, context), defect)
     if next(_constructs(target, model), None) is not None:
         return None
     return Finding(Place(stop.island, stop.offset, stop.offset), "it stops reading here")
-
-
-def _defects(target: str, model: Model, context: Context) -> Iterator[Finding]:
-    yield from _of_rules(_STOPPING[target], model, context)
 
 
 def _of_rules(codes: tuple[str, ...], model: Model, context: Context) -> Iterator[Finding]:

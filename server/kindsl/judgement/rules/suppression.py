@@ -68,16 +68,10 @@ def suppressions(
 ) -> list[Suppression]:
     """Return what the comments of a document silence."""
     found: list[Suppression] = []
-    for number, island in enumerate(islands):
-        for directive in directives(island):
-            if not directive.codes:
-                continue
-            if directive.word == "ignore-file":
-                covered = 0, length + 1
-            else:
-                covered = _covered(islands, starts, number, directive.comment)
-            known = (code for code in directive.codes if is_known(code[0]))
-            found += [Suppression(code, at, directive.comment, *covered) for code, at in known]
+    for directive in (directive for island in islands for directive in directives(island)):
+        known = [code for code in directive.codes or () if is_known(code[0])]
+        covered = covered_by(islands, starts, length, directive) if known else (0, 0)
+        found += [Suppression(code, at, directive.comment, *covered) for code, at in known]
     return found
 
 
@@ -107,17 +101,13 @@ def _opens(text: str, start: int, match: re.Match[str]) -> bool:
 
 
 def covered_by(
-    islands: Sequence[Island], starts: Sequence[int], directive: Directive
+    islands: Sequence[Island], starts: Sequence[int], length: int, directive: Directive
 ) -> tuple[int, int]:
-    """Return the absolute range that an `ignore` comment speaks of."""
-    number = next(n for n, island in enumerate(islands) if island is directive.comment.island)
-    return _covered(islands, starts, number, directive.comment)
-
-
-def _covered(
-    islands: Sequence[Island], starts: Sequence[int], number: int, comment: Place
-) -> tuple[int, int]:
-    """Return the absolute range that a comment in island `number` silences."""
+    """Return the absolute range that a comment speaks of, in a document of some length."""
+    if directive.word == "ignore-file":
+        return 0, length + 1
+    comment = directive.comment
+    number = next(n for n, island in enumerate(islands) if island is comment.island)
     island = islands[number]
     line = max(island.text.rfind("\n", 0, comment.start), island.text.rfind("\r", 0, comment.start))
     line += 1
