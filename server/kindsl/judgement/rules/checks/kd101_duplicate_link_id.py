@@ -27,7 +27,6 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.duplicates import repeats
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Link
@@ -37,7 +36,7 @@ if TYPE_CHECKING:
     from kindsl.judgement.rules.renumbering import CopiedId
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each link whose id is taken."""
     same_id = repeats(model.links, lambda link: link.id)
     pairs = [(first, again) for first, again in same_id if first.name != again.name]

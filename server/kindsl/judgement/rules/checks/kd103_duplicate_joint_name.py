@@ -17,13 +17,12 @@ r_joint wrist { ref_frame { translation = (0.0, 0.0, 0.1) rotation = (PI/2.0, 0.
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.duplicates import repeated_names
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each joint whose name is taken."""
     for first, again in repeated_names(model.joints):
         message = f"joint '{again.name}' is already defined"

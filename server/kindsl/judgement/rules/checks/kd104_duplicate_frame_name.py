@@ -20,14 +20,13 @@ frames {
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.duplicates import repeated_names
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Frame
 from kindsl.language.semantics.model import Model
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each frame whose name is taken."""
     for body in model.bodies:
         if len(body.frames) > 1:

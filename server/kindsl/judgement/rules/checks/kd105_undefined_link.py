@@ -21,7 +21,6 @@ its parent's is less. Unsafe: each is a guess.
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.missing_names import missing_names
 from kindsl.judgement.rules.new_blocks import new_link
 from kindsl.judgement.rules.reference_defects import reference_defects
@@ -30,7 +29,7 @@ from kindsl.language.semantics.declarations import Child
 from kindsl.language.semantics.model import Model
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each reference to a link that does not exist."""
     defects = reference_defects(model)
     names = [edge.child.link for edge in defects.undefined_links]

@@ -21,7 +21,6 @@ from collections.abc import Iterator
 from functools import partial
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.missing_names import missing_names
 from kindsl.judgement.rules.new_blocks import new_joint
 from kindsl.judgement.rules.reference_defects import reference_defects
@@ -29,7 +28,7 @@ from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each reference to a joint that does not exist."""
     defects = reference_defects(model)
     names = (edge.child.joint for edge in defects.undefined_joints)

@@ -24,14 +24,13 @@ Writes the name of the link's frame that is probably meant. Unsafe: it is a gues
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
 from kindsl.language.text.nearest import hint, nearest_name
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each inertia that is given in no known frame."""
     known = {str(frame.name) for frame in model.frames}
     for body in model.bodies:

@@ -23,7 +23,6 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.reference_defects import reference_defects
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Link
@@ -31,7 +30,7 @@ from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import has_problem_within
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each run of missing ids."""
     certain = [(number, link) for link in model.links if (number := _certain_id(link))]
     by_id = dict(reversed(certain))

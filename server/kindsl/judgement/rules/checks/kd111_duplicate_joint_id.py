@@ -17,13 +17,12 @@ r_joint elbow    { id = 1 ref_frame { translation = (0.0, 0.0, 0.3) rotation = (
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.duplicates import repeats
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each joint whose id is taken."""
     for first, again in repeats(model.joints, lambda joint: joint.id):
         if first.name == again.name:

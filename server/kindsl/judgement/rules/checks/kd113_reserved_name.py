@@ -18,14 +18,13 @@ link union { id = 1 children {} }
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Name
 from kindsl.language.semantics.reserved_words import RESERVED_BY
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each reserved name."""
     for name in _names(model):
         if name in RESERVED_BY:

@@ -21,14 +21,13 @@ there. Unsafe: it is a guess.
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.reference_defects import reference_defects
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.kinematic_tree import Edge
 from kindsl.language.semantics.model import Model
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each loop, at the pair that closes it."""
     for loop in reference_defects(model).loops:
         names = [str(edge.predecessor.name) for edge in loop]

@@ -18,13 +18,12 @@ link right { id = 2 children { coupler via pin_right } }
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.reference_defects import reference_defects
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each further parent of a link."""
     for first, again in reference_defects(model).extra_parents:
         name, other = again.child.link, first.predecessor.name

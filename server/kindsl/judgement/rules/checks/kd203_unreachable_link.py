@@ -18,7 +18,6 @@ link upper { id = 1 children {} }
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.reference_defects import reference_defects
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Link
@@ -28,7 +27,7 @@ from kindsl.language.text.phrases import counted
 _MOST_RELATED = 20
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each link without a parent."""
     for body in reference_defects(model).orphans:
         below = _carried(model, body)

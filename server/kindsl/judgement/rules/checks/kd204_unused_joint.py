@@ -17,13 +17,12 @@ r_joint spare { ref_frame { translation = (0.0, 0.0, 0.1) rotation = (0.0, 0.0, 
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.reference_defects import reference_defects
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each unused joint."""
     for joint in reference_defects(model).unused_joints:
         yield Finding(joint.name, f"joint '{joint.name}' is not used")

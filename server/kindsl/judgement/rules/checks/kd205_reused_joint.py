@@ -16,14 +16,13 @@ children { left via finger right via finger }
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.reference_defects import ReferenceDefects, reference_defects
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Joint
 from kindsl.language.semantics.model import Model
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each pair whose joint is taken."""
     defects = reference_defects(model)
     for first, again in defects.reused_joints:

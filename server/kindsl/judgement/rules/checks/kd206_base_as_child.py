@@ -17,13 +17,12 @@ link leg { id = 1 children { trunk via knee } }
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.reference_defects import reference_defects
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each pair that names the base."""
     for edge in reference_defects(model).bases:
         base = model.body_named[edge.child.link]

@@ -17,7 +17,6 @@ many digits hardly ever by chance.
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.xml_elements import elements
 from kindsl.language.semantics.model import Model
 from kindsl.language.text.decimals import significant_digits
@@ -27,7 +26,7 @@ _LEAST_DIGITS = 3
 _TENSOR = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each inertia with a number that was written twice."""
     for island, link in elements(model, "link"):
         inertia = link.find("inertial/inertia")

@@ -15,13 +15,12 @@ translation = (reach[0.5], 0.0, reach[0.4])
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.subject import parameter_subject
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each default that is not the first one's value."""
     for parameter in model.parameters:
         defaults = [use.default for use in parameter.uses if use.default is not None]

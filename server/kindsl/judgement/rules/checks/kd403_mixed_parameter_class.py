@@ -20,14 +20,13 @@ from collections.abc import Iterator
 from typing import assert_never
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.subject import parameter_subject
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import ValueKind
 from kindsl.language.semantics.model import Model
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each further class of a parameter, at its first place."""
     for parameter in model.parameters:
         known = {parameter.kind}

@@ -18,7 +18,6 @@ Writes the name of the constant that is probably meant. Unsafe: it is a guess.
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.parameters import Constant
@@ -26,7 +25,7 @@ from kindsl.language.semantics.places import Name
 from kindsl.language.text.nearest import hint, nearest_name
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each constant that is never defined, at its first place."""
     for constant in model.constants:
         name = constant.name

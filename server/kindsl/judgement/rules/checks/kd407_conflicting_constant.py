@@ -15,12 +15,11 @@ translation = (<reach=0.5>, 0.0, <reach=0.4>)
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each value that is not the first one."""
     for constant in model.constants:
         values = [use.value for use in constant.uses if use.value is not None]

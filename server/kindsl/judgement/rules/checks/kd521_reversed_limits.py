@@ -16,12 +16,11 @@ sign was lost, or a limb was mirrored and its limits were not.
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.xml_elements import limited_joints
 from kindsl.language.semantics.model import Model
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each joint whose range is turned around."""
     for joint in limited_joints(model):
         if joint.lower is not None and joint.upper is not None and joint.lower > joint.upper:

@@ -18,7 +18,6 @@ from collections.abc import Iterator
 from math import log10, pi
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.xml_elements import limited_joints
 from kindsl.language.semantics.model import Model
 
@@ -28,7 +27,7 @@ _DEGREES = 720.0
 _STEP = 5.0
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each joint whose limits look like degrees."""
     for joint in limited_joints(model):
         ends = [end for end in (joint.lower, joint.upper) if end is not None]

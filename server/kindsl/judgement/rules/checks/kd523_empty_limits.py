@@ -17,12 +17,11 @@ one without limits `continuous`.
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.xml_elements import limited_joints
 from kindsl.language.semantics.model import Model
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each joint that its limits keep at one place."""
     for joint in limited_joints(model):
         if joint.limit is None or joint.is_broken or not joint.is_needed:

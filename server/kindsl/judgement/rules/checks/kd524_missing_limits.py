@@ -19,12 +19,11 @@ without end is `continuous`.
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.xml_elements import A_FEW, limited_joints
 from kindsl.language.semantics.model import Model
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield one finding for all joints of a file that need limits and have none."""
     without = [joint for joint in limited_joints(model) if joint.is_needed and joint.limit is None]
     if without:

@@ -15,13 +15,12 @@ Programs refuse the file, or leave the joint where it is.
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.xml_elements import elements
 from kindsl.language.semantics.model import Model
 from kindsl.language.text.nearest import hint, nearest_name
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each joint that follows none."""
     joints = list(elements(model, "joint"))
     names = {island.full_name for island, _ in joints}

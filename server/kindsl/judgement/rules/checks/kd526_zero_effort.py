@@ -16,7 +16,6 @@ were written by an exporter and never filled in.
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.xml_elements import (
     A_FEW,
     LimitedJoint,
@@ -27,7 +26,7 @@ from kindsl.language.semantics.model import Model
 _NAMES = ("effort", "velocity")
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield one finding for all joints of a file that may exert or move nothing."""
     still = [(joint, zeros) for joint in limited_joints(model) if (zeros := _zeros(joint))]
     if still:

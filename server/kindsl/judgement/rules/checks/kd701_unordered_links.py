@@ -18,12 +18,11 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding at the first link that is out of order."""
     for before, body in pairwise(body for body in model.links if body.name):
         if before.id is not None and body.id is not None and body.id < before.id:

@@ -20,14 +20,13 @@ from collections.abc import Iterator
 
 from kindsl.judgement.diagnosis.judgements import keyword
 from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Place
 from kindsl.language.syntax.token_names import SPELLINGS
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding at the first place of the rarer keyword."""
     places: dict[str, list[Place]] = {}
     for body in model.bodies:

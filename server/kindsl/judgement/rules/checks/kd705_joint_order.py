@@ -17,13 +17,12 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
-from kindsl.judgement.rules.context import Context
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Joint
 from kindsl.language.semantics.model import Model
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding at the first joint that is out of order."""
     for (before, id_before), (joint, link_id) in pairwise(_moving(model)):
         if link_id < id_before:
