@@ -14,6 +14,7 @@ from kindsl.products.codegen.c_test_program import parameter_values
 from kindsl.products.codegen.language import language_named
 from kindsl.products.codegen.layouts import LAYOUTS
 from kindsl.products.codegen.library import (
+    NO_PAIRS,
     GenerationError,
     Library,
     Options,
@@ -91,7 +92,7 @@ def generate(
                     f"'{foreign[0]}' is not a valid name in RobCoGen's code: "
                     "use letters a to z, digits and '_'"
                 )
-        wanted = wanted_pairs(listed, model, robot) if listed else None
+        wanted = wanted_pairs(listed, model, robot) if listed else NO_PAIRS
         if options.frames is not None:
             robot, wanted = restricted(robot, wanted, options.frames)
         library = library_of(

@@ -30,6 +30,12 @@ class GenerationError(ValueError):
     """Code cannot be generated for a document as asked."""
 
 
+def undefined(quantity: str, why: str) -> GenerationError:
+    """Return the error of a quantity that a robot does not have."""
+    others = "use --quantities to choose others, such as poses,jacobians"
+    return GenerationError(f"'{quantity}' is not defined: {why}; {others}")
+
+
 @dataclass(frozen=True, slots=True)
 class Options:
     """The options of a generation.
@@ -96,6 +102,9 @@ class Wanted(NamedTuple):
     jacobians: tuple[FramePair, ...]
 
 
+NO_PAIRS = Wanted((), ())
+
+
 @dataclass(frozen=True)
 class Library:
     """Functions of one robot, named.
@@ -120,7 +129,7 @@ class Library:
     functions: Mapping[str, tuple[Function, ...]]
     defaults: Mapping[str, float | None]
     inputs: Inputs
-    wanted: Wanted = Wanted((), ())  # noqa: RUF009
+    wanted: Wanted = NO_PAIRS
     parameter_kinds: Mapping[str, frozenset[str]] = field(default_factory=dict)
     version: str = "1.0.0"
 
@@ -211,7 +220,7 @@ def library_of(
     defaults: Mapping[str, float | None],
     options: Options,
     stamp: Stamp,
-    wanted: Wanted | None = None,
+    wanted: Wanted = NO_PAIRS,
     *,
     has_loops: bool = False,
 ) -> Library:
@@ -234,33 +243,25 @@ def library_of(
     for name in options.quantities:
         if group := tuple(_recorded(robot, inputs, name, has_loops=has_loops)):
             functions[name] = group
-    if wanted is not None:
-        pairs = {
-            "transforms": relative_poses(robot, inputs, wanted.transforms),
-            "relative_jacobians": relative_jacobians(robot, inputs, wanted.jacobians),
-        }
-        functions |= {name: tuple(group) for name, group in pairs.items() if group}
+    pairs = {
+        "transforms": relative_poses(robot, inputs, wanted.transforms),
+        "relative_jacobians": relative_jacobians(robot, inputs, wanted.jacobians),
+    }
+    functions |= {name: tuple(group) for name, group in pairs.items() if group}
     if not functions:
         raise GenerationError("none of the quantities exists for a fixed base")
-    listed = wanted or Wanted((), ())
-    return Library(options, stamp, robot_name, robot, functions, defaults, inputs, listed)
+    return Library(options, stamp, robot_name, robot, functions, defaults, inputs, wanted)
 
 
 def _recorded(robot: Robot, inputs: Inputs, name: str, *, has_loops: bool) -> list[Function]:
     quantity = QUANTITIES[name]
     is_massless = total_mass(robot) == 0.0
     if quantity.needs_mass and is_massless:
-        raise GenerationError(
-            f"'{name}' is not defined: the total mass is zero; "
-            "use --quantities to choose others, such as poses,jacobians"
-        )
+        raise undefined(name, "the total mass is zero")
     try:
         functions = functions_of(robot, inputs, name, has_loops=has_loops)
     except (SingularInertiaError, ZeroDivisionError):
-        raise GenerationError(
-            f"'{name}' is not defined: the inertia matrix is "
-            "singular; use --quantities to choose others, such as poses,jacobians"
-        ) from None
+        raise undefined(name, "the inertia matrix is singular") from None
     graph = robot.graph
     for function in functions:
         entries = _entries(robot, function)

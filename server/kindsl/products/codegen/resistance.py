@@ -8,7 +8,7 @@ from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.evaluation.singular import singular_inertia
 from kindsl.mechanics.dynamics.joint_space_inertia import joint_space_inertia
 from kindsl.mechanics.spatial.arrays import Array
-from kindsl.products.codegen.library import GenerationError
+from kindsl.products.codegen.library import undefined
 
 # The quantities that solve for accelerations: of all, or of a floating base alone.
 _OF_ALL = (
@@ -38,9 +38,10 @@ def refuse_unresisted(quantities: Iterable[str], bodies: Bodies, q: Array) -> No
     n_base = bodies.n_velocities - bodies.n_links
     for name in quantities:
         if name in _OF_ALL and _is_singular(M):
-            raise _undefined(name, singular_inertia(bodies, q).moving)
+            moving = singular_inertia(bodies, q).moving
+            raise undefined(name, f"nothing resists motion of {moving}")
         if name == _OF_THE_BASE and _is_singular(M[:n_base, :n_base]):
-            raise _undefined(name, "the base")
+            raise undefined(name, "nothing resists motion of the base")
 
 
 def magnification(quantity: str, M: Array, n_links: int) -> float:
@@ -68,10 +69,3 @@ def _condition(M: Array) -> float:
     if not units.all():
         return np.inf
     return float(np.linalg.cond(M / np.outer(units, units))) if len(M) else 1.0
-
-
-def _undefined(quantity: str, moving: str) -> GenerationError:
-    return GenerationError(
-        f"'{quantity}' is not defined: nothing resists motion of {moving}; "
-        "use --quantities to choose others, such as poses,jacobians"
-    )

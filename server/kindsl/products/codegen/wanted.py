@@ -46,9 +46,7 @@ def wanted_pairs(text: str, model: Model, robot: Robot) -> Wanted:
     return Wanted(pairs(document.transforms), pairs(document.jacobians))
 
 
-def restricted(
-    robot: Robot, wanted: Wanted | None, names: Sequence[str]
-) -> tuple[Robot, Wanted | None]:
+def restricted(robot: Robot, wanted: Wanted, names: Sequence[str]) -> tuple[Robot, Wanted]:
     """Return a robot and pairs of frames with the poses and Jacobians of some frames only.
 
     Args:
@@ -67,9 +65,7 @@ def restricted(
         raise GenerationError(f"--frames: the robot has no frame '{name}'{close}")
     listed = {*chosen, *(f"{LINK_PREFIX}{name}" for name in chosen & {*robot.link_names})}
     frames = tuple(target for target in robot.targets if target.name in chosen)
-    if wanted is not None:
-        wanted = Wanted(*(
-            tuple(p for p in pairs if not listed.isdisjoint((p[0].name, p[1].name)))
-            for pairs in wanted
-        ))  # fmt: skip
-    return replace(robot, chosen=frames), wanted
+    kept = (
+        tuple(p for p in pairs if not listed.isdisjoint((p[0].name, p[1].name))) for pairs in wanted
+    )
+    return replace(robot, chosen=frames), Wanted(*kept)
