@@ -10,8 +10,8 @@ from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanics.dynamics.generation.functions import QUANTITIES
 from kindsl.mechanics.dynamics.generation.jacobians import feet
 from kindsl.mechanics.dynamics.generation.robot import robot_of
-from kindsl.products.codegen.c_library import c_files
 from kindsl.products.codegen.language import language_named
+from kindsl.products.codegen.languages.c import c_files
 from kindsl.products.codegen.library import Library, Options, Stamp, library_of
 from kindsl.products.codegen.reference import Reference, independent_contacts, sample
 

@@ -2,11 +2,12 @@
 
 from collections.abc import Iterator, Sequence
 from functools import partial
-from textwrap import fill
+from textwrap import wrap
 
 from kindsl.mechanics.dynamics.generation.emitters.c import Dialect, literal
 from kindsl.mechanics.dynamics.generation.emitters.loops import LoopDialect
 from kindsl.mechanics.dynamics.generation.function import Function
+from kindsl.products.codegen.filling import fill, template
 from kindsl.products.codegen.library import Library
 
 # Arguments of a fixed length, whatever the robot.
@@ -90,6 +91,24 @@ def batch_declaration(library: Library, function: Function) -> str:
     )
 
 
+def cmake_lists(library: Library, language: str, header: str, sources: Sequence[str] = ()) -> str:
+    """Return the CMakeLists.txt: a library to build, test, install and find.
+
+    Args:
+        library: The library.
+        language: As CMake calls it, C or CXX.
+        header: The name of the file that programs include.
+        sources: The names of those that are compiled.
+    """
+    values = {
+        "PREFIX": library.prefix, "MACRO": macro(library), "SOURCES": "\n  ".join(sources),
+        "ORIGIN": library.stamp.origin, "LICENCE": library.stamp.licence,
+        "VERSION": library.version, "LANGUAGE": language, "HEADER": header,
+    }  # fmt: skip
+    own = fill(template(f"cmake/{language}.cmake"), **values)
+    return fill(template("cmake/CMakeLists.txt"), **values, LIBRARY=own)
+
+
 def _shared(name: str) -> str:
     return "3" if name == "g" else ""
 
@@ -102,5 +121,5 @@ def _wrapped(head: str, parts: Sequence[str]) -> str:
     """Return a head with parts in brackets, in lines of at most 100 characters."""
     kept = (text.replace(" ", _NO_BREAK) for text in (head, *parts))
     text = f"{next(kept)}({', '.join(kept)})"
-    lines = fill(text, 100, subsequent_indent="    ", break_long_words=False)
-    return lines.replace(_NO_BREAK, " ")
+    lines = wrap(text, 100, subsequent_indent="    ", break_long_words=False)
+    return "\n".join(lines).replace(_NO_BREAK, " ")

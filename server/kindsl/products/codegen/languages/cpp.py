@@ -11,9 +11,8 @@ from kindsl.mechanics.dynamics.generation.emitters.cpp_templates import (
 from kindsl.mechanics.dynamics.generation.emitters.loops import LoopDialect, loop_call, loops_text
 from kindsl.mechanics.dynamics.generation.function import Function, Result
 from kindsl.mechanics.dynamics.generation.terms import Scalar
-from kindsl.products.codegen.c_build import cmake_lists
 from kindsl.products.codegen.c_test_program import test_program
-from kindsl.products.codegen.c_text import EXTERNAL, stamp_comment
+from kindsl.products.codegen.c_text import EXTERNAL, cmake_lists, stamp_comment
 from kindsl.products.codegen.filling import fill, template
 from kindsl.products.codegen.language import Language
 from kindsl.products.codegen.library import Library
