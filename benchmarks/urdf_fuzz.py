@@ -2,7 +2,7 @@
 
 The robots of the round-trip tests are written as URDF, and whole files of a folder where one is
 named. Attributes are swapped, lost, doubled, cut and made no numbers. It ends with 1 where anything
-but `UrdfError` comes out, a result has a number that is none, or a mutant takes ten times as long
+but `FormatError` comes out, a result has a number that is none, or a mutant takes ten times as long
 as the file that it was made of.
 """
 
@@ -21,8 +21,9 @@ from tests.interchange.random_robots import random_robot
 from tests.support.urdf_mutants import mutant
 
 import kindsl
+from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.kindsl_writing import kindsl_text
-from kindsl.robots.interchange.urdf.urdf_reading import UrdfError, read_urdf
+from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
 from kindsl.robots.interchange.urdf.writing import written_urdf
 
 NO_NUMBER = re.compile(r"[=(,] *-?(nan|inf)\b")
@@ -40,9 +41,9 @@ def seconds_and_outcome(text: str, path: Path) -> tuple[float, str]:
     path.write_text(text, encoding="utf-8")
     start = time.process_time()
     try:
-        document = kindsl_text(read_urdf(path).robot)
+        document = kindsl_text(robot_of_urdf(path.read_bytes(), "robot").robot)
         outcome = "no number" if NO_NUMBER.search(document) else "read"
-    except UrdfError as error:
+    except FormatError as error:
         outcome = "refused" if "\n" not in str(error) else "many lines"
     except Exception as error:
         outcome = f"{type(error).__name__}: {error}"

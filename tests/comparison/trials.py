@@ -17,6 +17,7 @@ from kindsl.robots.comparison.side import ComparedSide
 from kindsl.robots.comparison.torques import torques
 from kindsl.robots.comparison.written import TextPlace, WrittenNumber
 from kindsl.robots.interchange.comparable import described_robot
+from kindsl.robots.interchange.format import ReadingChoices
 from kindsl.robots.interchange.kindsl_writing import kindsl_text
 from kindsl.robots.interchange.urdf.numbers import numbers_of_urdf
 from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
@@ -84,7 +85,7 @@ def described_text(text: str) -> tuple[ComparedSide, Analysis]:
 
 
 def described_urdf(text: str, is_floating: bool) -> ComparedSide:
-    read = robot_of_urdf(text, "robot", floating=is_floating)
+    read = robot_of_urdf(text, "robot", ReadingChoices(is_floating))
     return described_robot("b.urdf", read.robot, numbers_of_urdf(text))
 
 

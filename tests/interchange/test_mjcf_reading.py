@@ -13,7 +13,7 @@ from tests.interchange.round_trips import mechanism_of, read
 from tests.support.urdf_mutants import mutant
 
 from kindsl.language.semantics.parameters import JointProperties
-from kindsl.robots.interchange.format import FormatError, ReadRobot
+from kindsl.robots.interchange.format import AS_WRITTEN, FormatError, ReadRobot
 from kindsl.robots.interchange.kindsl_writing import kindsl_text, written_kindsl
 from kindsl.robots.interchange.mjcf.mjcf_reading import read_mjcf
 from kindsl.robots.interchange.registry import format_named
@@ -207,14 +207,14 @@ def test_a_name_that_is_not_utf_8_is_refused(tmp_path: Path) -> None:
     file = tmp_path / "arm.xml"
     file.write_bytes(ARM.encode().replace(b'"lower"', b'"l\xf6wer"'))
     with pytest.raises(FormatError, match="a name in it is not UTF-8"):
-        read_mjcf(file, floating=False)
+        read_mjcf(file, AS_WRITTEN)
 
 
 def test_a_text_that_is_cut_off_is_told_with_its_line_alone(tmp_path: Path) -> None:
     path = tmp_path / "cut.xml"
     path.write_text('<mujoco>\n<worldbody>\n<body name="a"><joint na')
     with pytest.raises(FormatError, match=r"^not a readable MJCF: not well-formed XML at line 3$"):
-        read_mjcf(path, floating=False)
+        read_mjcf(path, AS_WRITTEN)
 
 
 SOLID = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"
@@ -235,7 +235,7 @@ def test_files_that_it_names_are_found_from_where_it_is(
     path.write_text(text)
     monkeypatch.chdir("/")
     former = mujoco.get_mju_user_warning()
-    parts = read_mjcf(path, floating=False).robot.bodies[2].parts[1:]
+    parts = read_mjcf(path, AS_WRITTEN).robot.bodies[2].parts[1:]
     (tool,) = [part for part in parts if part.is_link]
     assert mujoco.get_mju_user_warning() is former
     assert tool.mass is not None and tool.mass.mass == pytest.approx(1.0)

@@ -7,8 +7,9 @@ from pathlib import Path
 import pytest
 from tests.support.urdf_mutants import mutant
 
+from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.kindsl_writing import kindsl_text
-from kindsl.robots.interchange.urdf.urdf_reading import UrdfError, read_urdf
+from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
 
 LINK = '<link name="{}"><inertial><mass value="1.0"/><inertia ixx="0.1" iyy="0.1" izz="0.1"'
 LINK += ' ixy="0" ixz="0" iyz="0"/></inertial></link>\n'
@@ -23,7 +24,7 @@ ARM = f"<robot name='arm'>\n{LINKS}{SHOULDER}{WRIST}</robot>"
 def read(text: str, folder: Path) -> str:
     path = folder / "robot.urdf"
     path.write_text(text, encoding="utf-8")
-    return kindsl_text(read_urdf(path).robot)
+    return kindsl_text(robot_of_urdf(path.read_bytes(), "robot").robot)
 
 
 @pytest.mark.parametrize(
@@ -42,7 +43,7 @@ def test_plain_robot_is_read(tmp_path: Path) -> None:
 
 
 def test_another_kind_of_file_is_told(tmp_path: Path) -> None:
-    with pytest.raises(UrdfError, match=r"^not a URDF: its root element is <model>"):
+    with pytest.raises(FormatError, match=r"^not a URDF: its root element is <model>"):
         read(ARM.replace("robot", "model"), tmp_path)
 
 
@@ -100,7 +101,7 @@ def test_another_kind_of_file_is_told(tmp_path: Path) -> None:
     ],
 )
 def test_defect_is_told_with_its_line(old: str, new: str, message: str, tmp_path: Path) -> None:
-    with pytest.raises(UrdfError, match=message) as caught:
+    with pytest.raises(FormatError, match=message) as caught:
         read(ARM.replace(old, new, 1), tmp_path)
     assert "\n" not in str(caught.value)
 
@@ -114,7 +115,7 @@ def test_mutant_is_read_or_refused(seed: int, tmp_path: Path) -> None:
     text = mutant(ARM, random.Random(seed))
     try:
         document = read(text, tmp_path)
-    except UrdfError as error:
+    except FormatError as error:
         assert re.fullmatch(r"[^\n]+", str(error))
     else:
         assert "nan" not in document and "inf" not in document.replace("inertia", "")

@@ -10,8 +10,9 @@ from tests.interchange.configurations import configuration, velocity_order
 
 import kindsl
 from kindsl.judgement.analysis.settings import Settings
+from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.kindsl_writing import kindsl_text
-from kindsl.robots.interchange.urdf.urdf_reading import UrdfError, read_urdf
+from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
 
 URDFS = sorted(
     Path(str(file.locate())) for file in files("example-robot-data") or () if file.suffix == ".urdf"
@@ -37,10 +38,10 @@ def test_there_are_enough_of_them() -> None:
 @pytest.mark.parametrize("path", URDFS, ids=lambda path: path.stem)
 def test_converted_robot_is_the_published_one(path: Path) -> None:
     if path.stem in REFUSED:
-        with pytest.raises(UrdfError, match=REFUSED[path.stem]):
-            read_urdf(path)
+        with pytest.raises(FormatError, match=REFUSED[path.stem]):
+            robot_of_urdf(path.read_bytes(), "robot")
         return
-    found = read_urdf(path)
+    found = robot_of_urdf(path.read_bytes(), "robot")
     document = kindsl.parse(kindsl_text(found.robot), Settings())
     assert not [f for f in document.findings if f.code.startswith(("KD0", "KD1", "KD2", "KD703"))]
     ours = document.mechanism()

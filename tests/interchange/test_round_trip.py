@@ -14,9 +14,10 @@ import kindsl
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanics.spatial.arrays import Array
+from kindsl.robots.interchange.format import FormatError, ReadingChoices
 from kindsl.robots.interchange.kindsl_writing import kindsl_text
 from kindsl.robots.interchange.registry import format_named
-from kindsl.robots.interchange.urdf.urdf_reading import UrdfError, read_urdf
+from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
 
 TOLERANCE = 1e-9  # what the issue of a round trip promises, absolute, at dimensions near one
 SEEDS = range(200)
@@ -26,7 +27,8 @@ URDF_FORMAT = format_named("urdf")
 def written_and_read(robot: Mechanics, folder: Path) -> Mechanics:
     path = folder / "robot.urdf"
     path.write_text(written(robot, URDF_FORMAT))
-    return mechanism_of(kindsl_text(read_urdf(path, floating=robot.bodies.is_floating).robot))
+    choices = ReadingChoices(robot.bodies.is_floating)
+    return mechanism_of(kindsl_text(robot_of_urdf(path.read_bytes(), "robot", choices).robot))
 
 
 def by_name(mechanics: Mechanics, values: dict[str, float]) -> Array:
@@ -106,7 +108,7 @@ URDF = """<robot name="my-robot 1"><link name="world"/><link name="link"/><link 
 def read(tmp_path: Path, kind: str = "revolute", axis: str = "0 1 0") -> tuple[str, str]:
     path = tmp_path / "robot.urdf"
     path.write_text(URDF.format(kind=kind, axis=axis))
-    found = read_urdf(path)
+    found = robot_of_urdf(path.read_bytes(), "robot")
     return kindsl_text(found.robot), "\n".join(found.remarks)
 
 
@@ -134,14 +136,11 @@ def test_axis_turns_to_z(axis: str, tmp_path: Path) -> None:
 
 
 def test_what_the_language_has_not_is_refused_by_name(tmp_path: Path) -> None:
-    with pytest.raises(UrdfError, match="'2nd' is planar"):
+    with pytest.raises(FormatError, match="'2nd' is planar"):
         read(tmp_path, kind="planar")
-    (tmp_path / "bad.urdf").write_text("<robot name='r'><link name='a'/><link name='b'/></robot>")
-    with pytest.raises(UrdfError, match="one root link"):
-        read_urdf(tmp_path / "bad.urdf")
-    (tmp_path / "nameless.urdf").write_text("<robot><link name='a'/></robot>")
-    with pytest.raises(UrdfError, match="no attribute 'name'"):
-        read_urdf(tmp_path / "nameless.urdf")
-    (tmp_path / "noise.urdf").write_text("no xml")
-    with pytest.raises(UrdfError, match="not a readable URDF"):
-        read_urdf(tmp_path / "noise.urdf")
+    with pytest.raises(FormatError, match="one root link"):
+        robot_of_urdf("<robot name='r'><link name='a'/><link name='b'/></robot>", "robot")
+    with pytest.raises(FormatError, match="no attribute 'name'"):
+        robot_of_urdf("<robot><link name='a'/></robot>", "robot")
+    with pytest.raises(FormatError, match="not a readable URDF"):
+        robot_of_urdf("no xml", "robot")

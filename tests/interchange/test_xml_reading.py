@@ -3,7 +3,8 @@
 import pytest
 
 from kindsl.robots.interchange import xml_reading
-from kindsl.robots.interchange.urdf.urdf_reading import UrdfError, robot_of_urdf
+from kindsl.robots.interchange.format import FormatError
+from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
 from kindsl.robots.interchange.xml_reading import XmlError, finite_number, parsed_xml
 
 ROBOT = '<robot name="é">\n<link name="a"/><!-- a\n b --><link\n name="b"/>\n</robot>'
@@ -71,5 +72,5 @@ def test_an_attack_ends_in_one_sentence(text: str, told: str) -> None:
     with pytest.raises(XmlError, match=told) as caught:
         parsed_xml(text.encode())
     assert "\n" not in str(caught.value) and not str(caught.value).endswith(".")
-    with pytest.raises(UrdfError, match=f"not a readable URDF: .*{told}"):
+    with pytest.raises(FormatError, match=f"not a readable URDF: .*{told}"):
         robot_of_urdf(text.encode(), "robot")

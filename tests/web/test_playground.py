@@ -18,7 +18,7 @@ from kindsl.language.text.lines import LineIndex
 from kindsl.products.reports.comparison import compared
 from kindsl.robots.interchange.format import joints_dropped
 from kindsl.robots.interchange.kindsl_writing import written_kindsl
-from kindsl.robots.interchange.urdf.urdf_reading import read_urdf
+from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
 
 # The first test waits for what is built for all of them.
 pytestmark = pytest.mark.timeout(900)
@@ -210,7 +210,7 @@ def test_a_urdf_is_opened_as_a_document_and_downloaded_again(tab: Tab, tmp_path:
     tab.page.locator("#file").set_input_files(URDF)
     tab.expect_robot("pan_tilt")
     assert tab.page.locator("#tabs [aria-selected=true]").inner_text().startswith("pan_tilt.kindsl")
-    written = written_kindsl(read_urdf(URDF))
+    written = written_kindsl(robot_of_urdf(URDF.read_bytes(), "robot"))
     assert tab.text() == written.text
     remarks = tab.page.locator("#notice li").all_inner_texts()
     assert remarks == [*written.remarks, joints_dropped(written.joints)]
@@ -219,7 +219,8 @@ def test_a_urdf_is_opened_as_a_document_and_downloaded_again(tab: Tab, tmp_path:
         tab.page.locator("#do-urdf").click()
     assert downloading.value.suggested_filename == "pan_tilt.urdf"
     downloading.value.save_as(tmp_path / "again.urdf")
-    again = kindsl.parse(written_kindsl(read_urdf(tmp_path / "again.urdf")).text)
+    content = (tmp_path / "again.urdf").read_bytes()
+    again = kindsl.parse(written_kindsl(robot_of_urdf(content, "robot")).text)
     found = compared(kindsl.parse(tab.text()), again)
     assert found.difference is not None and found.difference.is_empty
     message = tab.page.locator("#message")

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from tests.fuzz.conversions import check_reading
 
+from kindsl.robots.interchange.format import ReadingChoices
 from kindsl.robots.interchange.mjcf.mjcf_reading import read_mjcf
 
 
@@ -16,4 +17,4 @@ def one_input(data: bytes) -> None:
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, "robot.xml")
         file.write_bytes(data)
-        check_reading(lambda is_floating: read_mjcf(file, floating=is_floating))
+        check_reading(lambda is_floating: read_mjcf(file, ReadingChoices(is_floating)))

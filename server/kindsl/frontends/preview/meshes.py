@@ -14,7 +14,7 @@ from kindsl.robots.comparison.features import AxisLine, lines_apart
 from kindsl.robots.comparison.mechanical import MechanicalComparison, compared_mechanics
 from kindsl.robots.comparison.restated import body_frame, restated
 from kindsl.robots.comparison.twins import TwinFile
-from kindsl.robots.interchange.format import FormatError
+from kindsl.robots.interchange.format import FormatError, ReadingChoices
 from kindsl.robots.interchange.mesh_files import MeshFile, mesh_file, package_of
 from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
 from kindsl.robots.interchange.urdf.visuals import LinkVisual, visuals_of_urdf
@@ -99,7 +99,8 @@ def link_meshes(
     ours = described_document("here", model, values, skeleton)
     try:
         content = source.path.read_bytes()
-        read = robot_of_urdf(content, source.name, floating=ours.skeleton.is_floating)
+        choices = ReadingChoices(floating=ours.skeleton.is_floating)
+        read = robot_of_urdf(content, source.name, choices)
         visuals = visuals_of_urdf(content)
     except FormatError as error:
         return _nothing(source, str(error))

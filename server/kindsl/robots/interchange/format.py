@@ -1,9 +1,10 @@
 """A format of other tools: its name, its reader, its writer."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from importlib import import_module
 from pathlib import Path
 from types import MappingProxyType
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kindsl.language.text.phrases import alternatives, counted
 from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY
@@ -150,6 +151,13 @@ def gravity_dropped(gravity: Sequence[float]) -> str:
 Reader = Callable[[Path, ReadingChoices], ReadRobot]
 Parser = Callable[[bytes | str, str, ReadingChoices], ReadRobot]
 Writer = Callable[[str, "Linkage", WritingChoices], WrittenRobot]
+
+
+def lazily(function: str) -> Any:
+    """Return what calls a function of this folder, `module:name`, which is loaded only then."""
+    module, _, name = function.partition(":")
+    folder = __name__.rpartition(".")[0]
+    return lambda *args: getattr(import_module(f"{folder}.{module}"), name)(*args)
 
 
 def file_reader(parse: Parser) -> Reader:

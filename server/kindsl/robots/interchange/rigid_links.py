@@ -4,7 +4,7 @@ In a linkage joints turn about z or slide along it, and no joint is fixed: link 
 turned with their joints, and what is fixed to a link becomes a frame and a mass of it.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -51,6 +51,27 @@ class RigidLink:
     frames: tuple[tuple[str, RigidPose], ...] = ()
 
 
+def robot_of_links(
+    name: str, base: BaseKind, links: Sequence[RigidLink], title: str, noun: str = "link"
+) -> tuple[Linkage, tuple[str, ...]]:
+    """Return the robot whose links these are, and notes on links and frames that are none there.
+
+    Args:
+        name: The robot's name.
+        base: Whether the root is free to move.
+        links: As `linkage_of_links` takes them.
+        title: The name of the format.
+        noun: What it calls a link.
+
+    Raises:
+        FormatError: No joint moves, or a number is not finite, or beyond all measure.
+    """
+    if all(link.joint_kind in ("", "fixed") for link in links):
+        raise FormatError(f"the {title} has no joint that moves, and a document needs one")
+    robot = linkage_of_links(name, base, links)
+    return robot, (*_root_remarks(links[0], base), *_fixed_remarks(links, noun, robot))
+
+
 def linkage_of_links(name: str, base: BaseKind, links: Sequence[RigidLink]) -> Linkage:
     """Return the robot whose links these are, each subtree together.
 
@@ -88,7 +109,7 @@ def linkage_of_links(name: str, base: BaseKind, links: Sequence[RigidLink]) -> L
     return Linkage(tuple(whole), base == "floating", name)
 
 
-def fixed_remarks(links: Sequence[RigidLink], noun: str, robot: Linkage) -> Iterator[str]:
+def _fixed_remarks(links: Sequence[RigidLink], noun: str, robot: Linkage) -> Iterator[str]:
     """Yield what became of links that do not move by themselves, and which have no mass."""
     parts = (part for body in robot.bodies for part in body.parts)
     merged = {part.name for part in parts if part.is_link and part.is_in_place}
@@ -106,12 +127,7 @@ def fixed_remarks(links: Sequence[RigidLink], noun: str, robot: Linkage) -> Iter
             yield f"the {noun} '{link.name}' has no inertia"
 
 
-def moves(links: Iterable[RigidLink]) -> bool:
-    """Return whether any joint moves, as a document needs one that does."""
-    return any(link.joint_kind in ("revolute", "prismatic") for link in links)
-
-
-def root_remarks(root: RigidLink, base: BaseKind) -> Iterator[str]:
+def _root_remarks(root: RigidLink, base: BaseKind) -> Iterator[str]:
     """Yield what became of the root's pose in the world."""
     pose = root.parent_T_joint
     if base == "fixed" and pose != IDENTITY:

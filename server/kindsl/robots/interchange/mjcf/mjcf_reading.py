@@ -11,7 +11,7 @@ from kindsl.language.semantics.parameters import JointProperties
 from kindsl.language.text.phrases import listed
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3
-from kindsl.robots.interchange.format import FormatError, ReadRobot, told_joints
+from kindsl.robots.interchange.format import FormatError, ReadingChoices, ReadRobot, told_joints
 from kindsl.robots.interchange.mjcf.compiling import compiled, spec_of_file
 from kindsl.robots.interchange.mjcf.losses import (
     check_joints,
@@ -21,15 +21,7 @@ from kindsl.robots.interchange.mjcf.losses import (
     strip,
 )
 from kindsl.robots.interchange.mjcf.numbers import numbers_of_mjcf
-from kindsl.robots.interchange.rigid_links import (
-    BaseKind,
-    RigidLink,
-    about_origin,
-    fixed_remarks,
-    linkage_of_links,
-    moves,
-    root_remarks,
-)
+from kindsl.robots.interchange.rigid_links import BaseKind, RigidLink, about_origin, robot_of_links
 
 _WORLD = 0
 _FREE, _SLIDE = 0, 2
@@ -37,12 +29,12 @@ _FREE, _SLIDE = 0, 2
 _DUST = 3e-14
 
 
-def read_mjcf(path: Path, *, floating: bool) -> ReadRobot:
+def read_mjcf(path: Path, choices: ReadingChoices) -> ReadRobot:
     """Return the robot of an MJCF file.
 
     Args:
         path: The file, which may include others. Meshes are read where masses come from them.
-        floating: Whether the root floats, free joint or not.
+        choices: Whether the root floats, free joint or not.
 
     Raises:
         FormatError: The file is unreadable or beyond the Kinematics-DSL.
@@ -50,7 +42,7 @@ def read_mjcf(path: Path, *, floating: bool) -> ReadRobot:
         ModuleNotFoundError: mujoco is not installed.
     """
     try:
-        read = _read(spec_of_file(path), path.stem, floating)
+        read = _read(spec_of_file(path), path.stem, choices.floating)
         return read._replace(find_numbers=lambda: numbers_of_mjcf(path.read_bytes()))
     except UnicodeDecodeError as error:
         raise FormatError("not a readable MJCF: a name in it is not UTF-8") from error
@@ -64,16 +56,13 @@ def _read(spec: Any, name: str, floating: bool) -> ReadRobot:
     roots, outside = _roots(model)
     base: BaseKind = "floating" if floating or _is_free(model, roots[0]) else "fixed"
     links = _links(model, roots, base)
-    if not moves(links):
-        raise FormatError("the MJCF has no joint that moves, and a document needs one")
-    robot = linkage_of_links(spec.modelname or name, base, links)
+    robot, moved = robot_of_links(spec.modelname or name, base, links, "MJCF", "body")
     told = (
         *physics_losses(model),
         *joint_losses(model),
         *outside,
-        *root_remarks(links[0], base),
         *_joint_remarks(model),
-        *fixed_remarks(links, "body", robot),
+        *moved,
     )
     joints = [joint for joint in range(model.njnt) if model.jnt_type[joint] != _FREE]
     own = told_joints((_joint_name(model, joint), _properties(model, joint)) for joint in joints)

@@ -7,6 +7,7 @@ from kindsl.language.text.phrases import counted
 from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY
 from kindsl.robots.interchange.format import gravity_dropped, mimic_dropped
 from kindsl.robots.interchange.sdf.elements import is_true, name_of, numbers_in
+from kindsl.robots.interchange.xml_terms import drawings_dropped
 
 _ELSEWHERE = (
     ("plugin", "plugin"),
@@ -31,28 +32,20 @@ def world_losses(root: Any) -> Iterator[str]:
 def losses(model: Any) -> Iterator[str]:
     """Yield what is dropped."""
     links, joints = model.findall("link"), model.findall("joint")
-    drawn = sum(
-        link.find("visual") is not None or link.find("collision") is not None for link in links
-    )
-    if drawn:
-        yield f"visuals and collisions of {counted(drawn, 'link')} dropped"
-    if n_sprung := sum(
-        joint.find("axis/dynamics/spring_stiffness") is not None for joint in joints
-    ):
-        yield f"springs of {counted(n_sprung, 'joint')} dropped: not supported"
+    yield from drawings_dropped(model)
+    if n := len(model.findall("joint/axis/dynamics[spring_stiffness]")):
+        yield f"springs of {counted(n, 'joint')} dropped: not supported"
     if is_true(model, "static") and any(joint.get("type") != "fixed" for joint in joints):
         yield "the model is static: its joints can move here"
     if n := sum(
         (link.findtext("gravity") or "").strip().lower() in ("0", "false") for link in links
     ):
         yield f"gravity, which {counted(n, 'link')} did without, acts on all links"
-    if n := sum(link.find("inertial/fluid_added_mass") is not None for link in links):
+    if n := len(model.findall("link/inertial[fluid_added_mass]")):
         yield f"added mass of the fluid around {counted(n, 'link')} dropped: not supported"
     for joint in joints:
-        mimic = joint.find("axis/mimic")
-        if mimic is not None:
-            other = mimic.get("joint") or "?"
-            yield mimic_dropped(name_of(joint), other)
+        for mimic in joint.findall("axis/mimic")[:1]:
+            yield mimic_dropped(name_of(joint), mimic.get("joint") or "?")
     for tag, noun in _ELSEWHERE:
         if n := sum(1 for _ in model.iter(tag)):
             yield f"{counted(n, noun)} dropped: not supported"

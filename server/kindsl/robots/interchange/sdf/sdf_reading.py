@@ -9,16 +9,14 @@ from typing import Any
 from kindsl.language.text.phrases import listed
 from kindsl.mechanics.rigid.body import MassDistribution, Symmetric
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3
-from kindsl.robots.interchange.format import FormatError, ReadRobot, told_joints
-from kindsl.robots.interchange.rigid_links import (
-    BaseKind,
-    RigidLink,
-    about_origin,
-    fixed_remarks,
-    linkage_of_links,
-    moves,
-    root_remarks,
+from kindsl.robots.interchange.format import (
+    AS_WRITTEN,
+    FormatError,
+    ReadingChoices,
+    ReadRobot,
+    told_joints,
 )
+from kindsl.robots.interchange.rigid_links import BaseKind, RigidLink, about_origin, robot_of_links
 from kindsl.robots.interchange.sdf.elements import (
     defect,
     is_true,
@@ -30,7 +28,7 @@ from kindsl.robots.interchange.sdf.elements import (
     text_of,
 )
 from kindsl.robots.interchange.sdf.frame_graph import MODEL, WORLD, FrameGraph, reference_of
-from kindsl.robots.interchange.sdf.including import include, not_found
+from kindsl.robots.interchange.sdf.including import include, not_found, searched_folders
 from kindsl.robots.interchange.sdf.joint_properties import joint_properties
 from kindsl.robots.interchange.sdf.losses import losses, world_losses
 from kindsl.robots.interchange.sdf.nesting import flatten
@@ -41,15 +39,24 @@ _Z = (0.0, 0.0, 1.0)
 _UNIT: Symmetric = (1.0, 1.0, 1.0, 0.0, 0.0, 0.0)
 
 
+def read_sdf(path: Path, choices: ReadingChoices) -> ReadRobot:
+    """Return the robot of an SDF file, with the models that it includes."""
+    searched = searched_folders(path, choices.model_paths)
+    return robot_of_sdf(path.read_bytes(), path.stem, choices, searched)
+
+
 def robot_of_sdf(
-    text: bytes | str, name: str, *, floating: bool = False, searched: Sequence[Path] = ()
+    text: bytes | str,
+    name: str,
+    choices: ReadingChoices = AS_WRITTEN,
+    searched: Sequence[Path] = (),
 ) -> ReadRobot:
     """Return the robot of an SDF's text.
 
     Args:
         text: As in the file.
         name: Not needed: a model has a name.
-        floating: Whether the root floats though it is fixed to the world.
+        choices: Whether the root floats though it is fixed to the world.
         searched: Folders of the models that it includes.
 
     Raises:
@@ -63,18 +70,15 @@ def robot_of_sdf(
     graph = FrameGraph(model, root.get("version") or "")
     joints = _joints_by_child(model, graph)
     start, is_fixed = _root(model, graph, joints)
-    base: BaseKind = "fixed" if is_fixed and not floating else "floating"
+    base: BaseKind = "fixed" if is_fixed and not choices.floating else "floating"
     links = _links(model, graph, joints, start, base)
-    if not moves(links):
-        raise FormatError("the SDF has no joint that moves, and a document needs one")
-    robot = linkage_of_links(name_of(model), base, links)
+    robot, moved = robot_of_links(name_of(model), base, links, "SDF")
     told = (
         *others,
         *world_losses(root),
         *losses(model),
         *_default_masses(model, start, base),
-        *root_remarks(links[0], base),
-        *fixed_remarks(links, "link", robot),
+        *moved,
     )
     own = ((name_of(joint), joint_properties(joint)) for joint in model.iterfind("joint"))
     numbers = partial(numbers_of_sdf, text)

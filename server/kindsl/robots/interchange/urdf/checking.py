@@ -16,25 +16,6 @@ from kindsl.robots.interchange.xml_terms import TENSOR
 WORLD = "world"
 _TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
 _SYNTAX, _NUMBER = "KD001", "KD005"
-_ELSEWHERE = (("transmission", "transmission"), ("gazebo", "Gazebo extension"))
-
-
-class UrdfError(FormatError):
-    """The file is not a URDF, or describes a robot that the Kinematics-DSL does not support."""
-
-
-class Remarkable(NamedTuple):
-    """Parts of a URDF beyond poses and masses.
-
-    Attributes:
-        mimics: Pairs of a joint and the joint that it follows.
-        n_drawn: How many links have visuals or collisions.
-        elsewhere: Nouns, and how many elements are meant for some programs only.
-    """
-
-    mimics: tuple[tuple[str, str], ...]
-    n_drawn: int
-    elsewhere: tuple[tuple[str, int], ...]
 
 
 class UrdfDefect(NamedTuple):
@@ -58,32 +39,32 @@ class UrdfDefect(NamedTuple):
         return f"<{_name_of(self.element)}> {self.what}"
 
 
-def checked(content: bytes | str) -> tuple[XmlElement, Remarkable]:
+def checked(content: bytes | str) -> XmlElement:
     """Return the root element of a URDF whose tree, poses and masses are sound.
 
     Raises:
-        UrdfError: It is not well-formed, not a tree, or has a number that is none.
+        FormatError: It is not well-formed, not a tree, or has a number that is none.
     """
     try:
         robot = parsed_xml(content)
     except XmlError as error:
-        raise UrdfError(f"not a readable URDF: {error}") from error
+        raise FormatError(f"not a readable URDF: {error}") from error
     if robot.tag != "robot":
-        raise UrdfError(f"not a URDF: its root element is <{_name_of(robot)}>, not <robot>")
+        raise FormatError(f"not a URDF: its root element is <{_name_of(robot)}>, not <robot>")
     joints = robot.findall("joint")
     _add_world(robot, joints)
     links = robot.findall("link")
     for defect in defects(robot):
         raise _error(defect.element, defect.what)
     if not links:
-        raise UrdfError("the URDF has no link")
+        raise FormatError("the URDF has no link")
     roots = root_links(links, joints)
     if len(roots) != 1:
         told = ", ".join(f"'{name}'" for name in roots[:5]) + (", ..." if len(roots) > 5 else "")
-        raise UrdfError(
+        raise FormatError(
             f"the URDF has {len(roots)} root links, exactly one root link is required: {told}"
         )
-    return robot, _remarkable(robot, links, joints)
+    return robot
 
 
 def _add_world(robot: XmlElement, joints: list[Any]) -> None:
@@ -183,7 +164,7 @@ def _of_origin(parent: Any) -> Iterator[UrdfDefect]:
         if origin.get("quat_xyzw") is not None:
             try:
                 rotation_of(origin)
-            except UrdfError as error:
+            except FormatError as error:
                 what = str(error).partition("> ")[2]
                 yield UrdfDefect(_NUMBER, origin, what, "quat_xyzw")
 
@@ -249,19 +230,6 @@ def _of_numbers(element: Any, name: str, count: int) -> Iterator[UrdfDefect]:
             yield UrdfDefect(_NUMBER, element, what, name)
 
 
-def _remarkable(robot: Any, links: list[Any], joints: list[Any]) -> Remarkable:
-    drawn = sum(_has(link, "visual") or _has(link, "collision") for link in links)
-    mimicking = ((j.get("name"), j.find("mimic")) for j in joints)
-    mimics = [(name, m.get("joint") or "?") for name, m in mimicking if m is not None]
-    counts = ((noun, len(robot.findall(tag))) for tag, noun in _ELSEWHERE)
-    elsewhere = tuple((noun, number) for noun, number in counts if number)
-    return Remarkable(tuple(mimics), drawn, elsewhere)
-
-
-def _has(element: Any, tag: str) -> bool:
-    return element.find(tag) is not None
-
-
 def numbers_of(element: Any, name: str, count: int) -> list[float]:
     """Return the finite numbers of an attribute, or raise where there are more or fewer."""
     for defect in _of_numbers(element, name, count):
@@ -279,8 +247,8 @@ def rotation_of(origin: Any) -> Rotation:
     return rotation
 
 
-def _error(element: Any, what: str) -> UrdfError:
-    return UrdfError(f"line {element.sourceline}: <{_name_of(element)}> {what}")
+def _error(element: Any, what: str) -> FormatError:
+    return FormatError(f"line {element.sourceline}: <{_name_of(element)}> {what}")
 
 
 def _name_of(element: Any) -> str:

@@ -14,11 +14,11 @@ from kindsl.language.semantics.places import Place
 from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.rigid.pose import IDENTITY
+from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.robot_island import RobotIsland
 from kindsl.robots.interchange.urdf.checking import (
     WORLD,
     UrdfDefect,
-    UrdfError,
     defects,
     end_of,
     root_links,
@@ -82,7 +82,7 @@ class UrdfIsland(RobotIsland):
         if origin is not None and origin.get("quat_xyzw") is not None:
             try:
                 turn = rotation_of(origin)
-            except UrdfError:
+            except FormatError:
                 turn = IDENTITY.rotation
             return self.turned_pose(origin, self.numbers(origin, "xyz"), turn)
         vectors = []

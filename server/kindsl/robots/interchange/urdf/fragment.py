@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 from xml.sax.saxutils import quoteattr
 
-from kindsl.robots.interchange.urdf.checking import UrdfError
+from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
 from kindsl.robots.interchange.xml_reading import XmlError, parsed_xml
 from kindsl.robots.mechanism.linkage import RigidBody
@@ -40,7 +40,7 @@ def fragment_of_urdf(text: str) -> Fragment:
     A joint's axis becomes z; the frames of what it carries turn with it.
 
     Raises:
-        UrdfError: It is not readable, or one of them is beyond the language.
+        FormatError: It is not readable, or one of them is beyond the language.
     """
     inner = _PROLOGUE.sub(lambda m: re.sub(r"[^\n]", " ", m[0]), text)
     robot = _parsed(f"<robot>{inner}</robot>")
@@ -68,7 +68,7 @@ def _parsed(text: str) -> Any:
     try:
         return parsed_xml(text)
     except XmlError as error:
-        raise UrdfError(str(error)) from error
+        raise FormatError(str(error)) from error
 
 
 def _names(robot: Any, kind: str) -> list[str]:

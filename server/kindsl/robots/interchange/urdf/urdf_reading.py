@@ -3,7 +3,6 @@
 import re
 from collections.abc import Iterator
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 from kindsl.language.semantics.parameters import JointProperties
@@ -16,20 +15,17 @@ from kindsl.mechanics.rigid.pose import (
     meant_angle,
     pose_from_fixed_axes,
 )
-from kindsl.robots.interchange.format import ReadRobot, mimic_dropped, told_joints
-from kindsl.robots.interchange.rigid_links import (
-    BaseKind,
-    RigidLink,
-    about_origin,
-    fixed_remarks,
-    linkage_of_links,
-    moves,
-    root_remarks,
+from kindsl.robots.interchange.format import (
+    AS_WRITTEN,
+    FormatError,
+    ReadingChoices,
+    ReadRobot,
+    mimic_dropped,
+    told_joints,
 )
+from kindsl.robots.interchange.rigid_links import BaseKind, RigidLink, about_origin, robot_of_links
 from kindsl.robots.interchange.urdf.checking import (
     WORLD,
-    Remarkable,
-    UrdfError,
     checked,
     end_of,
     numbers_of,
@@ -37,37 +33,26 @@ from kindsl.robots.interchange.urdf.checking import (
 )
 from kindsl.robots.interchange.urdf.commenting import comments_of
 from kindsl.robots.interchange.urdf.numbers import numbers_of_urdf
-from kindsl.robots.interchange.xml_terms import JOINT_KINDS, TENSOR
+from kindsl.robots.interchange.xml_terms import JOINT_KINDS, TENSOR, drawings_dropped
 from kindsl.robots.mechanism.linkage import Linkage
-
-__all__ = ["UrdfError", "read_urdf", "robot_of_urdf"]
 
 _OF_LEGS = re.compile(r"(?<![a-z])(foot|feet|leg|ankle|knee|thigh|calf|shank|toe)(?![a-z])", re.I)
 _USUAL_AXIS = (1.0, 0.0, 0.0)
+_ELSEWHERE = (("transmission", "transmission"), ("gazebo", "Gazebo extension"))
 
 
-def read_urdf(path: Path, *, floating: bool = False) -> ReadRobot:
-    """Return the robot of a URDF file.
+def robot_of_urdf(text: bytes | str, name: str, choices: ReadingChoices = AS_WRITTEN) -> ReadRobot:
+    """Return the robot of a URDF's text.
 
     Args:
-        path: The file. Meshes are not read.
-        floating: Whether the root link floats.
+        text: As in the file. Meshes are not read.
+        name: The name of a robot without one.
+        choices: Whether the root link floats.
 
     Raises:
-        UrdfError: The file is unreadable or beyond the Kinematics-DSL.
+        FormatError: The text is unreadable or beyond the Kinematics-DSL.
     """
-    return robot_of_urdf(path.read_bytes(), path.stem, floating=floating)
-
-
-def robot_of_urdf(text: bytes | str, name: str, *, floating: bool = False) -> ReadRobot:
-    """Return the robot of a URDF's text; see `read_urdf`.
-
-    Args:
-        text: As in the file.
-        name: The name of a robot without one.
-        floating: Whether the root link floats.
-    """
-    robot, remarkable = checked(text)
+    robot, floating = checked(text), choices.floating
     joints = robot.findall("joint")
     children: dict[str, list[Any]] = {}
     for joint in joints:
@@ -83,13 +68,10 @@ def robot_of_urdf(text: bytes | str, name: str, *, floating: bool = False) -> Re
         first, floating = _floating(below[0], bodies), True
         lost, tells_base = (f"the link '{root}', which does not move, dropped",), True
     links = _links(first, children, bodies)
-    if not moves(links):
-        raise UrdfError("the URDF has no joint that moves, and a document needs one")
     base: BaseKind = "floating" if floating else "fixed"
-    read = linkage_of_links(robot.get("name") or name, base, links)
-    roots = (*lost, *root_remarks(links[0], base))
+    read, moved = robot_of_links(robot.get("name") or name, base, links, "URDF")
     legs = _legged_remarks(read) if base == "fixed" and root != WORLD else ()
-    remarks = (*_remarks(remarkable), *roots, *legs, *fixed_remarks(links, "link", read))
+    remarks = (*_remarks(robot), *lost, *legs, *moved)
     moving = (joint for joint in joints if joint.get("type") not in ("fixed", "floating"))
     told = told_joints((str(joint.get("name")), _properties(joint)) for joint in moving)
     numbers = partial(numbers_of_urdf, text)
@@ -144,7 +126,7 @@ def _links(
 def _carried(joint: Any, parent: int, bodies: dict[str, MassDistribution | None]) -> RigidLink:
     name, kind = str(joint.get("name")), joint.get("type")
     if kind not in JOINT_KINDS:
-        raise UrdfError(f"the joint '{name}' is {kind}, which the language does not support")
+        raise FormatError(f"the joint '{name}' is {kind}, which the language does not support")
     child = end_of(joint, "child")
     told = None if kind == "fixed" else joint.find("axis")
     axis = _triple(told, "xyz", _USUAL_AXIS)
@@ -187,10 +169,10 @@ def _triple(element: Any, name: str, default: Vector3) -> Vector3:
     return x, y, z
 
 
-def _remarks(found: Remarkable) -> Iterator[str]:
-    if found.n_drawn:
-        yield f"visuals and collisions of {counted(found.n_drawn, 'link')} dropped"
-    for noun, number in found.elsewhere:
-        yield f"{counted(number, noun)} dropped: not supported"
-    for joint, other in found.mimics:
-        yield mimic_dropped(joint, other)
+def _remarks(robot: Any) -> Iterator[str]:
+    yield from drawings_dropped(robot)
+    for tag, noun in _ELSEWHERE:
+        if number := len(robot.findall(tag)):
+            yield f"{counted(number, noun)} dropped: not supported"
+    for joint in robot.iterfind("joint[mimic]"):
+        yield mimic_dropped(str(joint.get("name")), joint.find("mimic").get("joint") or "?")

@@ -4,7 +4,8 @@ from collections.abc import Iterator
 from typing import Any, Literal, NamedTuple
 
 from kindsl.mechanics.rigid.pose import RigidPose
-from kindsl.robots.interchange.urdf.checking import UrdfError, checked, numbers_of
+from kindsl.robots.interchange.format import FormatError
+from kindsl.robots.interchange.urdf.checking import checked, numbers_of
 from kindsl.robots.interchange.urdf.urdf_reading import pose_of_origin
 
 Form = Literal["mesh", "box", "cylinder", "sphere"]
@@ -38,12 +39,10 @@ def visuals_of_urdf(content: bytes | str) -> list[LinkVisual]:
     """Return the visuals of a URDF; one whose numbers are none is left out.
 
     Raises:
-        UrdfError: It is no URDF.
+        FormatError: It is no URDF.
     """
-    robot, _ = checked(content)
-    visuals = (
-        (link, visual) for link in robot.findall("link") for visual in link.findall("visual")
-    )
+    links = checked(content).findall("link")
+    visuals = ((link, visual) for link in links for visual in link.findall("visual"))
     return [found for link, visual in visuals for found in _read(str(link.get("name")), visual)]
 
 
@@ -57,7 +56,7 @@ def _read(link: str, visual: Any) -> Iterator[LinkVisual]:
                 numbers = (numbers_of(shape, *size) for size in _SIZES[shape.tag])
                 size = tuple(value for group in numbers for value in group)
                 yield LinkVisual(link, pose, shape.tag, size)
-    except UrdfError:
+    except FormatError:
         return
 
 

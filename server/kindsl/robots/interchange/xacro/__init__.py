@@ -16,7 +16,7 @@ def _read(path: Path, choices: ReadingChoices) -> ReadRobot:
     from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
     from kindsl.robots.interchange.xacro.expansion import expanded
 
-    read = robot_of_urdf(expanded(path, choices), path.stem, floating=choices.floating)
+    read = robot_of_urdf(expanded(path, choices), path.stem, choices)
     return read._replace(remarks=(_EVALUATED, *read.remarks), find_numbers=None)
 
 
