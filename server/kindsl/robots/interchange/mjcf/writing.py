@@ -1,4 +1,4 @@
-"""Numbered bodies to MJCF: bodies in bodies, frames as sites, full inertia.
+"""A robot to MJCF: bodies in bodies, frames as sites, full inertia.
 
 MuJoCo's own writer keeps six digits, too few for the same mechanics; so elements are written here,
 and MuJoCo reads them again before anybody else does.
@@ -7,13 +7,14 @@ and MuJoCo reads them again before anybody else does.
 from collections.abc import Iterator, Sequence
 from xml.etree.ElementTree import Element
 
-import numpy as np
-
 from kindsl.language.semantics.parameters import UNTOLD, JointProperties
-from kindsl.mechanics.dynamics.bodies import Bodies
-from kindsl.mechanics.rigid.body import ROUNDING_OF_MOMENTS
-from kindsl.mechanics.spatial.arrays import Array
-from kindsl.mechanics.spatial.inertia import point_inertia
+from kindsl.mechanics.rigid.body import (
+    ROUNDING_OF_MOMENTS,
+    MassDistribution,
+    principal_moments_about_com,
+    shifted,
+)
+from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
 from kindsl.robots.interchange.format import (
     ORDINARY,
     WritingChoices,
@@ -21,8 +22,7 @@ from kindsl.robots.interchange.format import (
     fixed_base_dropped,
 )
 from kindsl.robots.interchange.mjcf.compiling import checked_text
-from kindsl.robots.interchange.xml_writing import added, document_text, numbers
-from kindsl.robots.mechanism.bodies import bodies_of
+from kindsl.robots.interchange.xml_writing import added, document_text, numbers, quaternion
 from kindsl.robots.mechanism.linkage import Linkage
 
 WORLD = "world"
@@ -52,58 +52,48 @@ def written_mjcf(name: str, skeleton: Linkage, choices: WritingChoices = ORDINAR
     """
     import mujoco  # noqa: F401
 
-    bodies = bodies_of(skeleton)
     root = Element("mujoco", {"model": name})
     added(root, "compiler", angle="radian", autolimits="true", balanceinertia="false")
-    elements = [_base(added(root, "worldbody"), bodies)]
-    for link, parent in bodies.links():
-        elements.append(_link(elements[parent], bodies, link, choices))
-    bodies_that_move = range(0 if bodies.is_floating else 1, bodies.n_links + 1)
-    for body in bodies_that_move:
-        elements[body].insert(0, Element("inertial", _inertial(bodies, body)))
-    for frame in bodies.frames:
-        pose = _pose(frame.body_R_frame, frame.body_r_frame)
-        added(elements[frame.body], "site", name=frame.name, **pose)
+    elements = [_base(added(root, "worldbody"), skeleton)]
+    for link, parent in skeleton.links():
+        elements.append(_link(elements[parent], skeleton, link, choices))
+    bodies = list(zip(skeleton.body_names, skeleton.masses, elements, strict=True))
+    bodies_that_move = bodies if skeleton.is_floating else bodies[1:]
+    for _, mass, element in bodies_that_move:
+        element.insert(0, Element("inertial", _inertial(mass)))
+    for frame in skeleton.frames:
+        added(elements[frame.body], "site", name=frame.name, **_pose(frame.pose))
     text = document_text(root)
-    impossible = [body for body in bodies_that_move if _is_impossible(bodies, body)]
-    refused = [_impossible(bodies, body) for body in impossible]
+    refused = [_impossible(n, mass) for n, mass, _ in bodies_that_move if _is_impossible(mass)]
     if not refused:
         checked_text(text)
-    dropped = fixed_base_dropped(bodies.base_name, choices)
-    return WrittenRobot(text, (*_remarks(bodies), *dropped, *_mass_remarks(bodies), *refused))
+    dropped = fixed_base_dropped(skeleton.base_name, choices)
+    return WrittenRobot(text, (*_remarks(skeleton), *dropped, *_mass_remarks(skeleton), *refused))
 
 
-def _base(world: Element, bodies: Bodies) -> Element:
-    if not bodies.is_floating and bodies.base_name == WORLD:
+def _base(world: Element, skeleton: Linkage) -> Element:
+    if not skeleton.is_floating and skeleton.base_name == WORLD:
         return world
-    base = added(world, "body", name=_name(bodies, 0))
-    if bodies.is_floating:
+    base = added(world, "body", name=_name(skeleton, 0))
+    if skeleton.is_floating:
         added(base, "freejoint")
     return base
 
 
-def _name(bodies: Bodies, body: int) -> str:
+def _name(skeleton: Linkage, body: int) -> str:
     """Return a body's name, another one where that is the name of MuJoCo's world."""
-    names = bodies.base_name, *bodies.link_names
-    return names[body] if names[body] != WORLD else _free_name(names)
-
-
-def _free_name(names: Sequence[str]) -> str:
-    name = f"{WORLD}_"
-    while name in names:
-        name += "_"
+    names = skeleton.body_names
+    if (name := names[body]) == WORLD:
+        while name in names:
+            name += "_"
     return name
 
 
-def _link(parent: Element, bodies: Bodies, link: int, choices: WritingChoices) -> Element:
-    i = link - 1
-    pose = _pose(bodies.p_R_j[i], bodies.p_r_j[i])
-    body = added(parent, "body", name=_name(bodies, link), **pose)
-    kind = _TYPES[bodies.joint_kinds[i]]
-    name = bodies.joint_names[i]
-    added(
-        body, "joint", name=name, type=kind, axis="0 0 1", **_told(choices.joints.get(name, UNTOLD))
-    )
+def _link(parent: Element, skeleton: Linkage, link: int, choices: WritingChoices) -> Element:
+    own = skeleton.bodies[link]
+    body = added(parent, "body", name=_name(skeleton, link), **_pose(own.placement))
+    told = _told(choices.joints.get(own.joint, UNTOLD))
+    added(body, "joint", name=own.joint, type=_TYPES[own.kind], axis="0 0 1", **told)
     return body
 
 
@@ -122,64 +112,51 @@ def _told(own: JointProperties) -> dict[str, str]:
     return {name: numbers(values) for name, values in given.items()}
 
 
-def _inertial(bodies: Bodies, body: int) -> dict[str, str]:
+def _inertial(body: MassDistribution) -> dict[str, str]:
     """Return the attributes of a body's inertia, as much more of it as MuJoCo requires."""
-    I = _about_com(bodies, body)  # noqa: E741
-    missing = 0.0 if _is_impossible(bodies, body) else _missing(I)
-    I = I + (missing + DUST if missing else 0.0) * np.eye(3)  # noqa: E741
-    moments = [I[0, 0], I[1, 1], I[2, 2], I[0, 1], I[0, 2], I[1, 2]]
-    mass = float(bodies.masses[body])
+    missing = 0.0 if _is_impossible(body) else _missing(body)
+    more = missing + DUST if missing else 0.0
+    xx, yy, zz, xy, xz, yz = shifted(body, -1.0).moments
     return {
-        "pos": numbers(bodies.coms[body]),
-        "mass": numbers([mass if mass < 0.0 else max(mass, DUST)]),
-        "fullinertia": numbers(moments),
+        "pos": numbers(body.com),
+        "mass": numbers([body.mass if body.mass < 0.0 else max(body.mass, DUST)]),
+        "fullinertia": numbers((xx + more, yy + more, zz + more, -xy, -xz, -yz)),
     }
 
 
-def _is_impossible(bodies: Bodies, body: int) -> bool:
+def _is_impossible(body: MassDistribution) -> bool:
     """Return whether a body that moves has an inertia that MuJoCo refuses."""
-    I = _about_com(bodies, body)  # noqa: E741
-    allowed = 2.0 * _LEAST + ROUNDING_OF_MOMENTS * abs(np.linalg.eigvalsh(I)[2])
-    return bool(_missing(I) > allowed or bodies.masses[body] < 0.0)
+    allowed = 2.0 * _LEAST + ROUNDING_OF_MOMENTS * abs(principal_moments_about_com(body)[2])
+    return _missing(body) > allowed or body.mass < 0.0
 
 
-def _missing(I: Array) -> float:  # noqa: E741
+def _missing(body: MassDistribution) -> float:
     """Return how much is missing of each principal moment, kg m^2, by what MuJoCo requires."""
-    lowest, middle, highest = np.linalg.eigvalsh(I)
-    return float(max(_LEAST - lowest, highest - lowest - middle, 0.0))
+    lowest, middle, highest = principal_moments_about_com(body)
+    return max(_LEAST - lowest, highest - lowest - middle, 0.0)
 
 
-def _about_com(bodies: Bodies, body: int) -> Array:
-    at_com = point_inertia(bodies.masses[body], bodies.coms[body])
-    return np.asarray(bodies.inertias[body] - at_com)
+def _pose(pose: RigidPose) -> dict[str, str]:
+    x, y, z, w = quaternion(pose.rotation)
+    turned = {} if pose.rotation == IDENTITY.rotation else {"quat": numbers((w, x, y, z))}
+    return {**({"pos": numbers(pose.translation)} if any(pose.translation) else {}), **turned}
 
 
-def _pose(R: Array, r: Array) -> dict[str, str]:
-    import mujoco
-
-    quaternion = np.zeros(4)
-    mujoco.mju_mat2Quat(quaternion, np.ravel(R))
-    turned = not np.array_equal(R, np.eye(3))
-    pose = {"pos": numbers(r)} if r.any() else {}
-    return pose | ({"quat": numbers(quaternion)} if turned else {})
-
-
-def _impossible(bodies: Bodies, body: int) -> str:
-    name = (bodies.base_name, *bodies.link_names)[body]
-    if bodies.masses[body] < 0.0:
+def _impossible(name: str, body: MassDistribution) -> str:
+    if body.mass < 0.0:
         return f"mass of '{name}' is negative: MuJoCo refuses the file"
     what = f"inertia of '{name}' is physically impossible: MuJoCo refuses the file"
     return f"{what}; --repair-inertia writes the nearest possible one"
 
 
-def _mass_remarks(bodies: Bodies) -> Iterator[str]:
-    for name, mass in zip(bodies.link_names, bodies.masses[1:], strict=True):
-        if not mass:
+def _mass_remarks(skeleton: Linkage) -> Iterator[str]:
+    for name, body in zip(skeleton.link_names, skeleton.masses[1:], strict=True):
+        if not body.mass:
             yield f"the link '{name}' has no mass: written with {DUST:g} kg, which MuJoCo requires"
 
 
-def _remarks(bodies: Bodies) -> Iterator[str]:
-    for body, name in enumerate((bodies.base_name, *bodies.link_names)):
-        if name == WORLD and (body or bodies.is_floating):
-            told = f"the {'link' if body else 'base'} '{WORLD}' is now '{_name(bodies, body)}'"
+def _remarks(skeleton: Linkage) -> Iterator[str]:
+    for body, name in enumerate(skeleton.body_names):
+        if name == WORLD and (body or skeleton.is_floating):
+            told = f"the {'link' if body else 'base'} '{WORLD}' is now '{_name(skeleton, body)}'"
             yield f"{told}: MuJoCo's world has that name"

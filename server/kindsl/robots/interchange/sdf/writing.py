@@ -1,7 +1,6 @@
 """A skeleton to SDF: every link at its joint, every joint in its parent link."""
 
 from collections.abc import Iterator
-from math import sqrt
 from xml.etree.ElementTree import Element
 
 from kindsl.language.semantics.parameters import UNTOLD
@@ -13,7 +12,7 @@ from kindsl.mechanics.rigid.body import (
     second_moments_about_com,
     shifted,
 )
-from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Rotation
+from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
 from kindsl.robots.interchange.format import (
     ORDINARY,
     WritingChoices,
@@ -23,7 +22,7 @@ from kindsl.robots.interchange.format import (
 )
 from kindsl.robots.interchange.sdf.frame_graph import WORLD
 from kindsl.robots.interchange.sdf.joint_properties import add_properties
-from kindsl.robots.interchange.xml_writing import added, document_text, numbers
+from kindsl.robots.interchange.xml_writing import added, document_text, numbers, quaternion
 from kindsl.robots.mechanism.linkage import Linkage
 
 # The first version whose poses may be quaternions, which keep every rotation exact.
@@ -126,25 +125,7 @@ def _add_pose(element: Element, pose: RigidPose, **reference: str) -> None:
         added(element, "pose", **reference).text = f"{position} 0 0 0"
         return
     turned = added(element, "pose", rotation_format="quat_xyzw", **reference)
-    turned.text = f"{position} {numbers(_quaternion(pose.rotation))}"
-
-
-def _quaternion(rotation: Rotation) -> list[float]:
-    """Return x, y, z, w: of the rows of `4 q q^T`, the one that is exact for this turn.
-
-    Source: Shepperd 1978, Quaternion from rotation matrix.
-    """
-    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = rotation
-    rows = (
-        (1.0 + xx - yy - zz, xy + yx, xz + zx, zy - yz),
-        (xy + yx, 1.0 - xx + yy - zz, yz + zy, xz - zx),
-        (xz + zx, yz + zy, 1.0 - xx - yy + zz, yx - xy),
-        (zy - yz, xz - zx, yx - xy, 1.0 + xx + yy + zz),
-    )
-    row = rows[max(range(4), key=lambda i: rows[i][i])]
-    length = sqrt(sum(entry * entry for entry in row))
-    side = -length if row[3] < 0.0 else length
-    return [entry / side for entry in row]
+    turned.text = f"{position} {numbers(quaternion(pose.rotation))}"
 
 
 def _refused_elsewhere(skeleton: Linkage) -> Iterator[str]:
