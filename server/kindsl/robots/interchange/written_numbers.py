@@ -1,7 +1,7 @@
 """The numbers of another format's file: what they are of, and where they stand."""
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 from kindsl.language.semantics.expressions import half_unit
@@ -10,7 +10,7 @@ from kindsl.language.text.lines import LineIndex
 from kindsl.mechanics.rigid.pose import Rotation
 from kindsl.robots.comparison.written import TextPlace, WrittenNumber
 from kindsl.robots.interchange.xml_document import XmlIsland
-from kindsl.robots.interchange.xml_reading import DECIMAL, XmlError, parsed_xml
+from kindsl.robots.interchange.xml_reading import DECIMAL, XmlElement, XmlError, parsed_xml
 
 _WORD = re.compile(r"\S+")
 
@@ -34,16 +34,37 @@ class XmlNumbers:
     """Finds numbers in the text of an XML file.
 
     Attributes:
-        root: Its root element, None where the text is not XML.
+        root: Its root element, one without anything in it where the text is not XML.
+        found: What was found, see `FileNumbers`.
     """
 
     def __init__(self, content: bytes | str) -> None:
         text = content if isinstance(content, str) else decoded(content)
         self._whole, self._lines = XmlIsland(text, None), LineIndex(text)
+        self.found: dict[tuple[str, str, str], WrittenNumber] = {}
         try:
             self.root: Any = parsed_xml(text)
         except XmlError:
-            self.root = None
+            self.root = XmlElement("")
+
+    def keep(
+        self, kind: str, owner: str, names: Sequence[str], numbers: Sequence[WrittenNumber]
+    ) -> None:
+        """Keep numbers by what they are of, where there is one for each name."""
+        if len(numbers) == len(names):
+            keys = ((kind, owner, name) for name in names)
+            self.found.update(zip(keys, numbers, strict=True))
+
+    def keep_place(
+        self, kind: str, owner: str, names: Sequence[str], numbers: Sequence[WrittenNumber]
+    ) -> None:
+        """Keep one place for all that is said there in another form; its values are not known."""
+        if numbers:
+            places = [number.at for number in numbers if isinstance(number.at, TextPlace)]
+            text = " ".join(number.text for number in numbers)
+            at = places[0]._replace(end=places[-1].end)
+            whole = WrittenNumber(text, 0.0, 0.0, at, is_implied=True)
+            self.found |= {(kind, owner, name): whole for name in names}
 
     def of_attribute(self, element: Any, name: str) -> list[WrittenNumber]:
         """Return the numbers in an attribute, none where there is no element or attribute."""
@@ -63,29 +84,8 @@ class XmlNumbers:
         return [written_number(text[a:b], TextPlace(line(a)[0] + 1, a, b)) for a, b in spans]
 
 
-def implied(
-    kind: str, owner: str, names: Sequence[str], numbers: Sequence[WrittenNumber]
-) -> Iterator[tuple[tuple[str, str, str], WrittenNumber]]:
-    """Yield one place for all that is said there in another form; its values are not known."""
-    if numbers:
-        places = [number.at for number in numbers if isinstance(number.at, TextPlace)]
-        text = " ".join(number.text for number in numbers)
-        at = places[0]._replace(end=places[-1].end)
-        for name in names:
-            yield (kind, owner, name), WrittenNumber(text, 0.0, 0.0, at, is_implied=True)
-
-
 def written_number(text: str, place: TextPlace) -> WrittenNumber:
     """Return a decimal number with its place."""
     if not DECIMAL.fullmatch(text):
         return WrittenNumber(text, float("nan"), 0.0, place)
     return WrittenNumber(text, float(text), half_unit(text), place)
-
-
-def keyed(
-    kind: str, owner: str, names: Sequence[str], numbers: Sequence[WrittenNumber]
-) -> Iterator[tuple[tuple[str, str, str], WrittenNumber]]:
-    """Yield numbers by what they are of, where there is one for each name."""
-    if len(numbers) == len(names):
-        for name, number in zip(names, numbers, strict=True):
-            yield (kind, owner, name), number
