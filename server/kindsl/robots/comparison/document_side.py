@@ -1,7 +1,6 @@
 """A document as a robot to compare: its bodies, and where its numbers stand."""
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import replace
 
 from kindsl.language.semantics.declarations import Link, Pose
 from kindsl.language.semantics.expressions import Expression
@@ -39,17 +38,19 @@ def described_document(
     bodies = {str(body.name): body for body in model.bodies}
     joints = {str(joint.name): joint for joint in model.joints}
     poses = zip(skeleton.joint_names, skeleton.placements, strict=True)
-    described = exactly_turned(
-        label,
-        skeleton,
-        tuple(_inertias(bodies[name], values) for name in skeleton.body_names),
-        tuple(_pose(name, joints[name].pose, values, pose) for name, pose in poses),
-    )
     frames = {
         name: _pose(name, frame.pose, values, IDENTITY)
         for name, _, frame in named_frames([bodies[name] for name in skeleton.body_names])
     }
-    return replace(described, frames=frames, unknown=frozenset(_unknown(model, values)))
+    described = ComparedSide(
+        label,
+        skeleton,
+        tuple(_inertias(bodies[name], values) for name in skeleton.body_names),
+        tuple(_pose(name, joints[name].pose, values, pose) for name, pose in poses),
+        frames=frames,
+        unknown=frozenset(_unknown(model, values)),
+    )
+    return exactly_turned(described)
 
 
 def _unknown(model: Model, values: Mapping[str, float]) -> Iterator[str]:
@@ -72,10 +73,8 @@ def _inertias(link: Link, values: Mapping[str, float]) -> tuple[WrittenInertia, 
         *(inertia.com.components if inertia.com is not None else ()),
         *(inertia.moments[name] for name in MOMENTS),
     )
-    written = (body.mass, *body.com, *body.moments)
-    numbers = _numbers(expressions, values)
-    turn = IDENTITY.rotation
-    return (WrittenInertia(str(link.name), pose, turn, False, 1.0, written, numbers),)
+    written, numbers = (body.mass, *body.com, *body.moments), _numbers(expressions, values)
+    return (WrittenInertia(str(link.name), written, numbers, pose),)
 
 
 def _pose(owner: str, pose: Pose, values: Mapping[str, float], known: RigidPose) -> WrittenPose:
@@ -84,7 +83,7 @@ def _pose(owner: str, pose: Pose, values: Mapping[str, float], known: RigidPose)
     if len(written) != len(POSE):
         return written_frame(owner, known)
     expressions = [component for vector in vectors for component in vector.components]
-    return WrittenPose(owner, IDENTITY, IDENTITY, True, written, _numbers(expressions, values))
+    return WrittenPose(owner, written, _numbers(expressions, values))
 
 
 def _numbers(expressions: Iterable[Expression | None], values: Mapping[str, float]) -> Numbers:

@@ -15,7 +15,6 @@ from kindsl.robots.comparison.written import (
     WrittenPose,
     is_round_angle,
     less,
-    no_inertia,
 )
 
 _ROUNDING = 1e-11
@@ -150,8 +149,8 @@ def inertia_differences(pair: Pair, body: int, bounds: Tolerances) -> list[Numbe
     if not (ours.inertias[body] or theirs.inertias[other]):
         return []
     frame = pair.alignment.frames[body]
-    mine = ours.inertias[body] or (no_inertia(ours.skeleton.body_names[body]),)
-    its = theirs.inertias[other] or (no_inertia(theirs.skeleton.body_names[other]),)
+    mine = ours.inertias[body] or (WrittenInertia(ours.skeleton.body_names[body]),)
+    its = theirs.inertias[other] or (WrittenInertia(theirs.skeleton.body_names[other]),)
     wanted = _wanted_inertia(mine, its, frame, bounds)
     if not wanted.unlike:
         return []

@@ -1,7 +1,7 @@
 """One side of a comparison: a robot, how its file writes it, and the lines of its numbers."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from kindsl.language.semantics.parameters import JointProperties
 from kindsl.language.semantics.places import Located
@@ -11,6 +11,7 @@ from kindsl.robots.comparison.written import (
     WrittenNumber,
     WrittenPose,
     with_meant_angles,
+    written_frame,
 )
 from kindsl.robots.mechanism.linkage import Linkage
 
@@ -69,14 +70,13 @@ class ComparedSide:
         return f"in {name} (line {line})"
 
 
-def exactly_turned(
-    label: str,
-    skeleton: Linkage,
-    inertias: tuple[tuple[WrittenInertia, ...], ...],
-    joints: tuple[WrittenPose, ...],
-    heavy_frames: frozenset[str] = frozenset(),
-) -> ComparedSide:
+def exactly_turned(side: ComparedSide) -> ComparedSide:
     """Return a robot whose joints stand at the angles meant: `1.5708` is a quarter turn."""
-    meant = tuple(map(with_meant_angles, joints))
-    exact = skeleton.with_placements(joint.pose() for joint in meant)
-    return ComparedSide(label, exact, inertias, meant, heavy_frames)
+    meant = tuple(map(with_meant_angles, side.joints))
+    exact = side.skeleton.with_placements(joint.pose() for joint in meant)
+    return replace(side, skeleton=exact, joints=meant)
+
+
+def written_joints(skeleton: Linkage) -> tuple[WrittenPose, ...]:
+    """Return the forms of joints that are only known as poses."""
+    return tuple(written_frame(body.joint, body.placement) for body in skeleton.bodies[1:])

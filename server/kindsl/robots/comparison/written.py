@@ -82,21 +82,25 @@ class WrittenInertia:
 
     Attributes:
         owner: The link's name.
-        body_T_frame: The frame of the centre of mass in the moving body's frame.
-        turn: The axes of the moments in that frame.
-        is_about_com: Whether moments are about the centre of mass, else about the frame's origin.
-        sign: Of the products beside the document's.
         values: The ten numbers in the order of `INERTIA`.
         numbers: Where they are written, None for one that is not.
+        body_T_frame: The frame of the centre of mass in the moving body's frame.
+        turn: The axes of the moments in that frame.
+        is_about_com: Whether moments are about the centre of mass, and products are the tensor's
+            entries, as in XML; else they are a document's, about the frame's origin.
     """
 
     owner: str
-    body_T_frame: RigidPose
-    turn: Rotation
-    is_about_com: bool
-    sign: float
-    values: tuple[float, ...]
-    numbers: Numbers
+    values: tuple[float, ...] = (0.0,) * 10
+    numbers: Numbers = (None,) * 10
+    body_T_frame: RigidPose = IDENTITY
+    turn: Rotation = IDENTITY.rotation
+    is_about_com: bool = False
+
+    @property
+    def sign(self) -> float:
+        """The sign of the products beside the document's."""
+        return -1.0 if self.is_about_com else 1.0
 
     def body(self, values: Sequence[float] | None = None) -> MassDistribution:
         """Return the mass distribution in the moving body's frame, of these or other values."""
@@ -125,20 +129,20 @@ class WrittenPose:
 
     Attributes:
         owner: The joint's name.
+        values: Translation and angles, in the order of `POSE`.
+        numbers: Where they are written.
         before: The frame that it is written in, in the predecessor's frame.
         after: The frame meant in the one that is written.
         is_intrinsic: Whether angles are about own axes x, y, z in turn, else about fixed ones.
-        values: Translation and angles, in the order of `POSE`.
-        numbers: Where they are written.
         axis: Where the axis of a joint is written, if that is apart from the pose.
     """
 
     owner: str
-    before: RigidPose
-    after: RigidPose
-    is_intrinsic: bool
     values: tuple[float, ...]
-    numbers: Numbers
+    numbers: Numbers = (None,) * 6
+    before: RigidPose = IDENTITY
+    after: RigidPose = IDENTITY
+    is_intrinsic: bool = True
     axis: WrittenNumber | None = None
 
     def pose(self, values: Sequence[float] | None = None) -> RigidPose:
@@ -179,14 +183,7 @@ def is_round_angle(value: float) -> bool:
 
 def written_frame(name: str, pose: RigidPose) -> WrittenPose:
     """Return the form of a frame that is only known as a pose."""
-    values = (*pose.translation, *angles(pose.rotation, _GIMBAL))
-    return WrittenPose(name, IDENTITY, IDENTITY, True, values, (None,) * 6)
-
-
-def no_inertia(owner: str) -> WrittenInertia:
-    """Return the form of a link without an inertia."""
-    turn = IDENTITY.rotation
-    return WrittenInertia(owner, IDENTITY, turn, False, 1.0, (0.0,) * 10, (None,) * 10)
+    return WrittenPose(name, (*pose.translation, *angles(pose.rotation, _GIMBAL)))
 
 
 def less(body: MassDistribution, parts: Sequence[MassDistribution]) -> MassDistribution:

@@ -1,6 +1,6 @@
 """A robot of another format as one to compare: its bodies, and where its numbers stand."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 from kindsl.mechanics.rigid.body import MassDistribution
@@ -38,26 +38,23 @@ def described_robot(label: str, robot: Linkage, numbers: FileNumbers = NO_NUMBER
     except ValueError as error:
         raise FormatError(str(error)) from None
     heavy = (p.name for body in robot.bodies for p in body.parts if p.mass and p.mass.mass)
-    described = exactly_turned(
+    described = ComparedSide(
         label,
         whole,
-        tuple(tuple(_inertias(body, numbers)) for body in robot.bodies),
+        tuple(
+            tuple(_inertia(p, p.mass, numbers) for p in body.parts if p.mass is not None)
+            for body in robot.bodies
+        ),
         tuple(_pose(body, numbers) for body in robot.bodies[1:]),
         frozenset(heavy),
+        {f.name: _frame(f, numbers) for f in whole.frames},
     )
-    frames = {f.name: _frame(f, numbers) for f in described.skeleton.frames}
-    return replace(described, frames=frames)
-
-
-def _inertias(body: RigidBody, numbers: FileNumbers) -> Iterator[WrittenInertia]:
-    for part in body.parts:
-        if part.mass is not None:
-            yield _inertia(part, part.mass, numbers)
+    return exactly_turned(described)
 
 
 def _inertia(part: BodyPart, mass: MassDistribution, numbers: FileNumbers) -> WrittenInertia:
     turn = numbers.turns.get(part.name, IDENTITY.rotation)
-    form = WrittenInertia(part.name, part.pose, turn, True, -1.0, (), ())
+    form = WrittenInertia(part.name, (), (), part.pose, turn, is_about_com=True)
     values = form.values_of(mass)
     found = _found(numbers, "link", part.name, INERTIA, values)
     exact = tuple(v if n is None else n.value for v, n in zip(values, found, strict=True))
@@ -72,7 +69,7 @@ def _frame(frame: AttachedFrame, numbers: FileNumbers) -> WrittenPose:
 def _pose(body: RigidBody, numbers: FileNumbers) -> WrittenPose:
     written = (numbers.found.get(("joint", body.joint, name)) for name in POSE)
     guess = tuple(0.0 if number is None else number.value for number in written)
-    form = WrittenPose(body.joint, body.origin, body.written_T_joint, False, guess, ())
+    form = WrittenPose(body.joint, guess, (), body.origin, body.written_T_joint, False)
     values = form.values_of(body.placement)
     found = _found(numbers, "joint", body.joint, POSE, values)
     axis = numbers.found.get(("joint", body.joint, AXIS))

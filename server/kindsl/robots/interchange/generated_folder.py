@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import Any
 
 from kindsl.mechanics.rigid.body import MassDistribution
-from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
-from kindsl.robots.comparison.side import ComparedSide, exactly_turned
-from kindsl.robots.comparison.written import WrittenInertia, written_frame
+from kindsl.mechanics.rigid.pose import RigidPose
+from kindsl.robots.comparison.side import ComparedSide, exactly_turned, written_joints
+from kindsl.robots.comparison.written import WrittenInertia
 from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.mechanism.linkage import BodyPart, Linkage, RigidBody, checked
 
@@ -65,9 +65,11 @@ def described_generated(folder: Path, label: str) -> ComparedSide:
         message = f"'{edited}' was edited after it was generated, so its numbers are not known"
         raise FormatError(f"{message}: generate the code again")
     bodies = zip(skeleton.body_names, skeleton.masses, strict=True)
-    poses = zip(skeleton.joint_names, skeleton.placements, strict=True)
-    inertias = tuple((_inertia(name, body),) if body.mass else () for name, body in bodies)
-    return exactly_turned(label, skeleton, inertias, tuple(written_frame(*each) for each in poses))
+    inertias = tuple(
+        (WrittenInertia(name, tuple(_inertia_record(body))),) if body.mass else ()
+        for name, body in bodies
+    )
+    return exactly_turned(ComparedSide(label, skeleton, inertias, written_joints(skeleton)))
 
 
 def digest(content: bytes) -> str:
@@ -89,12 +91,6 @@ def _edited(folder: Path, files: Mapping[str, str]) -> str | None:
 
 def _inertia_record(body: MassDistribution) -> list[float]:
     return [body.mass, *body.com, *body.moments]
-
-
-def _inertia(name: str, body: MassDistribution) -> WrittenInertia:
-    values = tuple(_inertia_record(body))
-    turn = IDENTITY.rotation
-    return WrittenInertia(name, IDENTITY, turn, False, 1.0, values, (None,) * len(values))
 
 
 def _linkage(robot: Mapping[str, Any]) -> Linkage:

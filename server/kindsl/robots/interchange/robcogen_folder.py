@@ -13,9 +13,9 @@ from typing import NamedTuple
 
 from kindsl.language.text.lines import LineIndex
 from kindsl.mechanics.rigid.joint_kind import JointKind
-from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
-from kindsl.robots.comparison.side import ComparedSide, exactly_turned
-from kindsl.robots.comparison.written import TextPlace, WrittenInertia, WrittenNumber, written_frame
+from kindsl.mechanics.rigid.pose import RigidPose
+from kindsl.robots.comparison.side import ComparedSide, exactly_turned, written_joints
+from kindsl.robots.comparison.written import TextPlace, WrittenInertia, WrittenNumber
 from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.written_numbers import written_number
 from kindsl.robots.mechanism.linkage import BodyPart, Linkage, RigidBody, checked
@@ -66,15 +66,6 @@ class _Transform(NamedTuple):
     sliding: frozenset[str]
 
 
-class _Carrier(NamedTuple):
-    """The carrier of a link: its parent, the joint, its kind, and its pose."""
-
-    parent: str
-    joint: str
-    kind: JointKind
-    pose: RigidPose
-
-
 def is_robcogen_folder(folder: Path) -> bool:
     """Return whether a folder has what RobCoGen writes."""
     return (
@@ -94,23 +85,17 @@ def described_robcogen(folder: Path, label: str) -> ComparedSide:
     names = _told_names(folder / "joint_data_map.h")
     constants = dict(_constants(folder))
     found = dict(_transforms(transforms.text, constants))
-    carriers = [_carrier(link, links, names, found) for link in links[1:]]
-    inertias = {name: _inertia(name, inertia, constants) for name in links}
-    bodies = [inertias[name] for name in links]
-    is_floating = bodies[0] is not None
-    masses = (None if body is None else body.body() for body in bodies)
-    parts = [(BodyPart(name, mass=mass),) for name, mass in zip(links, masses, strict=True)]
-    carried = (
-        RigidBody(own, links.index(each.parent), each.joint, each.kind, each.pose)
-        for own, each in zip(parts[1:], carriers, strict=True)
-    )
+    written = [_inertia(name, inertia, constants) for name in links]
+    bodies = [RigidBody(()), *(_body(i, links, names, found) for i in range(1, len(links)))]
+    masses = [None if each is None else each.body() for each in written]
+    named = zip(bodies, links, masses, strict=True)
+    whole = (body._replace(parts=(BodyPart(name, mass=mass),)) for body, name, mass in named)
     try:
-        skeleton = checked(Linkage((RigidBody(parts[0]), *carried), is_floating))
+        skeleton = checked(Linkage(tuple(whole), is_floating=masses[0] is not None))
     except ValueError as error:
         raise FormatError(str(error)) from None
-    poses = zip(skeleton.joint_names, skeleton.placements, strict=True)
-    written = tuple(() if body is None else (body,) for body in bodies)
-    return exactly_turned(label, skeleton, written, tuple(written_frame(*each) for each in poses))
+    inertias = tuple(() if each is None else (each,) for each in written)
+    return exactly_turned(ComparedSide(label, skeleton, inertias, written_joints(skeleton)))
 
 
 def _first(folder: Path, names: Iterable[str]) -> Path | None:
@@ -152,7 +137,7 @@ def _inertia(name: str, source: _Source, constants: Mapping[str, float]) -> Writ
         raise FormatError(f"'{source.name}': the inertia of '{name}' depends on parameters")
     numbers = (mass_and_moments[0], *center, *mass_and_moments[1:])
     values = tuple(number.value for number in numbers)
-    return WrittenInertia(name, IDENTITY, IDENTITY.rotation, False, 1.0, values, numbers)
+    return WrittenInertia(name, values, numbers)
 
 
 def _numbers(
@@ -229,15 +214,16 @@ def _of_node(node: ast.expr, names: Mapping[str, float]) -> float:
     raise ValueError("not arithmetic on known numbers")
 
 
-def _carrier(
-    link: str,
+def _body(
+    index: int,
     links: list[str],
     joints: list[str],
     transforms: Mapping[tuple[str, str], _Transform],
-) -> _Carrier:
-    """Return what carries a link: the only transform to an earlier one with one joint in it."""
-    for parent in links[: links.index(link)]:
-        pose = _between(parent, link, transforms)
+) -> RigidBody:
+    """Return a link on what carries it: the only transform to an earlier one with one joint."""
+    link = links[index]
+    for parent, its_name in enumerate(links[:index]):
+        pose = _between(its_name, link, transforms)
         if pose is None:
             continue
         moving = pose.turning | pose.sliding
@@ -245,7 +231,7 @@ def _carrier(
             (joint,) = moving
             name = next((each for each in joints if each.upper() == joint.upper()), joint)
             kind: JointKind = "prismatic" if pose.sliding else "revolute"
-            return _Carrier(parent, name, kind, pose.zero)
+            return RigidBody((), parent, name, kind, pose.zero)
     raise FormatError(f"has no transform between '{link}' and a parent, with numbers alone in it")
 
 

@@ -17,7 +17,6 @@ from kindsl.language.syntax.document import Chunk, SyntaxDocument
 from kindsl.language.syntax.tree import Island, Node, Token
 from kindsl.language.text.edits import TextEdit, apply_edits
 from kindsl.language.text.encodings import declared_encoding
-from kindsl.language.text.facts import Facts
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3
 from kindsl.robots.interchange.xml_reading import XmlElement, XmlError, finite_number, parsed_xml
 
@@ -227,10 +226,10 @@ class XmlDocument(SyntaxDocument):
     is_xml = True
     has_moving_only = False
 
-    def __init__(self, islands: Sequence[Island], versions: Facts | None = None) -> None:
+    def __init__(self, islands: Sequence[Island], former: SyntaxDocument | None = None) -> None:
         firsts = range(0, len(islands), _CHUNK)
         chunks = (Chunk(tuple(islands[first : first + _CHUNK])) for first in firsts)
-        super().__init__(tuple(chunks), versions)
+        super().__init__(tuple(chunks), None if former is None else former.versions)
         self.flaws: tuple[Flaw, ...] = ()
         self.connections: tuple[Connection, ...] = ()
         self.make: Callable[[str, SyntaxDocument | None], SyntaxDocument] = _unmade
@@ -277,7 +276,8 @@ def end_of_element(text: str, element: Any) -> int:
 
 def xml_document(
     text: str,
-    former: SyntaxDocument | None,
+    former: SyntaxDocument | None = None,
+    *,
     of_elements: Callable[[str, XmlElement, SyntaxDocument | None], XmlDocument],
 ) -> XmlDocument:
     """Return the document of a text, of what is no XML one that says so; never raises.

@@ -5,6 +5,7 @@ there of bodies at rest, and where a compiler's option replaces or turns what is
 """
 
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 from kindsl.language.semantics.declarations import Inertia, Pose
@@ -51,19 +52,9 @@ class MjcfIsland(RobotIsland):
         return self.turned_pose(parent, pos, rotation or IDENTITY.rotation)
 
 
-def mjcf_document(text: str, former: SyntaxDocument | None = None) -> XmlDocument:
-    """Return the document of an MJCF; never raises, whatever the text.
-
-    Args:
-        text: The text.
-        former: An earlier version: elements with the same text are taken from it.
-    """
-    return xml_document(text, former, _of_elements)
-
-
 def _of_elements(text: str, root: XmlElement, former: SyntaxDocument | None) -> XmlDocument:
     islands = MjcfIsland.made_of(_pieces(text, root), former)
-    document = XmlDocument(islands, former.versions if former is not None else None)
+    document = XmlDocument(islands, former)
     document.has_moving_only = True
     return document
 
@@ -105,3 +96,7 @@ def _has_joint(body: XmlElement) -> bool:
 
 def _is_nothing(inertial: XmlElement) -> bool:
     return finite_number(inertial.get("mass") or "") == 0.0
+
+
+# Takes a text, and returns the document of an MJCF; see there.
+mjcf_document = partial(xml_document, of_elements=_of_elements)

@@ -16,7 +16,6 @@ from kindsl.mechanics.rigid.body import (
 )
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
 from kindsl.robots.interchange.format import (
-    ORDINARY,
     WritingChoices,
     WrittenRobot,
     fixed_base_dropped,
@@ -35,7 +34,7 @@ DUST = 1e-14
 _FAR = 1e6
 
 
-def written_mjcf(name: str, skeleton: Linkage, choices: WritingChoices = ORDINARY) -> WrittenRobot:
+def written_mjcf(name: str, skeleton: Linkage, choices: WritingChoices) -> WrittenRobot:
     """Return the MJCF of a mechanism.
 
     A fixed base is a body of the world without joint, or the world itself if that is its name; a

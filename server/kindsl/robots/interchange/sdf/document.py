@@ -7,6 +7,7 @@ connects is known of the whole document only.
 
 import re
 from collections.abc import Iterator, Mapping
+from functools import partial
 from typing import Any
 
 from kindsl.language.semantics.declarations import Inertia, Joint, Pose
@@ -80,19 +81,9 @@ class SdfIsland(RobotIsland):
         return self.turned_pose(at, found[:3] if len(found) >= 6 else [], read.rotation)
 
 
-def sdf_document(text: str, former: SyntaxDocument | None = None) -> XmlDocument:
-    """Return the document of an SDF; never raises, whatever the text.
-
-    Args:
-        text: The text.
-        former: An earlier version: elements with the same text are taken from it.
-    """
-    return xml_document(text, former, _of_elements)
-
-
 def _of_elements(text: str, root: Any, former: SyntaxDocument | None) -> XmlDocument:
     islands = SdfIsland.made_of(list(_pieces(text, root)), former)
-    document = XmlDocument(islands, former.versions if former is not None else None)
+    document = XmlDocument(islands, former)
     flaws: list[Flaw] = []
     if root.tag != "sdf":
         at = Place(islands[0], root.offset, root.offset + len(root.tag) + 1)
@@ -200,3 +191,7 @@ def _place(document: XmlDocument, element: Any) -> Place:
     start = element.offset - placed.start
     tag = _TAG_OR_COMMENT.match(placed.island.text, start)
     return Place(placed.island, start, tag.end() if tag else start + 1)
+
+
+# Takes a text, and returns the document of an SDF; see there.
+sdf_document = partial(xml_document, of_elements=_of_elements)

@@ -14,7 +14,6 @@ from kindsl.mechanics.rigid.body import (
 )
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
 from kindsl.robots.interchange.format import (
-    ORDINARY,
     WritingChoices,
     WrittenRobot,
     armature_dropped,
@@ -30,7 +29,7 @@ _VERSION = "1.9"
 _WELD = ("weld", "world_fixed")  # the joint that fixes the base
 
 
-def written_sdf(name: str, skeleton: Linkage, choices: WritingChoices = ORDINARY) -> WrittenRobot:
+def written_sdf(name: str, skeleton: Linkage, choices: WritingChoices) -> WrittenRobot:
     """Return the SDF of a mechanism; a fixed base has a fixed joint to the world.
 
     Args:

@@ -5,6 +5,7 @@ mass is the origin. Products have the opposite sign there.
 """
 
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 from kindsl.language.semantics.declarations import FixedAxes, Inertia, Pose, Vector
@@ -94,16 +95,6 @@ class UrdfIsland(RobotIsland):
         return Pose(*vectors)
 
 
-def urdf_document(text: str, former: SyntaxDocument | None = None) -> XmlDocument:
-    """Return the document of a URDF; never raises, whatever the text.
-
-    Args:
-        text: The text.
-        former: An earlier version: elements with the same text are taken from it.
-    """
-    return xml_document(text, former, _of_elements)
-
-
 def _of_elements(text: str, root: XmlElement, former: SyntaxDocument | None) -> XmlDocument:
     own = (each for each in root.iter() if each.tag.startswith("xacro:"))
     first: Any = next(own, None)
@@ -111,7 +102,7 @@ def _of_elements(text: str, root: XmlElement, former: SyntaxDocument | None) -> 
         message = f"a xacro, not a URDF: <{first.tag}> has to be expanded before it is judged"
         return refused(text, "KD001", message, first.offset, first.offset + len(first.tag) + 1)
     islands = UrdfIsland.made_of(((piece, "") for piece in pieces(text, root)), former)
-    document = XmlDocument(islands, former.versions if former is not None else None)
+    document = XmlDocument(islands, former)
     document.flaws = tuple(_flaws(root, islands))
     document.connections = tuple(filter(None, (island.connection() for island in islands)))
     return document
@@ -152,3 +143,7 @@ def _place(
     if found is None:
         return otherwise
     return found[0].place(found[1], defect.attribute)
+
+
+# Takes a text, and returns the document of a URDF; see there.
+urdf_document = partial(xml_document, of_elements=_of_elements)
