@@ -13,7 +13,6 @@ from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from
 from kindsl.mechanics.rigid.pose import (
     IDENTITY,
     RigidPose,
-    pose_from,
     product,
     rotation_from_z,
     transposed,
@@ -29,7 +28,7 @@ from kindsl.robots.comparison.features import (
     seen_features,
 )
 from kindsl.robots.comparison.matching import MatchedJoints
-from kindsl.robots.mechanism.linkage import Linkage
+from kindsl.robots.mechanism.linkage import Linkage, motion
 
 # Nobody chooses to have a joint's zero so little elsewhere: it is a number that differs.
 DRIFT = 0.05
@@ -146,17 +145,10 @@ def _unlike_each_other(
 
 def around(ours: Linkage, alignment: Alignment, body: int) -> tuple[RigidPose, RigidPose]:
     """Return the poses before and after the other's joint frame that make it ours."""
-    joint, slides = alignment.joints[body], ours.joint_kinds[body - 1] == "prismatic"
-    at_zero = moved_by(-joint.sign * joint.offset, slides)
+    joint = alignment.joints[body]
+    at_zero = motion(ours.joint_kinds[body - 1], -joint.sign * joint.offset)
     before = alignment.frames[ours.parents[body - 1]]
     return before, at_zero.then(alignment.frames[body].inverse())
-
-
-def moved_by(value: float, slides: bool) -> RigidPose:
-    """Return the motion by a joint's value: a turn about z, or a shift along it."""
-    if slides:
-        return RigidPose(IDENTITY.rotation, (0.0, 0.0, value))
-    return pose_from(_ORIGIN, (0.0, 0.0, value))
 
 
 def _whole(skeleton: Linkage) -> MassDistribution:

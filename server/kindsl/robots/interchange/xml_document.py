@@ -18,12 +18,17 @@ from kindsl.language.syntax.tree import Island, Node, Token
 from kindsl.language.text.edits import TextEdit, apply_edits
 from kindsl.language.text.encodings import declared_encoding
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3
-from kindsl.robots.interchange.xml_reading import XmlElement, XmlError, finite_number, parsed_xml
+from kindsl.robots.interchange.xml_reading import (
+    TAG,
+    XmlElement,
+    XmlError,
+    finite_number,
+    parsed_xml,
+)
 
 _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _REST_OF_LINE = re.compile(r"(?:[^\S\r\n]|<!--[^\r\n]*?-->)*")
-_TAG = re.compile(r"""<(?:[^"'>]|"[^"]*"|'[^']*')*>""")
-_ATTRIBUTE = r"""[\s"']{name}\s*=\s*(?:"([^"]*)"|'([^']*)')"""
+_ATTRIBUTE = r"""[\s"']{name}\s*=\s*(["'])(.*?)\1"""
 _WORD = re.compile(r"\S+")
 _LINE_END = re.compile(r"\r\n?|\n")
 _CHUNK = 96
@@ -105,7 +110,7 @@ class XmlIsland(OtherIsland):
 
     def tag(self, element: Any) -> tuple[int, int]:
         """Return where the tag is that an element begins with."""
-        found = _TAG.match(self.text, element.offset)
+        found = TAG.match(self.text, element.offset)
         return element.offset, found.end() if found else element.offset + 1
 
     def end(self, element: Any) -> int:
@@ -115,11 +120,9 @@ class XmlIsland(OtherIsland):
     def attribute(self, element: Any, name: str) -> tuple[int, int] | None:
         """Return where the value of an attribute is, between its quotes; None without one."""
         start, end = self.tag(element)
-        match = re.search(_ATTRIBUTE.format(name=re.escape(name)), self.text[start:end])
-        if match is None:
-            return None
-        first, last = match.span(1 if match[1] is not None else 2)
-        return start + first, start + last
+        wanted = re.compile(_ATTRIBUTE.format(name=re.escape(name)), re.DOTALL)
+        match = wanted.search(self.text, start, end)
+        return None if match is None else match.span(2)
 
     def place(self, element: Any, name: str = "") -> Place:
         """Return the place of an attribute's value, of a child, or of an element's first tag."""
@@ -250,7 +253,7 @@ def _unmade(text: str, former: SyntaxDocument | None) -> SyntaxDocument:
 
 def pieces(text: str, root: XmlElement) -> list[XmlPiece]:
     """Return a root's first tag, its children, and its end."""
-    tag = _TAG.match(text, root.offset)
+    tag = TAG.match(text, root.offset)
     ends = [tag.end() if tag else len(text)]
     ends += [rest_of_line(text, child) for child in root]
     elements = (None, *root, None)
@@ -268,9 +271,9 @@ def rest_of_line(text: str, element: Any) -> int:
 
 def end_of_element(text: str, element: Any) -> int:
     """Return where an element ends, behind its last tag."""
-    tag = _TAG.match(text, element.offset)
+    tag = TAG.match(text, element.offset)
     if tag is not None and not tag[0].endswith("/>"):
-        tag = _TAG.match(text, element.end)
+        tag = TAG.match(text, element.end)
     return tag.end() if tag else len(text)
 
 

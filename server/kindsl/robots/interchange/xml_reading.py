@@ -13,6 +13,7 @@ from xml.parsers import expat
 
 _DEEPEST = 256
 _LARGEST = 64 * 2**20
+TAG = re.compile(r"""<(?:[^"'>]|"[^"]*"|'[^']*')*>""")
 DECIMAL = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 _GREATEST = 1e50
 
@@ -43,6 +44,13 @@ class XmlElement(Element):
     offset: int
     end: int
     comments: tuple[str, ...]
+
+    @classmethod
+    def beside(cls, near: "XmlElement", tag: str, **attributes: str) -> "XmlElement":
+        """Return a new element, whose errors are told where another one is."""
+        made = cls(tag, attributes)
+        made.sourceline, made.offset, made.comments = near.sourceline, near.offset, ()
+        return made
 
 
 def parsed_xml(content: bytes | str) -> XmlElement:

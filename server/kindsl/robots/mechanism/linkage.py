@@ -222,7 +222,7 @@ class Linkage:
         Args:
             q: Joint positions in the order of the links, radians and metres.
         """
-        motions = map(_motion, self.joint_kinds, q)
+        motions = map(motion, self.joint_kinds, q)
         return self.with_placements(map(RigidPose.then, self.placements, motions))
 
 
@@ -257,7 +257,7 @@ def checked(linkage: Linkage) -> Linkage:
     return linkage
 
 
-def _motion(kind: JointKind, value: float) -> RigidPose:
+def motion(kind: JointKind, value: float) -> RigidPose:
     """Return the pose of a joint's moving side in its fixed one: about z, or along it."""
     if kind == "prismatic":
         return RigidPose(IDENTITY.rotation, (0.0, 0.0, value))

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
+from math import cos, sin
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +11,7 @@ import numpy as np
 from kindsl.language.semantics.parameters import JointProperties
 from kindsl.language.text.phrases import listed
 from kindsl.mechanics.rigid.body import MassDistribution
-from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3
+from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3, rotation_from_quaternion
 from kindsl.robots.interchange.format import FormatError, ReadingChoices, ReadRobot, told_joints
 from kindsl.robots.interchange.mjcf.compiling import compiled, spec_of_file
 from kindsl.robots.interchange.mjcf.losses import (
@@ -169,7 +170,7 @@ def _jointed(model: Any, joint: int, parent_T_body: RigidPose, *, has_own_body: 
     axis, slides = model.jnt_axis[joint], model.jnt_type[joint] == _SLIDE
     body_T_anchor = IDENTITY if slides else _translation(model.jnt_pos[joint])
     ref = float(model.qpos0[model.jnt_qposadr[joint]])
-    back = _translation(-ref * axis) if slides else _turned(axis, -ref)
+    back = _translation(-ref * axis) if slides else _turn(axis, -ref)
     return RigidLink(
         "",
         None,
@@ -221,24 +222,16 @@ def _joint_name(model: Any, joint: int) -> str:
 
 
 def _transform(position: Any, quaternion: Any) -> RigidPose:
-    import mujoco
-
-    R = np.zeros(9)
-    mujoco.mju_quat2Mat(R, np.array(quaternion))
-    x, y, z = (_triple(row) for row in R.reshape(3, 3))
-    return RigidPose((x, y, z), _triple(position))
+    w, x, y, z = map(float, quaternion)
+    return RigidPose(rotation_from_quaternion(x, y, z, w) or IDENTITY.rotation, _triple(position))
 
 
 def _translation(position: Any) -> RigidPose:
     return IDENTITY._replace(translation=_triple(position))
 
 
-def _turned(axis: Any, angle: float) -> RigidPose:
-    import mujoco
-
-    quaternion = np.zeros(4)
-    mujoco.mju_axisAngle2Quat(quaternion, np.array(axis), angle)
-    return _transform(np.zeros(3), quaternion)
+def _turn(axis: Any, angle: float) -> RigidPose:
+    return _transform(np.zeros(3), (cos(0.5 * angle), *(sin(0.5 * angle) * axis)))
 
 
 def _triple(values: Any) -> Vector3:

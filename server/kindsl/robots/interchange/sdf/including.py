@@ -8,6 +8,7 @@ from typing import Any
 from kindsl.language.text.regular import require_regular
 from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.sdf.elements import defect, parsed
+from kindsl.robots.interchange.xml_reading import XmlError, parsed_xml
 
 _VARIABLES = ("SDF_PATH", "GZ_SIM_RESOURCE_PATH", "GAZEBO_MODEL_PATH")
 _SCHEMES = ("model://", "package://")
@@ -71,8 +72,6 @@ def _path_of(uri: str, searched: Sequence[Path]) -> Path | None:
 
 def _file_in(folder: Path) -> Path | None:
     """Return the SDF file of a model's folder, the newest where its manifest names several."""
-    from kindsl.robots.interchange.xml_reading import XmlError, parsed_xml
-
     manifest = folder / "model.config"
     try:
         require_regular(str(manifest))

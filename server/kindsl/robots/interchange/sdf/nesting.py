@@ -43,11 +43,10 @@ def _frame_of(model: Any, own: str) -> XmlElement:
         raise defect(model, "has no link", "KD008")
     # Links have their new names already; the attribute has the old one.
     prefix = "" if canonical.startswith(f"{own}::") else f"{own}::"
-    frame = _element("frame", model)
-    frame.set("name", f"{own}::{MODEL}")
-    frame.set("attached_to", f"{prefix}{canonical}")
+    attached = f"{prefix}{canonical}"
+    frame = XmlElement.beside(model, "frame", name=f"{own}::{MODEL}", attached_to=attached)
     pose = model.find("pose")
-    pose = _element("pose", model) if pose is None else pose
+    pose = XmlElement.beside(model, "pose") if pose is None else pose
     frame.append(pose)
     pose.set("relative_to", pose.get("relative_to") or MODEL)
     return frame
@@ -76,17 +75,10 @@ def _place(part: Any) -> None:
         return
     pose = part.find("pose")
     if pose is None:
-        pose = _element("pose", part)
+        pose = XmlElement.beside(part, "pose")
         part.append(pose)
     if not pose.get("relative_to"):
         pose.set("relative_to", MODEL)
-
-
-def _element(tag: str, near: Any) -> XmlElement:
-    """Return a new element, whose errors are told where another one is."""
-    made = XmlElement(tag)
-    made.sourceline, made.offset, made.comments = near.sourceline, near.offset, ()
-    return made
 
 
 def _renamed(name: str, own: str) -> str:

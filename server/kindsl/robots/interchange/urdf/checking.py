@@ -72,9 +72,7 @@ def _add_world(robot: XmlElement, joints: list[Any]) -> None:
     names = {link.get("name") for link in robot.findall("link")}
     parents = {parent.get("link") for joint in joints for parent in joint.findall("parent")}
     if WORLD in parents - names:
-        world = XmlElement("link", name=WORLD)
-        world.sourceline, world.offset, world.comments = robot.sourceline, robot.offset, ()
-        robot.insert(0, world)
+        robot.insert(0, XmlElement.beside(robot, "link", name=WORLD))
 
 
 def defects(robot: Any) -> Iterator[UrdfDefect]:

@@ -9,12 +9,11 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 from xml.sax.saxutils import quoteattr, unescape
 
-from kindsl.robots.interchange.xml_reading import XmlError, parsed_xml
+from kindsl.robots.interchange.xml_reading import TAG, XmlError, parsed_xml
 
 _MARK = "kindsl-origin"
 _MARKED = re.compile(rf'\s{_MARK}="(\d+):([^"]*)"')
-_TAG = re.compile(r"""<(?:[^"'>]|"[^"]*"|'[^']*')*>""")
-_ATTRIBUTE = re.compile(r"""([\w:.-]+)\s*=\s*(?:"([^"]*)"|'([^']*)')""")
+_ATTRIBUTE = re.compile(r"""([\w:.-]+)\s*=\s*(["'])(.*?)\2""", re.DOTALL)
 
 
 class Origin(NamedTuple):
@@ -55,21 +54,19 @@ def origin(expansion: str, start: int, end: int, read: Callable[[str], str]) -> 
         read: Returns the text of a file.
     """
     first = expansion.rfind("<", 0, start + 1)
-    tag = _TAG.match(expansion, max(first, 0))
+    tag = TAG.match(expansion, max(first, 0))
     mark = _MARKED.search(tag[0]) if tag is not None else None
     if tag is None or mark is None:
         return None
     at, file = int(mark[1]), unescape(mark[2], {"&quot;": '"'})
     text = read(file)
-    there = _TAG.match(text, at)
+    there = TAG.match(text, at)
     if there is None:
         return None
     for found in _ATTRIBUTE.finditer(tag[0]):
-        first, last = (tag.start() + each for each in found.span(2 if found[2] is not None else 3))
+        first, last = (tag.start() + each for each in found.span(3))
         if first <= start <= last:
-            return _value(
-                there, found[1], expansion[first:last], (start - first, end - first), file
-            )
+            return _value(there, found[1], found[3], (start - first, end - first), file)
     return Origin(file, *there.span())
 
 
@@ -77,10 +74,8 @@ def _value(there: re.Match[str], name: str, value: str, at: tuple[int, int], fil
     """Return the place in an attribute that is the same there, else the attribute, or the tag."""
     for found in _ATTRIBUTE.finditer(there[0]):
         if found[1] == name:
-            group = 2 if found[2] is not None else 3
-            first, last = (there.start() + each for each in found.span(group))
-            is_same = found[group] == value and at[1] <= len(value)
-            return (
-                Origin(file, first + at[0], first + at[1]) if is_same else Origin(file, first, last)
-            )
+            first, last = (there.start() + each for each in found.span(3))
+            if found[3] == value and at[1] <= len(value):
+                first, last = first + at[0], first + at[1]
+            return Origin(file, first, last)
     return Origin(file, *there.span())
