@@ -3,7 +3,7 @@
 import json
 import math
 from array import array
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import is_dataclass
 from typing import Any
 
@@ -32,7 +32,7 @@ def encode(message: Part | Change) -> bytes:
     try:
         packed: bytes = umsgpack.packb(content, ext_handlers=handlers)
     except UnicodeEncodeError:
-        packed = umsgpack.packb(_printable(content), ext_handlers=handlers)
+        packed = umsgpack.packb(_mapped(content, _printable), ext_handlers=handlers)
     return packed
 
 
@@ -45,7 +45,7 @@ def as_json(message: Part | Change) -> str:
     try:
         return _json(content)
     except ValueError:
-        return _json(_finite(content))
+        return _json(_mapped(content, _finite))
 
 
 def _as_plain(value: Any) -> Any:
@@ -66,18 +66,19 @@ def _json(value: object) -> str:
     return json.dumps(value, default=list, separators=(",", ":"), allow_nan=False)
 
 
-def _finite(value: Any) -> Any:
-    if isinstance(value, float):
-        return value if math.isfinite(value) else None
+def _mapped(value: Any, plain: Callable[[Any], Any]) -> Any:
+    """Return a message with each number and text in it as a function has it."""
     if isinstance(value, dict):
-        return {key: _finite(item) for key, item in value.items()}
-    return [_finite(item) for item in value] if isinstance(value, list | tuple) else value
+        return {key: _mapped(item, plain) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_mapped(item, plain) for item in value]
+    return plain(value)
+
+
+def _finite(value: Any) -> Any:
+    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def _printable(value: Any) -> Any:
-    """Return a message without the surrogates that undecodable bytes of a document leave."""
-    if isinstance(value, str):
-        return value.encode(errors="replace").decode()
-    if isinstance(value, dict):
-        return {key: _printable(item) for key, item in value.items()}
-    return [_printable(item) for item in value] if isinstance(value, list | tuple) else value
+    """Return a text without the surrogates that undecodable bytes of a document leave."""
+    return value.encode(errors="replace").decode() if isinstance(value, str) else value

@@ -21,7 +21,7 @@ from kindsl.robots.interchange.robot_island import RobotIsland
 from kindsl.robots.interchange.sdf.elements import SdfError, is_true, pose_of, text_of
 from kindsl.robots.interchange.sdf.frame_graph import WORLD, FrameGraph
 from kindsl.robots.interchange.sdf.nesting import flatten
-from kindsl.robots.interchange.sdf.sdf_reading import axis_in_model, mass_of
+from kindsl.robots.interchange.sdf.sdf_reading import carried, mass_of
 from kindsl.robots.interchange.xml_document import (
     Connection,
     Flaw,
@@ -31,7 +31,7 @@ from kindsl.robots.interchange.xml_document import (
     xml_document,
 )
 from kindsl.robots.interchange.xml_reading import XmlElement, parsed_xml
-from kindsl.robots.interchange.xml_terms import JOINT_KINDS, TENSOR
+from kindsl.robots.interchange.xml_terms import TENSOR
 
 _NAMED = ("link", "joint", "frame")
 _TAG_OR_COMMENT = re.compile(r"""<!--.*?-->|<(?:[^"'>]|"[^"]*"|'[^']*')*>""", re.DOTALL)
@@ -169,19 +169,15 @@ def _connections(
 def _connection(element: Any, joint: Joint, graph: FrameGraph, prefix: str) -> Connection:
     kind = element.get("type")
     parent, child = (graph.link_of(text_of(element, end), element) for end in ("parent", "child"))
-    model_T_joint = graph.model_T(str(element.get("name")), element)
-    model_T_child = graph.model_T(child, element)
-    axis = None
-    if kind in JOINT_KINDS and kind != "fixed":
-        axis = model_T_joint.inverse().turn(axis_in_model(element, graph))
+    link = carried(element, 0, parent, child, graph)
     return Connection(
         joint,
         parent if parent == WORLD else f"{prefix}{parent}",
         f"{prefix}{child}",
         kind == "fixed",
-        axis,
-        graph.model_T(parent, element).inverse().then(model_T_child),
-        model_T_child.inverse().then(model_T_joint),
+        None if link.joint_kind == "fixed" else link.axis,
+        link.parent_T_joint.then(link.joint_T_link),
+        link.joint_T_link.inverse(),
         is_told=False,
     )
 

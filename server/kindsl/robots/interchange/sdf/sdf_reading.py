@@ -171,7 +171,7 @@ def _links(
     for index, link in enumerate(links):
         for child in below.get(link.name, ()):
             if child != start:
-                moved = _carried(joints[child], index, link.name, child, graph)
+                moved = carried(joints[child], index, link.name, child, graph)
                 fixed = tuple(frames.get(child, ()))
                 links.append(replace(moved, body=mass_of(elements[child]), frames=fixed))
     if len(links) != len(elements) + (start == WORLD):
@@ -181,17 +181,26 @@ def _links(
     return links
 
 
-def _carried(joint: Any, index: int, parent: str, child: str, graph: FrameGraph) -> RigidLink:
+def carried(joint: Any, index: int, parent: str, child: str, graph: FrameGraph) -> RigidLink:
+    """Return a link without its mass; a joint of a kind that is not supported counts as fixed.
+
+    Args:
+        joint: The joint that carries it.
+        index: The parent's among the links.
+        parent: Name of the link, or the world, that the joint is attached to.
+        child: Its own name.
+        graph: The model's frames.
+    """
     model_T_joint = graph.model_T(name_of(joint), joint)
     parent_T_joint = graph.model_T(parent, joint).inverse().then(model_T_joint)
     joint_T_child = model_T_joint.inverse().then(graph.model_T(child, joint))
     placing = graph.placing(joint)
     model_T_written = graph.model_T(name_of(placing), joint)
     model_T_origin = graph.model_T(reference_of(placing), joint)
-    kind = JOINT_KINDS[joint.get("type")]
+    kind = JOINT_KINDS.get(joint.get("type"), "fixed")
     axis = _Z
     if kind != "fixed":
-        axis = model_T_joint.inverse().turn(axis_in_model(joint, graph))
+        axis = model_T_joint.inverse().turn(_axis_in_model(joint, graph))
     return RigidLink(
         child,
         index,
@@ -205,7 +214,7 @@ def _carried(joint: Any, index: int, parent: str, child: str, graph: FrameGraph)
     )
 
 
-def axis_in_model(joint: Any, graph: FrameGraph) -> Vector3:
+def _axis_in_model(joint: Any, graph: FrameGraph) -> Vector3:
     """Return a joint's axis in the model's frame."""
     axis = joint.find("axis")
     xyz = None if axis is None else axis.find("xyz")

@@ -43,7 +43,10 @@ def fragment_of_urdf(text: str) -> Fragment:
         FormatError: It is not readable, or one of them is beyond the language.
     """
     inner = _PROLOGUE.sub(lambda m: re.sub(r"[^\n]", " ", m[0]), text)
-    robot = _parsed(f"<robot>{inner}</robot>")
+    try:
+        robot: Any = parsed_xml(f"<robot>{inner}</robot>")
+    except XmlError as error:
+        raise FormatError(str(error)) from error
     if robot.find("inertial") is not None:
         return _of_inertial(inner)
     given = {kind: _names(robot, kind) for kind in ("link", "joint")}
@@ -62,13 +65,6 @@ def _of_inertial(inner: str) -> Fragment:
     link = f"<link name={quoteattr(_INERTIAL)}>{inner}</link>"
     fragment = fragment_of_urdf(link)
     return Fragment((), frozenset(), frozenset(), fragment.links[0])
-
-
-def _parsed(text: str) -> Any:
-    try:
-        return parsed_xml(text)
-    except XmlError as error:
-        raise FormatError(str(error)) from error
 
 
 def _names(robot: Any, kind: str) -> list[str]:
