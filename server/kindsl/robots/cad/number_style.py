@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterator
 from decimal import Decimal
 from fractions import Fraction
+from functools import cache
 from typing import NamedTuple
 
 from kindsl.robots.cad.quantity import Quantity
@@ -100,16 +101,12 @@ def _of_both(mantissa: str, commas: int, points: int) -> tuple[str, bool, bool]:
     return (point, True, False) if is_number else (".", False, False)
 
 
-_PATTERNS: dict[str, re.Pattern[str]] = {}
-
-
+@cache
 def _pattern(point: str) -> re.Pattern[str]:
-    if point not in _PATTERNS:
-        other = "," if point == "." else "."
-        whole = rf"\d{{1,3}}(?:[{other}{_APART}]\d{{3}})+(?!\d)|\d+"
-        number = rf"(?:{whole})(?:[{point}]\d*)?|[{point}]\d+"
-        _PATTERNS[point] = re.compile(rf"(?<![\w^])[-+]?(?:{number})(?:[eE][-+]?\d+)?(?![\d%])")
-    return _PATTERNS[point]
+    other = "," if point == "." else "."
+    whole = rf"\d{{1,3}}(?:[{other}{_APART}]\d{{3}})+(?!\d)|\d+"
+    number = rf"(?:{whole})(?:[{point}]\d*)?|[{point}]\d+"
+    return re.compile(rf"(?<![\w^])[-+]?(?:{number})(?:[eE][-+]?\d+)?(?![\d%])")
 
 
 def _quantity(plain: str) -> Quantity:

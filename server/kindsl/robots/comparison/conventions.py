@@ -85,7 +85,6 @@ def rounded_numbers(names: Sequence[str], where: str = "") -> Iterator[str]:
 
 
 def _limits(pair: Pair) -> Iterator[str]:
-    """Yield the first few differing limits."""
     found = list(_different_limits(pair))
     yield from found[:_SHOWN]
     if found[_SHOWN:]:

@@ -54,7 +54,6 @@ def described_document(
 
 
 def _unknown(model: Model, values: Mapping[str, float]) -> Iterator[str]:
-    """Yield the bodies and joints whose numbers cannot be read."""
     yield from (name for name, why in unknown_bodies(model, values).items() if why != NO_INERTIA)
     for joint in model.joints:
         if written_pose(joint.pose, values) is None:

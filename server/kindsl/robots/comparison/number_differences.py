@@ -8,7 +8,7 @@ from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from
 from kindsl.mechanics.rigid.pose import RigidPose, angle_between
 from kindsl.robots.comparison.pair import Pair
 from kindsl.robots.comparison.quantities import INERTIA, POSE, TURNS
-from kindsl.robots.comparison.rounding import NO_ANGLE, Digits
+from kindsl.robots.comparison.rounding import NO_ANGLE, Digits, Form
 from kindsl.robots.comparison.written import (
     WrittenInertia,
     WrittenNumber,
@@ -28,8 +28,6 @@ _NO_REACH = 1e-3
 _UNITS = dict(zip(INERTIA, ("kg", *("m",) * 3, *("kg m²",) * 6), strict=True)) | dict(
     zip(POSE, (*("m",) * 3, *("rad",) * 3), strict=True)
 )
-
-_Form = WrittenInertia | WrittenPose
 
 
 class NumberChange(NamedTuple):
@@ -89,7 +87,7 @@ class NumberDifference(NamedTuple):
 class _WantedNumbers(NamedTuple):
     """The numbers of one part of a file that would agree with the other file."""
 
-    form: _Form
+    form: Form
     values: tuple[float, ...]
     unlike: tuple[int, ...]
 
@@ -197,7 +195,7 @@ def _turn_slack(form: WrittenPose, bounds: Tolerances) -> float:
     return sum(_own_slacks(form, bounds)[3:])
 
 
-def _own_slacks(form: _Form, bounds: Tolerances) -> list[float]:
+def _own_slacks(form: Form, bounds: Tolerances) -> list[float]:
     pairs = zip(form.values, form.numbers, strict=True)
     return [_FLOAT * abs(v) if n is None else _own_slack(n, bounds) for v, n in pairs]
 
@@ -255,7 +253,7 @@ def _wanted_part(
 def _slack(
     values: Callable[[Sequence[float]], tuple[float, ...]],
     wanted: Sequence[float],
-    form: _Form,
+    form: Form,
     bounds: Tolerances,
 ) -> list[float]:
     """Return the effect of another form's rounding on the values, to first order."""
@@ -268,7 +266,7 @@ def _slack(
 
 
 def _unlike(
-    form: _Form,
+    form: Form,
     wanted: Sequence[float],
     scales: Sequence[float],
     bounds: Tolerances,
@@ -317,7 +315,7 @@ def _n_round(wanted: _WantedNumbers, others: _WantedNumbers) -> int:
 def _difference(
     kind: str,
     wanted: _WantedNumbers,
-    other: _Form,
+    other: Form,
     k: int,
     others: _WantedNumbers | None,
 ) -> NumberDifference:
@@ -355,7 +353,6 @@ def _changes(wanted: _WantedNumbers, indices: Sequence[int]) -> tuple[NumberChan
 
 
 def _reversed(found: NumberDifference) -> NumberDifference:
-    """Return a difference with both sides swapped."""
     return found._replace(
         owner=found.other,
         other=found.owner,

@@ -84,7 +84,6 @@ def _comments(comments: Comments, kind: str, name: str) -> str:
 
 
 def _renamed(robot: Linkage) -> tuple[str, ...]:
-    """Return the notes on names that the document cannot keep."""
     things = _things(robot)
     return tuple(
         f"the {kind} '{original}' is now '{name}'"

@@ -159,7 +159,6 @@ def _numbers(
 def _transforms(
     text: str, constants: Mapping[str, float]
 ) -> Iterator[tuple[tuple[str, str], _Transform]]:
-    """Yield the homogeneous transforms by the names of their frames."""
     bodies: dict[str, str] = {}
     for method in _METHOD.finditer(text):
         end = text.find("\n}", method.end())

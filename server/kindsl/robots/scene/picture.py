@@ -100,7 +100,6 @@ def _defect(model: Model) -> str:
 
 
 def _refusal(model: Model, values: Mapping[str, float]) -> str:
-    """Return why there are no bodies at all."""
     try:
         reachable_linkage(model, values)
     except ModelError as error:

@@ -124,7 +124,6 @@ def _inertial(body: MassDistribution) -> dict[str, str]:
 
 
 def _is_impossible(body: MassDistribution) -> bool:
-    """Return whether a body that moves has an inertia that MuJoCo refuses."""
     allowed = 2.0 * _LEAST + ROUNDING_OF_MOMENTS * abs(principal_moments_about_com(body)[2])
     return _missing(body) > allowed or body.mass < 0.0
 

@@ -83,7 +83,7 @@ class FrameGraph:
         Of a joint without a pose of its own that is the child's, or what the child is given in.
         """
         element = joint
-        while _is_untouched(element):
+        while pose_of(element) == IDENTITY:
             name = reference_of(element)
             if name in (MODEL, WORLD):
                 return joint
@@ -113,11 +113,6 @@ class FrameGraph:
             meant = hint(nearest_name(name, self._elements))
             raise defect(asking, f"names '{name}', which does not exist{meant}", code)
         return self._elements[name]
-
-
-def _is_untouched(element: Any) -> bool:
-    """Return whether an element is where what it is given in is."""
-    return pose_of(element) == IDENTITY
 
 
 def reference_of(element: Any) -> str:

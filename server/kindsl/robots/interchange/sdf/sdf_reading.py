@@ -115,7 +115,6 @@ def _check_model(root: Any, model: Any, searched: Sequence[Path]) -> None:
 
 
 def _joints_by_child(model: Any, graph: FrameGraph) -> dict[str, Any]:
-    """Return the joint that carries each link."""
     joints: dict[str, Any] = {}
     for joint in model.iterfind("joint"):
         kind = joint.get("type")
@@ -157,7 +156,6 @@ def _parent(joint: Any, graph: FrameGraph) -> str:
 def _links(
     model: Any, graph: FrameGraph, joints: Mapping[str, Any], start: str, base: BaseKind
 ) -> list[RigidLink]:
-    """Return the links, parents first."""
     elements = {name_of(link): link for link in model.iterfind("link")}
     frames = _frames(model, graph, start if base == "fixed" else WORLD)
     below: dict[str, list[str]] = {}
@@ -215,7 +213,6 @@ def carried(joint: Any, index: int, parent: str, child: str, graph: FrameGraph) 
 
 
 def _axis_in_model(joint: Any, graph: FrameGraph) -> Vector3:
-    """Return a joint's axis in the model's frame."""
     axis = joint.find("axis")
     xyz = None if axis is None else axis.find("xyz")
     x, y, z = _Z if xyz is None else numbers_in(xyz, 3)

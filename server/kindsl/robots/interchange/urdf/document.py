@@ -109,7 +109,6 @@ def _of_elements(text: str, root: XmlElement, former: SyntaxDocument | None) -> 
 
 
 def _flaws(root: XmlElement, islands: list[UrdfIsland]) -> Iterator[Flaw]:
-    """Yield the defects of a URDF, at their places in its islands."""
     head = islands[0]
     at = Place(head, root.offset, len(head.text))
     if root.tag != "robot":

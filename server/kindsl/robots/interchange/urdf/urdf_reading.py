@@ -101,14 +101,12 @@ def _properties(joint: Any) -> JointProperties:
 
 
 def _number(element: Any, name: str) -> float | None:
-    """Return the number of an attribute that need not be there."""
     if element is None or element.get(name) is None:
         return None
     return numbers_of(element, name, 1)[0]
 
 
 def _floating(joint: Any, bodies: dict[str, MassDistribution | None]) -> RigidLink:
-    """Return the link that a joint lets float."""
     name = end_of(joint, "child")
     return RigidLink(name, parent_T_joint=pose_of_origin(joint.find("origin")), body=bodies[name])
 
@@ -116,7 +114,6 @@ def _floating(joint: Any, bodies: dict[str, MassDistribution | None]) -> RigidLi
 def _links(
     first: RigidLink, children: dict[str, list[Any]], bodies: dict[str, MassDistribution | None]
 ) -> list[RigidLink]:
-    """Return the links, parents first."""
     links = [first]
     for index, link in enumerate(links):
         links += [_carried(joint, index, bodies) for joint in children.get(link.name, [])]

@@ -57,7 +57,6 @@ def written_urdf(name: str, skeleton: Linkage, choices: WritingChoices = ORDINAR
 
 
 def _remarks(skeleton: Linkage, choices: WritingChoices) -> Iterator[str]:
-    """Yield notes on additions of the URDF to the document."""
     kinds = zip(skeleton.joint_names, skeleton.joint_kinds, strict=True)
     told = choices.joints
     unlimited = [(n, kind) for n, kind in kinds if told.get(n, UNTOLD).limits == (None, None)]
