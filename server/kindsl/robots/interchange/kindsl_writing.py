@@ -1,7 +1,7 @@
 """A linkage as a document of the Kinematics-DSL."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from itertools import count
 from math import pi
 
 from kindsl.language.syntax.vocabulary import MOMENTS
@@ -24,20 +24,10 @@ Comments = Mapping[tuple[str, str], tuple[str, ...]]
 NO_COMMENTS: Comments = {}
 
 
-@dataclass(frozen=True, slots=True)
-class _Names:
-    """The names in the document: of the robot, of links and their joints by index, of frames."""
-
-    robot: str
-    links: list[str]
-    joints: list[str]
-    frames: list[list[str]]
-
-
 def written_kindsl(read: ReadRobot) -> WrittenRobot:
     """Return the document of a robot, with all notes."""
     robot = read.robot
-    names = _names(robot).joints[1:]
+    _, _, (_, *names), _ = _names(robot)
     joints = {
         name: read.joints[joint]
         for joint, name in zip(robot.joint_names, names, strict=True)
@@ -54,19 +44,22 @@ def kindsl_text(robot: Linkage, comments: Comments = NO_COMMENTS) -> str:
         robot: The robot.
         comments: Lines on it, see `ReadRobot`.
     """
-    names = _names(robot)
-    children: dict[int | None, list[int]] = {}
-    for index, body in enumerate(robot.bodies):
-        children.setdefault(body.parent, []).append(index)
+    name, links, joints, frames = _names(robot)
+    children: list[list[str]] = [[] for _ in links]
+    for body, link, joint in zip(robot.bodies, links, joints, strict=True):
+        if body.parent is not None:
+            children[body.parent].append(f"{link} via {joint}")
+    floating = " floating" if robot.is_floating else ""
+    heads = [[f"RobotBase {links[0]}{floating} {{"], *map(link_head, links[1:], count(1))]
     blocks = [
-        _comments(comments, "link", body.name) + _link(robot, index, children.get(index, []), names)
-        for index, body in enumerate(robot.bodies)
+        _comments(comments, "link", body.name) + body_text(head, body, edges, own)
+        for head, body, edges, own in zip(heads, robot.bodies, children, frames, strict=True)
     ]
     blocks += [
-        _comments(comments, "joint", body.joint) + joint_text(body, name)
-        for body, name in zip(robot.bodies[1:], names.joints[1:], strict=True)
+        _comments(comments, "joint", body.joint) + joint_text(body, joint)
+        for body, joint in zip(robot.bodies[1:], joints[1:], strict=True)
     ]
-    head = f"{_comments(comments, 'robot', '')}Robot {names.robot} {{"
+    head = f"{_comments(comments, 'robot', '')}Robot {name} {{"
     return "\n\n".join((head, *blocks)) + "\n}\n"
 
 
@@ -100,23 +93,13 @@ def _things(robot: Linkage) -> list[tuple[str, str]]:
     return [*things, ("robot", robot.name)]
 
 
-def _names(robot: Linkage) -> _Names:
+def _names(robot: Linkage) -> tuple[str, list[str], list[str], list[list[str]]]:
+    """Return the names of the robot, of its links, their joints and frames by index."""
     names = iter(valid_names(_things(robot)))
     links = [next(names) for _ in robot.bodies]
     joints = ["", *(next(names) for _ in robot.joint_names)]
     frames = [[next(names) for _ in body.frames_elsewhere] for body in robot.bodies]
-    return _Names(next(names), links, joints, frames)
-
-
-def _link(robot: Linkage, index: int, children: Sequence[int], names: _Names) -> str:
-    body = robot.bodies[index]
-    if body.parent is None:
-        floating = " floating" if robot.is_floating else ""
-        head = [f"RobotBase {names.links[index]}{floating} {{"]
-    else:
-        head = link_head(names.links[index], index)
-    edges = [f"{names.links[child]} via {names.joints[child]}" for child in children]
-    return body_text(head, body, edges, names.frames[index])
+    return next(names), links, joints, frames
 
 
 def link_head(name: str, number: int) -> list[str]:
