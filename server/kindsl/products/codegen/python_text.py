@@ -9,9 +9,8 @@ from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY
 from kindsl.products.codegen.filling import template
 from kindsl.products.codegen.library import Library
 
-# Names of arguments as in kindsl's own interface, and their defaults.
+# Names of arguments as in kindsl's own interface.
 KEYWORDS = {"v0": "base_velocity", "a0": "base_acceleration", "g": "gravity"}
-LENGTHS = {"v0": 6, "a0": 6, "g": 3}
 EXTERNAL = "external_forces"
 
 
@@ -99,8 +98,8 @@ def public_function(library: Library, function: Function) -> str:
     has_load = function.loaded is not None
     if has_load:
         declared.append(f"{EXTERNAL}=None")
-    lengths = [LENGTHS.get(a.name, len(a.components)) for a in function.arguments]
-    vectors = ", ".join(f"({n}, {length})" for n, length in zip(names, lengths, strict=True))
+    both = zip(names, function.arguments, strict=True)
+    vectors = ", ".join(f"({n}, {len(a.components)})" for n, a in both)
     shapes = tuple(_shape(function, result.shape) for result in function.results)
     call = f"_answer(_{name}, {shapes!r}, parameters, {vectors})"
     loaded = (

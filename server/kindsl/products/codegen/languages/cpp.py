@@ -19,7 +19,6 @@ from kindsl.products.codegen.library import Library
 from kindsl.products.codegen.readme import readme
 from kindsl.products.codegen.reference import Reference
 
-FIXED = {"v0": 6, "a0": 6, "g": 3}
 # The argument that holds what parameters decide.
 CONSTANTS = "constants"
 DIALECT = TemplateDialect("class S", "S", "S", "detail::{}({})")
@@ -132,10 +131,7 @@ def _methods(library: Library, function: Function) -> str:
 
 
 def _of_vectors(function: Function, name: str) -> str:
-    takes = [
-        f"const Vector<{FIXED.get(a.name, len(a.components))}>& {a.name}"
-        for a in function.arguments
-    ]
+    takes = [f"const Vector<{len(a.components)}>& {a.name}" for a in function.arguments]
     passed = [f"{argument.name}.data()" for argument in function.arguments]
     load = []
     if function.loaded is not None:
