@@ -1,6 +1,6 @@
 """The output of `kindsl info`, as plain data."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from math import inf
 from typing import Any
 
@@ -17,6 +17,8 @@ from kindsl.products.reports.finding_objects import position_object
 from kindsl.products.reports.robot_health import health_facts, severity_counts
 from kindsl.robots.mechanism.total_mass import Weight, missing_masses, own_mass, total_mass
 
+_Place = Callable[[Located], dict[str, int]]
+
 
 def robot_facts(analysis: Analysis) -> dict[str, Any]:
     """Return tree, masses and parameters, of a broken document the rest.
@@ -25,8 +27,15 @@ def robot_facts(analysis: Analysis) -> dict[str, Any]:
     None unless all of it is known; `known_mass` is the sum of the rest, `missing_masses` the gaps.
     """
     model, values = analysis.model, analysis.context.values
-    places = _Places(analysis)
-    bodies = [_body(model, body, values, places) for body in _in_order(model)]
+    lines = LineIndex(analysis.text)
+
+    def at(offset: int) -> dict[str, int]:
+        return position_object(lines, offset)
+
+    def place(located: Located) -> dict[str, int]:
+        return at(analysis.resolver.span(located)[0])
+
+    bodies = [_body(model, body, values, place) for body in _in_order(model)]
     weight = total_mass(model, values)
     n_joints = sum(body["joint"] is not None for body in bodies)
     return {
@@ -38,9 +47,9 @@ def robot_facts(analysis: Analysis) -> dict[str, Any]:
         "missing_masses": missing_facts(model, values),
         "base": bodies[0] if bodies and bodies[0]["id"] == 0 else None,
         "links": [body for body in bodies if body["id"] != 0],
-        "parameters": [_parameter(p, analysis, places) for p in model.parameters],
+        "parameters": [_parameter(p, analysis, place) for p in model.parameters],
         "constants": [
-            {"name": str(c.name), "value": values.get(f"<{c.name}>"), **places.of(c.name)}
+            {"name": str(c.name), "value": values.get(f"<{c.name}>"), **place(c.name)}
             for c in model.constants
         ],
         "findings": severity_counts(analysis.findings),
@@ -48,30 +57,13 @@ def robot_facts(analysis: Analysis) -> dict[str, Any]:
             verdict.target: {
                 "reads": verdict.reads,
                 "places": [
-                    {"code": d.code, "message": d.message, **places.at(d.start)}
-                    for d in verdict.places
+                    {"code": d.code, "message": d.message, **at(d.start)} for d in verdict.places
                 ],
             }
             for verdict in verdicts(analysis)
         },
-        "health": health_facts(analysis.findings, places.at),
+        "health": health_facts(analysis.findings, at),
     }
-
-
-class _Places:
-    """Turns places into lines and columns, both from 1, and offsets from 0."""
-
-    __slots__ = ("_lines", "_resolver")
-
-    def __init__(self, analysis: Analysis) -> None:
-        self._lines = LineIndex(analysis.text)
-        self._resolver = analysis.resolver
-
-    def of(self, at: Located) -> dict[str, int]:
-        return self.at(self._resolver.span(at)[0])
-
-    def at(self, offset: int) -> dict[str, int]:
-        return position_object(self._lines, offset)
 
 
 def _in_order(model: Model) -> Iterator[Link]:
@@ -81,7 +73,7 @@ def _in_order(model: Model) -> Iterator[Link]:
     yield from sorted(model.links, key=lambda link: inf if link.id is None else link.id)
 
 
-def _body(model: Model, body: Link, values: Mapping[str, float], places: _Places) -> dict[str, Any]:
+def _body(model: Model, body: Link, values: Mapping[str, float], place: _Place) -> dict[str, Any]:
     edge = None if body.is_base else model.tree.supporting_edge(body)
     mass = own_mass(body, values)
     return {
@@ -92,7 +84,7 @@ def _body(model: Model, body: Link, values: Mapping[str, float], places: _Places
         "joint_type": edge.joint.kind if edge and edge.joint else None,
         "mass": None if isinstance(mass, Unknown) else mass,
         "frames": [str(frame.name) for frame in body.frames],
-        **places.of(body.name),
+        **place(body.name),
     }
 
 
@@ -129,7 +121,7 @@ def missing_facts(model: Model, values: Mapping[str, float]) -> list[dict[str, s
     return [{"name": one.owner, "reason": one.reason.plain} for one in missing]
 
 
-def _parameter(parameter: Parameter, analysis: Analysis, places: _Places) -> dict[str, Any]:
+def _parameter(parameter: Parameter, analysis: Analysis, place: _Place) -> dict[str, Any]:
     name = str(parameter.name)
     binding = analysis.settings.bindings.get(name)
     in_document = None if parameter.value is None else "document"
@@ -140,5 +132,5 @@ def _parameter(parameter: Parameter, analysis: Analysis, places: _Places) -> dic
         "origin": binding.origin if binding else in_document,
         "min": binding.minimum if binding else None,
         "max": binding.maximum if binding else None,
-        "uses": [{"kind": use.kind.value, **places.of(use.name)} for use in parameter.uses],
+        "uses": [{"kind": use.kind.value, **place(use.name)} for use in parameter.uses],
     }
