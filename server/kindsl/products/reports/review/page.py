@@ -1,6 +1,7 @@
 """A review of a change: tables and pictures, before and after."""
 
-from collections.abc import Iterator, Mapping
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from math import dist, isclose
 
 from kindsl.judgement.analysis.analysis import Analysis, analyse
@@ -24,7 +25,6 @@ from kindsl.products.reports.page.blocks import (
     SideBySide,
     Table,
 )
-from kindsl.products.reports.review.finding_changes import finding_changes
 from kindsl.products.reports.review.written_numbers import Side, WrittenChange, written_changes
 from kindsl.products.reports.robot_facts import branches, robot_facts
 from kindsl.robots.comparison.difference import Difference
@@ -250,19 +250,34 @@ def _shift(old: Mapping[str, float], new: Mapping[str, float], name: str) -> str
 
 def _findings(old: Analysis, new: Analysis) -> Iterator[Block]:
     yield Heading("Findings")
-    found = finding_changes(old, new)
-    counts = (f"{len(found.new)} new", f"{len(found.gone)} gone", f"{len(found.kept)} kept")
-    yield Paragraph(", ".join(counts))
-    before, after = LineIndex(old.text), LineIndex(new.text)
+    # Matched by rule and message, wherever they moved to.
+    before, after = ([f for f in a.findings if f.severity is not Severity.HINT] for a in (old, new))
+    (come, kept), (gone, _) = _split(after, before), _split(before, after)
+    yield Paragraph(f"{len(come)} new, {len(gone)} gone, {len(kept)} kept")
+    lines_before, lines_after = LineIndex(old.text), LineIndex(new.text)
     for title, findings, lines in (
-        ("New", found.new, after),
-        ("Gone", found.gone, before),
-        ("Kept", found.kept, after),
+        ("New", come, lines_after),
+        ("Gone", gone, lines_before),
+        ("Kept", kept, lines_after),
     ):
         if findings:
             yield Heading(title, 3)
             rows = tuple((_place(lines, f), f.severity.value, f.code, f.message) for f in findings)
             yield Table(("place", "severity", "rule", "finding"), rows)
+
+
+def _split(
+    findings: Sequence[Diagnostic], others: Sequence[Diagnostic]
+) -> tuple[list[Diagnostic], list[Diagnostic]]:
+    """Return the findings that are not among others, and those that are."""
+    left = Counter((f.code, f.message) for f in others)
+    alone: list[Diagnostic] = []
+    shared: list[Diagnostic] = []
+    for finding in findings:
+        key = finding.code, finding.message
+        (shared if left[key] else alone).append(finding)
+        left[key] -= bool(left[key])
+    return alone, shared
 
 
 def _place(lines: LineIndex, finding: Diagnostic) -> str:
