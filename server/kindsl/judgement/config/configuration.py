@@ -62,32 +62,20 @@ class Configuration(NamedTuple):
 
     def tables_for(self, document: str) -> list[Decisions]:
         """Return the tables that apply to a document, the more specific later."""
-        if not self.documents:
-            return [self.common]
-        from kindsl.judgement.config.patterns import is_match
-
-        particular = [
-            d.decisions for d in self.documents if is_match(self.path, d.pattern, document)
-        ]
-        return [self.common, *particular]
+        own = [d.decisions for d in self.documents if self.is_match(d.pattern, document)]
+        return [self.common, *own]
 
     def includes(self, document: str) -> bool:
         """Return whether a robot in another format is linted where its folder is."""
-        if not self.included:
-            return False
-        from kindsl.judgement.config.patterns import is_match
-
-        return any(is_match(self.path, pattern, document) for pattern in self.included)
+        return any(self.is_match(pattern, document) for pattern in self.included)
 
     def keys_of(self, parameter: str, document: str) -> list[KeyPath]:
         """Return the keys that give a parameter of a document a value, the winning ones last."""
-        from kindsl.judgement.config.patterns import is_match
-
         found: list[KeyPath] = [self.root] if parameter in self.common.bindings else []
         found += [
             (*self.root, "document", number)
             for number, (pattern, decisions) in enumerate(self.documents)
-            if parameter in decisions.bindings and is_match(self.path, pattern, document)
+            if parameter in decisions.bindings and self.is_match(pattern, document)
         ]
         return [(*keys, "parameters", parameter) for keys in found]
 
@@ -104,8 +92,11 @@ class Configuration(NamedTuple):
 
     def twins_for(self, document: str) -> tuple[TwinFile, ...]:
         """Return the other files of a document's robot."""
+        return tuple(t.twin for t in self.twins if self.is_match(t.pattern, document))
+
+    def is_match(self, pattern: str, document: str) -> bool:
+        """Return whether a document is one that a pattern in this file names."""
+        # Imported where there are patterns only, since it delays the linter's start.
         from kindsl.judgement.config.patterns import is_match
 
-        return tuple(
-            table.twin for table in self.twins if is_match(self.path, table.pattern, document)
-        )
+        return is_match(self.path, pattern, document)

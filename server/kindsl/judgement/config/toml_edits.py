@@ -15,7 +15,6 @@ from kindsl.judgement.analysis.fixing import in_line_style
 from kindsl.judgement.config.configuration import Configuration, DocumentTable
 from kindsl.judgement.config.configuration_reading import configuration_of
 from kindsl.judgement.config.errors import ConfigurationError
-from kindsl.judgement.config.patterns import is_match
 from kindsl.judgement.config.toml_places import KeyPath, spans_of
 from kindsl.language.text.edits import TextEdit, apply_edits, difference
 from kindsl.language.text.lines import LineIndex
@@ -104,7 +103,7 @@ def _place(configuration: Configuration, document: str, name: str) -> KeyPath:
     matching = [
         (number, table)
         for number, table in enumerate(configuration.documents)
-        if is_match(configuration.path, table.pattern, document)
+        if configuration.is_match(table.pattern, document)
     ]
     if not matching:
         return configuration.root

@@ -10,7 +10,6 @@ from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.analysis.settings import Settings, is_enabled, severity_of
 from kindsl.judgement.config.configuration import Configuration
 from kindsl.judgement.config.decisions import Decisions
-from kindsl.judgement.config.patterns import is_match
 from kindsl.judgement.config.toml_places import KeyPath
 from kindsl.judgement.rules.base import Severity
 from kindsl.judgement.rules.checks.kd404_unused_binding import RULE
@@ -138,8 +137,7 @@ def _left(
         one
         for one in bound
         if not any(
-            one.is_in(names)
-            and (one.pattern is None or is_match(configuration.path, one.pattern, path))
+            one.is_in(names) and (one.pattern is None or configuration.is_match(one.pattern, path))
             for path, names in found
         )
     ]

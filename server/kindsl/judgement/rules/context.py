@@ -18,10 +18,6 @@ ZERO_FOR_ROBCOGEN2 = 5e-6
 CompareTwins = Callable[[Mapping[str, float]], "Iterable[ComparedTwin]"]
 
 
-def _no_twins(_: Mapping[str, float]) -> "tuple[ComparedTwin, ...]":
-    return ()
-
-
 class Context:
     """The surroundings of a check.
 
@@ -36,7 +32,7 @@ class Context:
         targets: frozenset[str],
         bindings: Mapping[str, Binding],
         model: Model,
-        twins: CompareTwins = _no_twins,
+        twins: CompareTwins = lambda _: (),
         twins_key: object = (),
     ) -> None:
         self.targets = targets
