@@ -2,14 +2,14 @@
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Rule, Severity, fix_of
 from kindsl.judgement.rules.context import ROBCOGEN, ROBCOGEN2
 from kindsl.judgement.rules.registry import all_rules
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Place
 from kindsl.language.syntax.comment_problems import UNDECODABLE
 from kindsl.language.syntax.document import SyntaxDocument
-from kindsl.language.syntax.tree import Island, Node, Problem, Repair, Token
+from kindsl.language.syntax.tree import Island, Node, Problem, Token
 from kindsl.language.text.facts import Fact, kept
 
 _REPORT = "KD011"
@@ -94,15 +94,10 @@ def all_problems(document: SyntaxDocument) -> Iterator[tuple[Island, Problem]]:
 
 
 def _finding(island: Island, problem: Problem) -> Finding:
-    fix = _fix(island, problem.repair) if problem.repair is not None else None
-    choices = tuple(_fix(island, repair) for repair in problem.choices)
+    fix = fix_of(problem.repair, island) if problem.repair is not None else None
+    choices = tuple(fix_of(repair, island) for repair in problem.choices)
     at = Place(island, problem.start, problem.end)
     return Finding(at, problem.message, fix=fix, choices=choices)
-
-
-def _fix(island: Island, repair: Repair) -> Fix:
-    changes = tuple(Replacement(Place(island, e.start, e.end), e.text) for e in repair.edits)
-    return Fix(repair.title, changes, repair.is_safe)
 
 
 def is_explained(finding: Finding) -> bool:

@@ -9,7 +9,8 @@ from kindsl.judgement.rules.subject import Subject
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Declarations, Joint, Link
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.places import Located
+from kindsl.language.semantics.places import Located, Place
+from kindsl.language.syntax.tree import Island, Repair
 
 
 class Severity(StrEnum):
@@ -56,6 +57,17 @@ class Fix(NamedTuple):
     changes: tuple[Replacement, ...]
     is_safe: bool = False
     is_within_digits: bool = False
+
+
+def renaming(at: Located, name: str, meant: str) -> Fix:
+    """Return the fix that writes the name that was meant."""
+    return Fix(f"Replace '{name}' with '{meant}'", (Replacement(at, meant),))
+
+
+def fix_of(repair: Repair, island: Island) -> Fix:
+    """Return a repair of an island's text as a fix."""
+    changes = tuple(Replacement(Place(island, e.start, e.end), e.text) for e in repair.edits)
+    return Fix(repair.title, changes, repair.is_safe)
 
 
 class Finding(NamedTuple):

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
-from kindsl.judgement.rules.base import Finding, Fix, Replacement
+from kindsl.judgement.rules.base import Finding, Fix, renaming
 from kindsl.judgement.rules.reference_defects import suggestions
 from kindsl.language.semantics.declarations import Joint, Link
 from kindsl.language.semantics.places import Name
@@ -33,14 +33,10 @@ def missing_names(
     for number, name in enumerate(names):
         meant = suggestions(name, number, idle_names, (str(thing.name) for thing in declared))
         message = f"{kind} '{name}' does not exist{hint(meant)}"
-        choices = tuple(_replacement(name, each) for each in meant)
+        choices = tuple(renaming(name, name, each) for each in meant)
         if len(choices) > 1:
             yield Finding(name, message, choices=choices)
         else:
             is_free = bool(meant) and meant[0] in free
             free.discard(meant[0] if meant else "")
             yield Finding(name, message, fix=choices[0] if is_free else new_block(name))
-
-
-def _replacement(name: Name, meant: str) -> Fix:
-    return Fix(f"Replace '{name}' with '{meant}'", (Replacement(name, meant),))

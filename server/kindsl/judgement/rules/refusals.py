@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Finding, Fix, Replacement, Severity
+from kindsl.judgement.rules.base import Finding, Severity, fix_of
 from kindsl.judgement.rules.context import ROBCOGEN, ROBCOGEN2, Context
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Place
@@ -98,10 +98,5 @@ def _notes(chunk: Chunk) -> list[tuple[Island, PortabilityNote]]:
 
 
 def _finding(island: Island, note: PortabilityNote) -> Finding:
-    fix = None
-    if note.repair is not None:
-        changes = tuple(
-            Replacement(Place(island, e.start, e.end), e.text) for e in note.repair.edits
-        )
-        fix = Fix(note.repair.title, changes, note.repair.is_safe)
+    fix = fix_of(note.repair, island) if note.repair is not None else None
     return Finding(Place(island, note.start, note.end), note.message, fix=fix)

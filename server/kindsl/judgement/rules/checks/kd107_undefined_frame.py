@@ -23,7 +23,7 @@ Writes the name of the link's frame that is probably meant. Unsafe: it is a gues
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Rule, Severity, renaming
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
@@ -37,11 +37,7 @@ def check_document(model: Model, _: object) -> Iterator[Finding]:
         name = body.inertia.frame if body.inertia is not None else None
         if name and name not in known and not _may_be_lost(model, body, name):
             meant = nearest_name(name, (str(frame.name) for frame in body.frames))
-            fix = (
-                Fix(f"Replace '{name}' with '{meant}'", (Replacement(name, meant),))
-                if meant
-                else None
-            )
+            fix = renaming(name, name, meant) if meant else None
             message = f"link '{body.name}' has no frame '{name}'{hint(meant)}"
             yield Finding(name, message, fix=fix)
 

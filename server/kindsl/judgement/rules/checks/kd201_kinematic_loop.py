@@ -20,7 +20,7 @@ there. Unsafe: it is a guess.
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Related, Rule, Severity, renaming
 from kindsl.judgement.rules.reference_defects import reference_defects
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.kinematic_tree import Edge
@@ -46,8 +46,7 @@ def _to_idle_link(model: Model, edge: Edge) -> Fix | None:
     (idle,) = defects.idle_links
     if edge.predecessor in (idle, *model.tree.in_topological_order(idle)):
         return None
-    name = edge.child.link
-    return Fix(f"Replace '{name}' with '{idle.name}'", (Replacement(name, str(idle.name)),))
+    return renaming(edge.child.link, edge.child.link, str(idle.name))
 
 
 RULE = Rule(__name__, Severity.ERROR, check_document=check_document, reads=Aspect.STRUCTURE)

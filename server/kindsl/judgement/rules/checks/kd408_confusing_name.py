@@ -22,14 +22,22 @@ disappears.
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Rule, Severity
+from kindsl.judgement.rules.base import (
+    Finding,
+    Fix,
+    Related,
+    Replacement,
+    Rule,
+    Severity,
+    renaming,
+)
 from kindsl.judgement.rules.broken_text import is_doubtful, is_greek_pi
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.subject import parameter_subject
 from kindsl.judgement.rules.units import NumberWithUnit, numbers_with_unit
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.places import Located, Place
+from kindsl.language.semantics.places import Place
 from kindsl.language.syntax.readings import two_readings
 
 
@@ -43,7 +51,7 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
         if is_greek_pi(name) and name not in context.values:
             message = f"'{name}' is a parameter, not the constant PI"
             for use in parameter.uses:
-                fix = _replacement(use.name, name)
+                fix = renaming(use.name, name, "PI")
                 yield Finding(use.name, message, fix=fix, subject=subject)
             continue
         units = numbers_with_unit(parameter, context.values)
@@ -74,15 +82,11 @@ def _small_pi(model: Model) -> Iterator[Finding]:
 
 def _ambiguous(place: Place, text: str) -> Finding:
     message = f"'{text}' is a parameter for robcogen and the number for robcogen2"
-    return Finding(place, message, fix=_replacement(place, text))
+    return Finding(place, message, fix=renaming(place, text, "PI"))
 
 
 def _in_si(found: NumberWithUnit) -> Fix:
     return Fix(f"Write {found.in_si}", (Replacement(found.place, found.in_si),))
-
-
-def _replacement(place: Located, text: str) -> Fix:
-    return Fix(f"Replace '{text}' with 'PI'", (Replacement(place, "PI"),))
 
 
 RULE = Rule(

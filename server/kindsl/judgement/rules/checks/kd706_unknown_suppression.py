@@ -21,7 +21,7 @@ codes: unsafe, since it hides findings. A comment that cannot mean anything is r
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import takewhile
 
-from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity, renaming
 from kindsl.judgement.rules.checks.kd704_unused_suppression import without_code, without_comment
 from kindsl.judgement.rules.registry import all_codes, rule_named
 from kindsl.judgement.rules.suppression import Directive, is_known
@@ -60,8 +60,7 @@ def _of_word(directive: Directive) -> Finding:
     at = Place(directive.comment.island, directive.at.start, end)
     if meant is None:
         return Finding(at, message, fix=without_comment(directive.comment))
-    change = Replacement(Place(at.island, start, end), meant)
-    return Finding(at, message, fix=Fix(f"Replace '{word}' with '{meant}'", (change,)))
+    return Finding(at, message, fix=renaming(Place(at.island, start, end), word, meant))
 
 
 def _is_of_a_word(character: str) -> bool:
@@ -72,9 +71,7 @@ def _of_codes(directive: Directive, codes: Sequence[tuple[str, Place]]) -> Itera
     for code, at in codes:
         if not is_known(code):
             meant = _meant(code)
-            fix = without_code(directive.comment, at)
-            if meant:
-                fix = Fix(f"Replace '{code}' with '{meant}'", (Replacement(at, meant),))
+            fix = renaming(at, code, meant) if meant else without_code(directive.comment, at)
             yield Finding(at, f"no rule has the code '{code}'{hint(meant)}", fix=fix)
 
 
