@@ -76,7 +76,7 @@ def by_sight(rules: Iterable[Rule]) -> RunningRules:
     readers: dict[tuple[Aspect, bool], list[Rule]] = {}
     for rule in chosen:
         if rule.check_document is not None:
-            readers.setdefault((rule.reads, rule.reads_twins), []).append(rule)
+            readers.setdefault((rule.reads | Aspect.STRUCTURE, rule.reads_twins), []).append(rule)
     return RunningRules(
         tuple(rule for rule in chosen if rule.check_island is not None),
         tuple(rule for rule in chosen if rule.check_body is not None),

@@ -120,7 +120,7 @@ class Rule(NamedTuple):
         check_document: See above.
         check_island: See above.
         check_body: See above.
-        reads: All that `check_document` reads of the document.
+        reads: All that `check_document` reads of the document besides its structure.
         reads_twins: Whether `check_document` reads other files of the robot, too.
         is_default: Whether it runs without being selected or needed by a target.
     """

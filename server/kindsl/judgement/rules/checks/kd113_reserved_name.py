@@ -49,9 +49,4 @@ def _names(model: Model) -> Iterator[Name | None]:
     yield from (parameter.name for parameter in model.parameters)
 
 
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
-)
+RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.SYMBOLS)

@@ -44,5 +44,5 @@ RULE = Rule(
     __name__,
     Severity.INFORMATION,
     check_document=check_document,
-    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
+    reads=Aspect.PLACES | Aspect.MASSES,
 )

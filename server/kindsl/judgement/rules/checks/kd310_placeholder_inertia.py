@@ -100,8 +100,5 @@ def _shared(group: list[tuple[Link, Inertia]]) -> Finding:
 
 
 RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
+    __name__, Severity.WARNING, check_document=check_document, reads=Aspect.PLACES | Aspect.MASSES
 )

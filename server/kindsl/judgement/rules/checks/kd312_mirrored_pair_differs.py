@@ -117,8 +117,5 @@ def _twins(chunk: Chunk) -> list[tuple[Link, str]]:
 
 
 RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
+    __name__, Severity.WARNING, check_document=check_document, reads=Aspect.PLACES | Aspect.MASSES
 )

@@ -58,9 +58,4 @@ def _default(parameter: Parameter) -> Fix:
     return Fix(f"Give '{name}' a default", (Replacement(behind, "[0.0]"),))
 
 
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
-)
+RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.SYMBOLS)

@@ -53,9 +53,4 @@ def _words(kind: ValueKind) -> str:
             assert_never(kind)
 
 
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
-)
+RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.SYMBOLS)

@@ -45,6 +45,4 @@ def _may_be_lost(model: Model, name: Name) -> bool:
     return bool(name.island.problems) or model.is_mentioned_in_broken_text(name, name.island)
 
 
-RULE = Rule(
-    __name__, Severity.ERROR, check_document=check_document, reads=Aspect.STRUCTURE | Aspect.SYMBOLS
-)
+RULE = Rule(__name__, Severity.ERROR, check_document=check_document, reads=Aspect.SYMBOLS)

@@ -30,6 +30,4 @@ def check_document(model: Model, _: object) -> Iterator[Finding]:
                 yield Finding(other, message, (Related(values[0], "the first value"),))
 
 
-RULE = Rule(
-    __name__, Severity.ERROR, check_document=check_document, reads=Aspect.STRUCTURE | Aspect.SYMBOLS
-)
+RULE = Rule(__name__, Severity.ERROR, check_document=check_document, reads=Aspect.SYMBOLS)

@@ -89,9 +89,4 @@ def _in_si(found: NumberWithUnit) -> Fix:
     return Fix(f"Write {found.in_si}", (Replacement(found.place, found.in_si),))
 
 
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
-)
+RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.SYMBOLS)

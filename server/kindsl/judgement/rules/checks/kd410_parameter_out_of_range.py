@@ -48,9 +48,4 @@ def _broken_limit(binding: Binding, value: float) -> str:
     return ""
 
 
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
-)
+RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.SYMBOLS)

@@ -77,8 +77,5 @@ def _fix(vector: Vector, factor: float) -> Fix | None:
 
 
 RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
+    __name__, Severity.WARNING, check_document=check_document, reads=Aspect.PLACES | Aspect.MASSES
 )

@@ -62,6 +62,4 @@ def _are_replicas(one: Joint, other: Joint) -> bool:
     return here != there and here.part == there.part
 
 
-RULE = Rule(
-    __name__, Severity.HINT, check_document=check_document, reads=Aspect.STRUCTURE | Aspect.PLACES
-)
+RULE = Rule(__name__, Severity.HINT, check_document=check_document, reads=Aspect.PLACES)

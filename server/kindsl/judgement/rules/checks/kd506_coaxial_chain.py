@@ -52,9 +52,4 @@ def _is_coaxial(joint: Joint, context: Context) -> bool:
     return hypot(x, y) < _PARALLEL and (joint.kind == "prismatic" or offset < _COINCIDENT)
 
 
-RULE = Rule(
-    __name__,
-    Severity.INFORMATION,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE | Aspect.PLACES,
-)
+RULE = Rule(__name__, Severity.INFORMATION, check_document=check_document, reads=Aspect.PLACES)

@@ -62,8 +62,5 @@ def _is_long(value: Expression) -> bool:
 
 
 RULE = Rule(
-    __name__,
-    Severity.HINT,
-    check_document=check_document,
-    reads=Aspect.PLACES | Aspect.MASSES | Aspect.STRUCTURE,
+    __name__, Severity.HINT, check_document=check_document, reads=Aspect.PLACES | Aspect.MASSES
 )

@@ -197,8 +197,5 @@ def _are_impossible(model: Model, context: Context, twins: tuple[str, ...]) -> b
 
 
 RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
+    __name__, Severity.WARNING, check_document=check_document, reads=Aspect.PLACES | Aspect.MASSES
 )

@@ -103,8 +103,5 @@ def _texts(
 
 
 RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
+    __name__, Severity.WARNING, check_document=check_document, reads=Aspect.PLACES | Aspect.MASSES
 )

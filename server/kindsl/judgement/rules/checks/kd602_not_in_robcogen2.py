@@ -37,6 +37,6 @@ RULE = Rule(
     __name__,
     Severity.ERROR,
     check_document=check_document,
-    reads=Aspect.STRUCTURE | Aspect.SYMBOLS | Aspect.LAYOUT,
+    reads=Aspect.SYMBOLS | Aspect.LAYOUT,
     is_default=False,
 )

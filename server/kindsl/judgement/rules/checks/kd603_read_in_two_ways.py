@@ -53,9 +53,4 @@ def _finding(island: Island, found: TwoReadings, targets: frozenset[str]) -> Fin
     return Finding(place, message, fix=fix)
 
 
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
-)
+RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.SYMBOLS)

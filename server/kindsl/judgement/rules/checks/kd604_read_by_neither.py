@@ -36,8 +36,5 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
 
 
 RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE | Aspect.SYMBOLS | Aspect.LAYOUT,
+    __name__, Severity.ERROR, check_document=check_document, reads=Aspect.SYMBOLS | Aspect.LAYOUT
 )

@@ -53,6 +53,6 @@ RULE = Rule(
     __name__,
     Severity.WARNING,
     check_document=check_document,
-    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES | Aspect.SYMBOLS,
+    reads=Aspect.PLACES | Aspect.MASSES | Aspect.SYMBOLS,
     reads_twins=True,
 )
