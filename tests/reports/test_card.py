@@ -13,8 +13,10 @@ from kindsl.judgement.analysis.settings import Settings
 from kindsl.products.reports.card import card_page
 from kindsl.products.reports.drawing.shapes import Disc, Label, Line
 from kindsl.products.reports.page.blocks import Figure, Heading, Matrix, Table
-from kindsl.products.reports.page.rendering import RENDERERS, rendered
+from kindsl.products.reports.page.html import html_text
+from kindsl.products.reports.page.markdown import markdown_text
 
+RENDERERS = {"markdown": markdown_text, "html": html_text}
 EXAMPLES = Path(__file__).parents[2] / "examples"
 QUADRUPED = EXAMPLES / "quadruped.kindsl"
 SECTIONS = ["Tree", "Joints", "Masses", "Frames", "Parameters", "Transforms", "Health"]
@@ -60,7 +62,7 @@ def test_every_link_and_frame_is_drawn_within_the_sheet() -> None:
 
 @pytest.mark.parametrize("output_format", RENDERERS)
 def test_each_format_is_well_formed(output_format: str) -> None:
-    text = rendered(page(QUADRUPED), output_format)
+    text = RENDERERS[output_format](page(QUADRUPED))
     assert "http" not in re.sub('xmlns="[^"]*"|http-equiv', "", text)
     if output_format == "html":
         body = text[text.index("<body>") : text.index("</html>")]
@@ -75,14 +77,14 @@ def test_broken_documents_are_shown_as_far_as_they_go(cut: int) -> None:
     blocks = card_page(kindsl.parse(QUADRUPED.read_text()[:cut], Settings()))
     assert any(isinstance(b, Heading) and b.text == "Health" for b in blocks)
     for output_format in RENDERERS:
-        assert rendered(blocks, output_format)
+        assert RENDERERS[output_format](blocks)
 
 
 @pytest.mark.parametrize("path", published_models())
 def test_published_documents_have_a_card(path: Path) -> None:
     blocks = page(path)
     assert any(isinstance(b, Figure) for b in blocks)
-    assert all(rendered(blocks, output_format) for output_format in RENDERERS)
+    assert all(RENDERERS[output_format](blocks) for output_format in RENDERERS)
 
 
 def test_command_writes_a_file_or_stdout(tmp_path: Path, capsys) -> None:

@@ -66,7 +66,8 @@ def run(args: argparse.Namespace) -> int:
     require_parameters(args.file, analysis)
     from kindsl.judgement.analysis.settings import PoseError
     from kindsl.products.reports.card import card_page
-    from kindsl.products.reports.page.rendering import rendered, with_pictures
+    from kindsl.products.reports.page.html import html_text
+    from kindsl.products.reports.page.markdown import markdown_text, with_pictures
 
     try:
         page = card_page(analysis, args.pose)
@@ -77,6 +78,7 @@ def run(args: argparse.Namespace) -> int:
         text, pictures = with_pictures(page, args.output)
         write_output(args.output, text, pictures)
     else:
-        write_output(args.output or STDIN, rendered(page, args.output_format))
+        text = html_text(page) if args.output_format == "html" else markdown_text(page)
+        write_output(args.output or STDIN, text)
     note_errors(args.file, analysis)
     return 0

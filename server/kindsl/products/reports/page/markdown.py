@@ -3,6 +3,8 @@
 import base64
 import re
 from collections.abc import Callable, Iterator
+from pathlib import Path
+from urllib.parse import quote
 
 from kindsl.products.reports.drawing.svg import svg_text
 from kindsl.products.reports.page.blocks import (
@@ -41,6 +43,15 @@ def markdown_text(page: Page, address: Address = embedded) -> str:
         address: Where a picture is.
     """
     return "\n".join(part for block in page for part in _block(block, address))
+
+
+def with_pictures(page: Page, path: str) -> tuple[str, dict[str, str]]:
+    """Return a page in Markdown that is written to a path, and its pictures by theirs."""
+    file = Path(path)
+    figures = [block for block in page if isinstance(block, Figure)]
+    names = {f.name: file.with_name(f"{file.stem}_{f.name}.svg") for f in figures}
+    pictures = {str(names[f.name]): svg_text(f.drawing) for f in figures}
+    return markdown_text(page, lambda figure: quote(names[figure.name].name)), pictures
 
 
 def _block(block: Block, address: Address) -> Iterator[str]:
