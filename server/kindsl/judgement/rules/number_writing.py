@@ -6,11 +6,7 @@ from math import isfinite, pi
 
 from kindsl.judgement.rules.base import Replacement
 from kindsl.language.semantics.expressions import Expression
-from kindsl.language.text.decimals import (
-    fixed_decimal,
-    significant_decimal,
-    significant_digits,
-)
+from kindsl.language.text.decimals import fixed_decimal, significant_decimal, significant_digits
 
 _SUMS = frozenset(("add", "subtract"))
 _SIGN = re.compile(r"([+-])\s*")

@@ -10,11 +10,7 @@ from typing import NamedTuple
 
 from kindsl.judgement.rules.base import Finding
 from kindsl.language.semantics.aspects import Aspect
-from kindsl.language.semantics.declarations import (
-    Declarations,
-    Joint,
-    Link,
-)
+from kindsl.language.semantics.declarations import Declarations, Joint, Link
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.model import Model

@@ -16,9 +16,7 @@ from kindsl.language.semantics.declarations import Link, Vector
 from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import mass_distribution, written_pose
-from kindsl.mechanics.rigid.body import (
-    MassDistribution,
-)
+from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import IDENTITY
 from kindsl.robots.limbs.comparison import Tolerance
 from kindsl.robots.limbs.mounts import REFLECTIONS

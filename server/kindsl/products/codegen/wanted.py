@@ -4,11 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.transforms import (
-    LINK_PREFIX,
-    frame_names,
-    unknown_frames,
-)
+from kindsl.language.semantics.transforms import LINK_PREFIX, frame_names, unknown_frames
 from kindsl.language.syntax.transforms_text import FramePair, read_transforms
 from kindsl.language.text.lines import LineIndex
 from kindsl.language.text.nearest import hint, nearest_name

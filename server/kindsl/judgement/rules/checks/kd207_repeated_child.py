@@ -22,15 +22,7 @@ Removes the repetition if it names the same joint. Safe: it adds nothing.
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import (
-    Finding,
-    Fix,
-    Related,
-    Replacement,
-    Rule,
-    Severity,
-    Tag,
-)
+from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Rule, Severity, Tag
 from kindsl.judgement.rules.context import ROBCOGEN2, Context
 from kindsl.judgement.rules.reference_defects import reference_defects
 from kindsl.language.semantics.aspects import Aspect

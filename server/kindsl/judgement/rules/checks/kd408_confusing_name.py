@@ -22,15 +22,7 @@ disappears.
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import (
-    Finding,
-    Fix,
-    Related,
-    Replacement,
-    Rule,
-    Severity,
-    renaming,
-)
+from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Rule, Severity, renaming
 from kindsl.judgement.rules.broken_text import is_doubtful, is_greek_pi
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.subject import parameter_subject

@@ -16,11 +16,7 @@ were written by an exporter and never filled in.
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
-from kindsl.judgement.rules.xml_elements import (
-    A_FEW,
-    LimitedJoint,
-    limited_joints,
-)
+from kindsl.judgement.rules.xml_elements import A_FEW, LimitedJoint, limited_joints
 from kindsl.language.semantics.model import Model
 
 _NAMES = ("effort", "velocity")
