@@ -3,9 +3,9 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
-from typing import NamedTuple
 
 from kindsl.language.semantics.model import Model
+from kindsl.language.text.saves import Stamp, stamp
 from kindsl.robots.comparison.document_side import described_document
 from kindsl.robots.comparison.mechanical import ComparedTwin, compared_mechanics
 from kindsl.robots.comparison.side import ComparedSide
@@ -17,13 +17,6 @@ _XACRO = ".xacro"
 _KEPT = 32
 # Whose change is a change of a folder of generated code.
 _OF_FOLDER = ("kindsl-generated.json", "inertia_properties.impl.h", "inertia_properties.h")
-
-
-class _TwinVersion(NamedTuple):
-    """A file as it was when it was read."""
-
-    path: str
-    changed: tuple[tuple[int, int], ...]
 
 
 def compared_twins(
@@ -64,7 +57,8 @@ def read_file(path: str, label: str, floating: bool | None = None) -> ComparedSi
         label: What to call it.
         floating: Whether its base floats, where the file leaves that open.
     """
-    return _read(_version(path), label, floating)
+    files = (path, *(str(Path(path, name)) for name in _OF_FOLDER))
+    return _read(path, tuple(map(stamp, files)), label, floating)
 
 
 def watched_files(twins: Iterable[TwinFile]) -> Iterator[str]:
@@ -75,32 +69,17 @@ def watched_files(twins: Iterable[TwinFile]) -> Iterator[str]:
             yield from (str(Path(twin.path, name)) for name in _OF_FOLDER)
 
 
-def _version(path: str) -> _TwinVersion:
-    files = [Path(path), *(Path(path, name) for name in _OF_FOLDER)]
-    stats = (_stat(file) for file in files)
-    return _TwinVersion(path, tuple(each for each in stats if each is not None))
-
-
-def _stat(path: Path) -> tuple[int, int] | None:
-    try:
-        stat = path.stat()
-    except (OSError, ValueError):
-        return None
-    return stat.st_mtime_ns, stat.st_size
-
-
 @lru_cache(_KEPT)
-def _read(version: _TwinVersion, label: str, floating: bool | None) -> ComparedSide | str:
+def _read(
+    path: str, _: tuple[Stamp | None, ...], label: str, floating: bool | None
+) -> ComparedSide | str:
     from kindsl.robots.interchange.descriptions import read_description
-    from kindsl.robots.interchange.format import FormatError
 
     try:
-        return read_description(Path(version.path), label, floating).robot
-    except FormatError as error:
+        return read_description(Path(path), label, floating).robot
+    except ValueError as error:
         return str(error)
     except ModuleNotFoundError as error:
         return f"{error.name} is not installed"
     except OSError as error:
         return error.strerror or str(error)
-    except ValueError as error:
-        return str(error)
