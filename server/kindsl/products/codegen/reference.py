@@ -14,7 +14,6 @@ from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanics.dynamics.generation.function import Function
 from kindsl.mechanics.dynamics.joints import solve
 from kindsl.mechanics.spatial.arrays import Array
-from kindsl.mechanics.spatial.cross_products import skew
 
 Values = Mapping[str, Array]
 NOTHING: Mapping[str, float] = MappingProxyType({})
@@ -131,14 +130,10 @@ class Reference:
         return self._jacobian(name, is_own=False)[:, columns]
 
     def _relative_jacobian(self, target: str, base: str) -> Array:
-        """Return the target's less what it would move by if it were fixed to the base."""
-        targets, bases = (self._framed.jacobian(self.values["q"], name) for name in (target, base))
-        pose = self._pose(target, base)
-        moved = np.concatenate((pose[:3, :3] @ targets[:3], pose[:3, :3] @ targets[3:]))
-        carried = bases.copy()
-        carried[3:] -= skew(pose[:3, 3]) @ bases[:3]
+        """Return the columns of the joints between both."""
+        J = self._framed.relative_jacobian(self.values["q"], base, target)
         joints = sorted({*self._support(target)} ^ {*self._support(base)})
-        return (moved - carried)[:, [self._first + joint - 1 for joint in joints]]
+        return J[:, [self._first + joint - 1 for joint in joints]]
 
     def _pose(self, target: str, base: str) -> Array:
         """Return `base_T_target`."""
