@@ -9,7 +9,6 @@ from kindsl.mechanics.rigid.pose import RigidPose
 from kindsl.robots.comparison.alignment import AlignedJoint
 from kindsl.robots.comparison.matching import writable
 from kindsl.robots.comparison.pair import Pair
-from kindsl.robots.comparison.side import ComparedSide
 
 # Of a frame that is written with few digits, metres and radians.
 _NOTHING = 3e-4
@@ -28,14 +27,10 @@ def conventions(pair: Pair) -> Iterator[str]:
     frames = ours.skeleton.frames, theirs.skeleton.frames
     one, other = ({writable(frame.name) for frame in each} for each in frames)
     for side, known, where in ((ours, other, "here"), (theirs, one, f"in {theirs.label}")):
-        only = sorted(name for name in _own_frames(side) if writable(name) not in known)
+        own = {frame.name for frame in side.skeleton.frames if _is_elsewhere(frame.pose)}
+        only = sorted(name for name in own if writable(name) not in known)
         if only:
             yield f"{counted(len(only), 'frame')} only {where}: {_some(only)}"
-
-
-def _own_frames(side: ComparedSide) -> set[str]:
-    """Return the frames that do not coincide with their link's."""
-    return {frame.name for frame in side.skeleton.frames if _is_elsewhere(frame.pose)}
 
 
 def _names(pair: Pair) -> Iterator[str]:
