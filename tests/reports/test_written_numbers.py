@@ -6,18 +6,18 @@ import pytest
 from tests.cli.samples import GOOD
 
 import kindsl
+from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.language.semantics.parameters import Binding
-from kindsl.products.reports.review.written_numbers import Side, written_changes
+from kindsl.products.reports.review.written_numbers import written_changes
 
 _NONE: dict[str, str] = {}
 Row = tuple[str, str, str, str, str, str]
 
 
-def side(text: str, **values: float) -> Side:
+def side(text: str, **values: float) -> Analysis:
     bindings = {name: Binding(value) for name, value in values.items()}
-    document = kindsl.parse(text, Settings(bindings=bindings))
-    return Side(document.model, document.context.values)
+    return kindsl.parse(text, Settings(bindings=bindings))
 
 
 def changes(old: str, new: str, **values: float) -> list[Row]:

@@ -25,7 +25,7 @@ from kindsl.products.reports.page.blocks import (
     SideBySide,
     Table,
 )
-from kindsl.products.reports.review.written_numbers import Side, WrittenChange, written_changes
+from kindsl.products.reports.review.written_numbers import written_changes
 from kindsl.products.reports.robot_facts import branches, robot_facts
 from kindsl.robots.comparison.difference import Difference
 
@@ -100,7 +100,7 @@ def _changes(found: Difference | None, joints: Mapping[str, str]) -> Iterator[Bl
     yield Heading("What changed")
     rows = [row for row in change_rows(found) if not _is_half_of_a_renaming(row, joints)]
     renamed = [ChangeRow("joint", b, f"renamed, was '{a}'") for a, b in joints.items()]
-    cells = tuple((row.kind, row.name, row.change) for row in (*renamed, *rows))
+    cells = (*renamed, *rows)
     yield (
         Table(("what", "name", "change"), cells)
         if cells
@@ -118,17 +118,11 @@ def _is_half_of_a_renaming(row: ChangeRow, joints: Mapping[str, str]) -> bool:
 def _numbers(
     old: Analysis, new: Analysis, found: Difference | None, joints: Mapping[str, str]
 ) -> Iterator[Block]:
-    sides = (Side(a.model, a.context.values) for a in (old, new))
-    before, after = sides
-    changes = list(written_changes(before, after, _renamed_links(found), joints))
+    changes = tuple(written_changes(old, new, _renamed_links(found), joints))
     if changes:
         yield Heading("Numbers")
         header = ("what", "name", "number", "before", "after", "remark")
-        yield Table(header, tuple(map(_number_row, changes)), frozenset((3, 4)))
-
-
-def _number_row(change: WrittenChange) -> tuple[str, ...]:
-    return change.kind, change.name, change.number, change.old, change.new, change.remark
+        yield Table(header, changes, frozenset((3, 4)))
 
 
 def _pictures(old: Analysis, new: Analysis, found: Difference | None) -> Iterator[Block]:

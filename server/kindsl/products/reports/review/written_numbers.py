@@ -4,14 +4,13 @@ from collections.abc import Iterator, Mapping
 from math import isclose, radians
 from typing import NamedTuple
 
+from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.declarations import Inertia, Pose, Vector
 from kindsl.language.semantics.expressions import Expression
-from kindsl.language.semantics.model import Model
 from kindsl.language.syntax.vocabulary import MOMENTS
 
 _AXES = "xyz"
 _ROUNDING = 1e-12
-_GIVEN = Mapping[str, float]
 # What a factor between two numbers says, and how near it must be.
 _FACTORS = (
     (1000.0, "1000 times: another unit?"),
@@ -20,13 +19,6 @@ _FACTORS = (
     (radians(1.0), "PI/180 times: radians?"),
 )
 _NEAR = 1e-4
-
-
-class Side(NamedTuple):
-    """A document's model and the values of its parameters and constants."""
-
-    model: Model
-    values: _GIVEN
 
 
 class WrittenChange(NamedTuple):
@@ -50,7 +42,7 @@ class WrittenChange(NamedTuple):
 
 
 def written_changes(
-    old: Side, new: Side, links: Mapping[str, str], joints: Mapping[str, str]
+    old: Analysis, new: Analysis, links: Mapping[str, str], joints: Mapping[str, str]
 ) -> Iterator[WrittenChange]:
     """Yield the changes, joints first, then frames, then links.
 
@@ -69,24 +61,26 @@ def written_changes(
             for number in (
                 dict.fromkeys((*numbers, *after.get(thing, {}))) if thing in after else ()
             ):
-                pair = numbers.get(number), after[thing].get(number)
-                if not _same(pair, old.values, new.values):
-                    texts = [expression.text if expression else "" for expression in pair]
-                    remark = _remark(pair, old.values, new.values)
-                    yield WrittenChange(kind, thing, number, texts[0], texts[1], remark)
+                here, there = numbers.get(number), after[thing].get(number)
+                a = None if here is None else here.value(old.context.values)
+                b = None if there is None else there.value(new.context.values)
+                texts = [expression.text if expression else "" for expression in (here, there)]
+                is_same = texts[0] == texts[1] if a is None or b is None else _same(a, b)
+                if here is None or there is None or not is_same:
+                    yield WrittenChange(kind, thing, number, texts[0], texts[1], _remark(a, b))
 
 
 _Numbers = dict[str, dict[str, Expression]]
 
 
-def _joints(side: Side, renamed: Mapping[str, str]) -> _Numbers:
+def _joints(side: Analysis, renamed: Mapping[str, str]) -> _Numbers:
     return {
         renamed.get(str(joint.name), str(joint.name)): dict(_pose(joint.pose))
         for joint in side.model.joints
     }
 
 
-def _frames(side: Side, renamed: Mapping[str, str]) -> _Numbers:
+def _frames(side: Analysis, renamed: Mapping[str, str]) -> _Numbers:
     return {
         f"{renamed.get(str(body.name), str(body.name))}.{frame.name}": dict(_pose(frame.pose))
         for body in side.model.bodies
@@ -94,7 +88,7 @@ def _frames(side: Side, renamed: Mapping[str, str]) -> _Numbers:
     }
 
 
-def _bodies(side: Side, renamed: Mapping[str, str]) -> _Numbers:
+def _bodies(side: Analysis, renamed: Mapping[str, str]) -> _Numbers:
     return {
         renamed.get(str(body.name), str(body.name)): dict(_inertia(body.inertia))
         for body in side.model.bodies
@@ -120,25 +114,14 @@ def _vector(name: str, vector: Vector | None) -> Iterator[tuple[str, Expression]
             yield f"{name} {axis}", component
 
 
-_Pair = tuple[Expression | None, Expression | None]
-
-
-def _same(pair: _Pair, old: _GIVEN, new: _GIVEN) -> bool:
-    if pair[0] is None or pair[1] is None:
-        return False
-    a, b = pair[0].value(old), pair[1].value(new)
-    if a is None or b is None:
-        return pair[0].text == pair[1].text
+def _same(a: float, b: float) -> bool:
     return isclose(a, b, rel_tol=_ROUNDING)
 
 
-def _remark(pair: _Pair, old: _GIVEN, new: _GIVEN) -> str:
-    if pair[0] is None or pair[1] is None:
-        return ""
-    a, b = pair[0].value(old), pair[1].value(new)
+def _remark(a: float | None, b: float | None) -> str:
     if not a or not b:
         return ""
-    if isclose(a, -b, rel_tol=_ROUNDING):
+    if _same(a, -b):
         return "sign swapped"
     near = (cause for factor, cause in _FACTORS if isclose(b, a * factor, rel_tol=_NEAR))
     return next(near, "")
