@@ -9,12 +9,12 @@ from tests.support.examples import joint, link, robot
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.fixing import fixed, is_fixable, is_safe, made
-from kindsl.judgement.analysis.proof import EditEffect, Effect, effect
+from kindsl.judgement.analysis.proof import Effect, effect
 from kindsl.judgement.analysis.text_fix import TextFix, prove
 from kindsl.language.syntax.document import parse
 from kindsl.language.text.edits import TextEdit, apply_edits
 
-KEEPS, CHANGES, CANNOT_KNOW = EditEffect
+KEEPS, CHANGES, CANNOT_KNOW = True, False, False
 ARM = robots.ARM
 
 
@@ -27,7 +27,7 @@ def with_angle(angle: str) -> str:
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "verdict"),
+    ("old", "new", "is_kept"),
     [
         ("1", "1.0", KEEPS),
         ("+.5", "0.50", KEEPS),
@@ -51,12 +51,12 @@ def with_angle(angle: str) -> str:
         ("@1.0", "1.0", CANNOT_KNOW),
     ],
 )
-def test_a_number_in_other_words(old: str, new: str, verdict: EditEffect) -> None:
-    assert done(with_angle(old), with_angle(new)).verdict is verdict
+def test_a_number_in_other_words(old: str, new: str, is_kept: bool) -> None:
+    assert done(with_angle(old), with_angle(new)).is_kept is is_kept
 
 
 @pytest.mark.parametrize(
-    ("written", "verdict"),
+    ("written", "is_kept"),
     [
         ("1.5708", KEEPS),
         ("1.5707", KEEPS),
@@ -68,14 +68,14 @@ def test_a_number_in_other_words(old: str, new: str, verdict: EditEffect) -> Non
         ("1.57079631", CHANGES),
     ],
 )
-def test_digits_that_are_rounded_or_cut_off(written: str, verdict: EditEffect) -> None:
+def test_digits_that_are_rounded_or_cut_off(written: str, is_kept: bool) -> None:
     for sign in ("", "-"):
         old, new = with_angle(sign + written), with_angle(f"{sign}PI/2.0")
-        assert done(old, new, within_digits=True).verdict is verdict
+        assert done(old, new, within_digits=True).is_kept is is_kept
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "verdict"),
+    ("old", "new", "is_kept"),
     [
         ("inertia_params", "inertia_properties", KEEPS),
         ("id = 2", "id = 02", KEEPS),
@@ -89,20 +89,20 @@ def test_digits_that_are_rounded_or_cut_off(written: str, verdict: EditEffect) -
         ("children {  }", "children {", CANNOT_KNOW),
     ],
 )
-def test_what_else_is_said(old: str, new: str, verdict: EditEffect) -> None:
+def test_what_else_is_said(old: str, new: str, is_kept: bool) -> None:
     links = link("arm", 1, "hand2 via joint_b"), link("hand2", 2)
     text = robot(*links, "// the wrist\n", base="arm via joint_a", joints="joint_a joint_b")
     assert old in text
-    assert done(text, text.replace(old, new, 1)).verdict is verdict
+    assert done(text, text.replace(old, new, 1)).is_kept is is_kept
 
 
 def test_the_order_of_links_is_kept_that_of_joints_is_not() -> None:
     one, two = link("a", 1), link("b", 2)
-    assert done(one + two, two + one).verdict is CHANGES
+    assert done(one + two, two + one).is_kept is CHANGES
     one, two = joint("a"), joint("b")
-    assert done(one + two, two + one).verdict is KEEPS
+    assert done(one + two, two + one).is_kept is KEEPS
     two = joint("a").replace("0.3", "0.4")
-    assert done(one + two, two + one).verdict is CHANGES
+    assert done(one + two, two + one).is_kept is CHANGES
 
 
 def test_what_is_lost_is_named() -> None:

@@ -23,7 +23,7 @@ from kindsl.frontends.features.manipulation.pose_as_zero import pose_as_zero
 from kindsl.frontends.features.manipulation.set_component import ComponentChange, set_component
 from kindsl.frontends.features.manipulation.things import Thing
 from kindsl.judgement.analysis.analysis import Analysis, analyse
-from kindsl.judgement.analysis.proof import EditEffect, effect
+from kindsl.judgement.analysis.proof import effect
 from kindsl.language.formatting import FormattingRefusedError, format_document
 from kindsl.language.text.edits import TextEdit
 
@@ -82,7 +82,7 @@ def test_formatting_keeps_everything(part: int) -> None:
         except FormattingRefusedError:
             continue
         after = assert_whole(analysis, edits, "format")
-        assert effect(analysis.syntax, after.syntax).verdict is EditEffect.KEEPS
+        assert effect(analysis.syntax, after.syntax).is_kept
 
 
 @pytest.mark.parametrize("part", PARTS)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.analysis.fix_trials import offered
-from kindsl.judgement.analysis.proof import EditEffect, effect
+from kindsl.judgement.analysis.proof import effect
 from kindsl.judgement.analysis.text_fix import TextFix, disjoint, edits_of, prove
 from kindsl.judgement.rules.base import Severity
 from kindsl.language.syntax.scanner import comments, scan
@@ -144,7 +144,7 @@ def _go_together(
     """Return whether fixes do no harm, compared with the best text so far."""
     within_digits = any(fix.is_within_digits for fix in fixes)
     done = effect(analysis.syntax, tried.syntax, within_digits=within_digits)
-    is_kept = done.verdict is EditEffect.KEEPS or not all(fix.is_safe for fix in fixes)
+    is_kept = done.is_kept or not all(fix.is_safe for fix in fixes)
     if not done.is_whole or not is_kept:
         return False
     before, after = _errors(best), _errors(tried)

@@ -5,7 +5,6 @@ Both texts are read as tolerantly as everywhere; of what is equal in both nothin
 
 from collections import Counter
 from collections.abc import Sequence
-from enum import StrEnum
 from itertools import takewhile
 from typing import NamedTuple
 
@@ -17,24 +16,16 @@ from kindsl.language.syntax.tree import Island
 _SAME = 1e-15
 
 
-class EditEffect(StrEnum):
-    """The effect of an edit on the meaning of a document."""
-
-    KEEPS = "keeps"
-    CHANGES = "changes"
-    CANNOT_KNOW = "cannot know"
-
-
 class Effect(NamedTuple):
     """The effect of edits on a document.
 
     Attributes:
-        verdict: Whether every number, reference and block means what it meant.
+        is_kept: Whether every number, reference and block is known to mean what it meant.
         lost_remarks: The words of comments that are gone.
         lost_blocks: The kinds of the blocks that are gone.
     """
 
-    verdict: EditEffect
+    is_kept: bool
     lost_remarks: tuple[str, ...]
     lost_blocks: tuple[str, ...]
 
@@ -56,15 +47,16 @@ def effect(before: SyntaxDocument, after: SyntaxDocument, *, within_digits: bool
     was, now = contents(old), contents(new)
     remarks = was.remarks - now.remarks
     unread = was.unread - now.unread - now.remarks
-    is_same = was.references == now.references and was.blocks == now.blocks
-    verdicts = [
-        _of_numbers(was, now, within_digits),
-        EditEffect.CHANGES if remarks or unread or not is_same else EditEffect.KEEPS,
-    ]
-    if _n_problems(after, new) > _n_problems(before, old):
-        verdicts.append(EditEffect.CANNOT_KNOW)
+    is_kept = (
+        not (remarks or unread)
+        and was.references == now.references
+        and was.blocks == now.blocks
+        and _n_problems(after, new) <= _n_problems(before, old)
+        and was.numbers.keys() == now.numbers.keys()
+        and all(_is_kept(n, now.numbers[place], within_digits) for place, n in was.numbers.items())
+    )
     lost_blocks = _kinds(was) - _kinds(now)
-    return Effect(_worst(verdicts), tuple(remarks.elements()), tuple(lost_blocks.elements()))
+    return Effect(is_kept, tuple(remarks.elements()), tuple(lost_blocks.elements()))
 
 
 def _kinds(said: Contents) -> Counter[str]:
@@ -89,21 +81,13 @@ def _n_problems(document: SyntaxDocument, islands: Sequence[Island]) -> int:
     return len(document.problems) + sum(len(island.problems) for island in islands)
 
 
-def _of_numbers(was: Contents, now: Contents, within_digits: bool) -> EditEffect:
-    if was.numbers.keys() != now.numbers.keys():
-        return EditEffect.CHANGES
-    pairs = ((number, now.numbers[place]) for place, number in was.numbers.items())
-    return _worst([_of_number(*pair, within_digits) for pair in pairs])
-
-
-def _of_number(old: Number, new: Number, within_digits: bool) -> EditEffect:
+def _is_kept(old: Number, new: Number, within_digits: bool) -> bool:
     if old.words == new.words:
-        return EditEffect.KEEPS
+        return True
     if old.value is None or new.value is None:
-        return EditEffect.CANNOT_KNOW
-    is_same = abs(old.value - new.value) <= _SAME * abs(old.value)
-    is_same |= old.value == new.value or (within_digits and _has_digits(new.value, old))
-    return EditEffect.KEEPS if is_same else EditEffect.CHANGES
+        return False
+    is_same = abs(old.value - new.value) <= _SAME * abs(old.value) or old.value == new.value
+    return is_same or (within_digits and _has_digits(new.value, old))
 
 
 def _has_digits(value: float, written: Number) -> bool:
@@ -112,7 +96,3 @@ def _has_digits(value: float, written: Number) -> bool:
     is_rounded = abs(value - written.value) <= written.rounding
     rest = value - written.value if written.value > 0.0 else written.value - value
     return is_rounded or 0.0 <= rest < 2.0 * written.rounding
-
-
-def _worst(verdicts: Sequence[EditEffect]) -> EditEffect:
-    return max(verdicts, key=list(EditEffect).index, default=EditEffect.KEEPS)

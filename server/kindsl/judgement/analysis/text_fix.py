@@ -78,12 +78,12 @@ def prove(fixes: Iterable[TextFix]) -> None:
 
 
 def _is_kept(fixes: Sequence[TextFix]) -> bool:
-    from kindsl.judgement.analysis.proof import EditEffect, effect
+    from kindsl.judgement.analysis.proof import effect
 
     document, within_digits = fixes[0]._document, fixes[0].is_within_digits
     assert document is not None
     after = document.edited(edits_of(fixes))
-    return effect(document, after, within_digits=within_digits).verdict is EditEffect.KEEPS
+    return effect(document, after, within_digits=within_digits).is_kept
 
 
 def edits_of(fixes: Iterable[TextFix]) -> list[TextEdit]:
