@@ -28,7 +28,7 @@ def header(library: Library) -> str:
         SIZE=max(1, len(library.setup)),
         SETUP=_setup_declarations(library),
         FUNCTIONS=_functions(library),
-        BATCHES=_batches(library),
+        BATCHES="".join(f"{batch_declaration(library, f)};\n" for f in library.all_functions),
     )
 
 
@@ -88,7 +88,3 @@ def _fext(library: Library, function: Function) -> str:
         return ""
     shape = f"[{macro(library)}_NB][6]"
     return f"\n * fext{shape}: the wrench on each body in its own coordinates, or NULL."
-
-
-def _batches(library: Library) -> str:
-    return "".join(f"{batch_declaration(library, f)};\n" for f in library.all_functions)

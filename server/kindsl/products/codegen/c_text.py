@@ -82,7 +82,9 @@ def declaration(library: Library, function: Function) -> str:
 def batch_declaration(library: Library, function: Function) -> str:
     """Return the declaration of a function for many configurations."""
     number, name = real(library), library.function_names[function.name]
-    arguments = [f"const {number} {a.name}[{_shared(a.name)}]" for a in function.arguments]
+    arguments = [
+        f"const {number} {a.name}[{3 if a.name == 'g' else ''}]" for a in function.arguments
+    ]
     external = [f"const {number} *{EXTERNAL}"] if function.loaded is not None else []
     results = [f"{number} {result.name}[]" for result in function.results]
     head = f"void {library.prefix}_{name}_batch"
@@ -107,10 +109,6 @@ def cmake_lists(library: Library, language: str, header: str, sources: Sequence[
     }  # fmt: skip
     own = fill(template(f"cmake/{language}.cmake"), **values)
     return fill(template("cmake/CMakeLists.txt"), **values, LIBRARY=own)
-
-
-def _shared(name: str) -> str:
-    return "3" if name == "g" else ""
 
 
 def _bound(name: str, qualifier: str) -> str:

@@ -25,7 +25,6 @@ from collections.abc import Iterator
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import ROBCOGEN2, Context
 from kindsl.language.semantics.aspects import Aspect
-from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
 
 
@@ -36,15 +35,12 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     for body in model.bodies:
         if body.inertia is not None and body.inertia.frame:
             name = body.inertia.frame
-            owner = None if _own(body, name) else named.get(name)
+            is_own = any(frame.name == name for frame in body.frames)
+            owner = None if is_own else named.get(name)
             if owner is not None and owner.link and body.name:
                 message = f"frame '{name}' belongs to link '{owner.link}', not to '{body.name}'"
                 related = Related(owner.name, f"frame '{name}' of link '{owner.link}'")
                 yield Finding(name, message, (related,), severity=severity)
-
-
-def _own(body: Link, name: str) -> bool:
-    return any(frame.name == name for frame in body.frames)
 
 
 RULE = Rule(__name__, Severity.ERROR, check_document=check_document, reads=Aspect.STRUCTURE)

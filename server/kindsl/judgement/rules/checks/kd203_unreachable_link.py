@@ -20,7 +20,6 @@ from collections.abc import Iterator
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.reference_defects import reference_defects
 from kindsl.language.semantics.aspects import Aspect
-from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
 from kindsl.language.text.phrases import counted
 
@@ -30,16 +29,12 @@ _MOST_RELATED = 20
 def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each link without a parent."""
     for body in reference_defects(model).orphans:
-        below = _carried(model, body)
+        below = model.tree.in_topological_order(body)
         message = f"link '{body.name}' has no parent"
         if below:
             message += f"; {counted(len(below), 'more link')} attached to it"
         related = (Related(b.name, f"'{b.name}' is attached to it") for b in below[:_MOST_RELATED])
         yield Finding(body.name, message, tuple(related))
-
-
-def _carried(model: Model, body: Link) -> list[Link]:
-    return model.tree.in_topological_order(body)
 
 
 RULE = Rule(__name__, Severity.ERROR, check_document=check_document, reads=Aspect.STRUCTURE)

@@ -26,7 +26,6 @@ from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Rule
 from kindsl.judgement.rules.context import ROBCOGEN2, Context
 from kindsl.judgement.rules.reference_defects import reference_defects
 from kindsl.language.semantics.aspects import Aspect
-from kindsl.language.semantics.declarations import Child
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Located, Place
 
@@ -41,14 +40,11 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
         )
         related = Related(first.child, f"'{first.child.link}' via '{first.child.joint}'")
         is_same = again.child.joint == first.child.joint
-        fix, tag = (_removal(again.child), Tag.UNNECESSARY) if is_same else (None, None)
+        removed = Fix("Remove the repetition", (removal(again.child),), is_safe=True)
+        fix, tag = (removed, Tag.UNNECESSARY) if is_same else (None, None)
         is_fatal = not is_same and ROBCOGEN2 in context.targets
         severity = Severity.ERROR if is_fatal else Severity.WARNING
         yield Finding(again.child, message, (related,), fix, severity, tag)
-
-
-def _removal(child: Child) -> Fix:
-    return Fix("Remove the repetition", (removal(child),), is_safe=True)
 
 
 RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.STRUCTURE)

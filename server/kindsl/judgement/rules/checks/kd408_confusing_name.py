@@ -26,7 +26,7 @@ from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Rule
 from kindsl.judgement.rules.broken_text import is_doubtful, is_greek_pi
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.subject import parameter_subject
-from kindsl.judgement.rules.units import NumberWithUnit, numbers_with_unit
+from kindsl.judgement.rules.units import numbers_with_unit
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Place
@@ -51,7 +51,8 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
             message = (
                 f"'{found.text}' is {found.number} times a parameter '{name}': numbers have no unit"
             )
-            yield Finding(found.place, message, fix=_in_si(found), subject=subject)
+            fix = Fix(f"Write {found.in_si}", (Replacement(found.place, found.in_si),))
+            yield Finding(found.place, message, fix=fix, subject=subject)
         if units:
             continue
         other = model.body_named.get(name) or model.joint_named.get(name)
@@ -75,10 +76,6 @@ def _small_pi(model: Model) -> Iterator[Finding]:
 def _ambiguous(place: Place, text: str) -> Finding:
     message = f"'{text}' is a parameter for robcogen and the number for robcogen2"
     return Finding(place, message, fix=renaming(place, text, "PI"))
-
-
-def _in_si(found: NumberWithUnit) -> Fix:
-    return Fix(f"Write {found.in_si}", (Replacement(found.place, found.in_si),))
 
 
 RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.SYMBOLS)
