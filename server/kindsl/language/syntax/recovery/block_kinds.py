@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from kindsl.language.syntax.recovery.costs import cost
+from kindsl.language.syntax.recovery.costs import COSTS
 from kindsl.language.syntax.scanner import word_kind
 from kindsl.language.syntax.tables import HOLDS
 from kindsl.language.syntax.token_names import (
@@ -214,16 +214,16 @@ def kind_by_content(tokens: Sequence[Token], index: int, written: str = "") -> s
     """
     scores = {"link": 0.0, "joint": 0.0}
     if written:
-        scores[written] += cost("believe a keyword")
+        scores[written] += COSTS["believe a keyword"]
     previous = ""
     for token in tokens[index + 1 : index + _REACH]:
         if token.kind in BLOCK_STARTS and token.kind != "}":
             break
         if token.kind in _LINK_SECTIONS:
             is_frames = token.kind == token_kind("frames")
-            scores["link"] += cost("believe frames" if is_frames else "believe a section")
+            scores["link"] += COSTS["believe frames" if is_frames else "believe a section"]
         elif previous == "ref_frame" and (token.kind == "{" or token.kind in _POSE):
-            scores["joint"] += cost("believe a section")
+            scores["joint"] += COSTS["believe a section"]
         previous = token.kind
     if scores["link"] == scores["joint"]:
         return None

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from kindsl.language.syntax.recovery.costs import cost
+from kindsl.language.syntax.recovery.costs import COSTS
 from kindsl.language.syntax.recovery.repair import Preferences
 from kindsl.language.syntax.scanner import word_kind
 from kindsl.language.syntax.tables import KEYWORDS
@@ -31,27 +31,27 @@ def preferences(read: Sequence[Token], tokens: Sequence[Token], index: int) -> P
 
     def insertion(kind: str, place: int) -> float:
         if kind == "(" and _is_within_value(tokens, place):
-            return cost("insert '(' in a value, more")
+            return COSTS["insert '(' in a value, more"]
         is_present = kind in SECTION_TOKENS and kind in present
-        return cost("insert a present section, more") if is_present else 0.0
+        return COSTS["insert a present section, more"] if is_present else 0.0
 
     def replacement(kind: str, place: int) -> float:
         old = tokens[place]
         price = 0.0
         if kind in SECTION_TOKENS:
             state = "present" if kind in present else "lacking"
-            price = cost(f"replace by a {state} section, more")
+            price = COSTS[f"replace by a {state} section, more"]
         spellings = SPELLINGS.get(kind, ())
         if old.text[:1].isidentifier() and old.text not in KEYWORDS:
             is_near_one = any(is_near(old.text, word) for word in spellings)
-            price += cost("replace by a near word, more") if is_near_one else 0.0
+            price += COSTS["replace by a near word, more"] if is_near_one else 0.0
         return price
 
     def deletion(place: int) -> float:
         token = tokens[place]
         if place > 0 and token.text == tokens[place - 1].text and token.kind not in "{}":
-            return cost("delete what is doubled, more")
-        return cost("delete the only section, more") if words.get(token.text) == 1 else 0.0
+            return COSTS["delete what is doubled, more"]
+        return COSTS["delete the only section, more"] if words.get(token.text) == 1 else 0.0
 
     return Preferences(insertion, replacement, deletion)
 

@@ -13,7 +13,7 @@ from math import inf
 from typing import NamedTuple
 
 from kindsl.language.syntax.automaton import Stack, is_complete
-from kindsl.language.syntax.recovery.costs import cost
+from kindsl.language.syntax.recovery.costs import COSTS
 from kindsl.language.syntax.token_names import BLOCK_STARTS
 from kindsl.language.syntax.tree import Token
 
@@ -121,7 +121,7 @@ def completion(stack: Stack, start: str) -> list[str] | None:
         seen.add(key)
         for kind, after in stack.losable():
             order += 1
-            price = cost("close at the end") if kind in "})" else insertion_cost(kind)
+            price = COSTS["close at the end"] if kind in "})" else insertion_cost(kind)
             heapq.heappush(queue, (paid + price, order, after, (*kinds, kind)))
     return None
 
@@ -130,20 +130,20 @@ def insertion_cost(kind: str) -> float:
     """Return how dear it is to suppose a lost token of that kind."""
     if kind in _SIGNS:
         return 1.0
-    return cost("insert a value" if kind in _VALUES else "insert a word")
+    return COSTS["insert a value" if kind in _VALUES else "insert a word"]
 
 
 def _deletion_cost(kind: str) -> float:
     if kind == "BAD":
-        return cost("delete an odd character")
-    return cost("delete '='") if kind == "=" else 1.0
+        return COSTS["delete an odd character"]
+    return COSTS["delete '='"] if kind == "=" else 1.0
 
 
 def _replacement_cost(old: str, new: str) -> float:
-    price = cost("replace an odd character" if old == "BAD" else "replace")
+    price = COSTS["replace an odd character" if old == "BAD" else "replace"]
     if old == "=" and new in _VALUES:
-        price = cost("replace '=' by a value")
-    return price if new in _VALUES else price + cost("replace by no value, more")
+        price = COSTS["replace '=' by a value"]
+    return price if new in _VALUES else price + COSTS["replace by no value, more"]
 
 
 class _Search:
@@ -169,13 +169,13 @@ class _Search:
         goals = self._goals(stacks)
         if not goals:
             return None
-        fair = goals[0].cost + cost("read further, slack")
+        fair = goals[0].cost + COSTS["read further, slack"]
         good = [g for g in goals if g.cost <= fair or (g.is_gap and g.run == _READ_FURTHER)]
         best = min(good, key=lambda goal: (-goal.run, goal.cost))
         return FoundRepair(best.first, _steps(best.changes))
 
     def _goals(self, stacks: Sequence[Stack]) -> list[_Goal]:
-        back = cost("go back by a token")
+        back = COSTS["go back by a token"]
         for count, stack in enumerate(stacks):
             at = self.failed - count
             self.queue.add(back * count, (stack, at, None, 0, at, True))
@@ -189,8 +189,8 @@ class _Search:
                 goals.append(_Goal(paid, self._run(stack, at), first, changes, is_gap))
                 if goals[-1].run == _READ_FURTHER:
                     break  # no other one is better, for this one is the cheapest that reads so far
-                self.fair = min(_MOST_COST, goals[0].cost + cost("read further, slack"))
-                self.limit = min(_MOST_COST, goals[0].cost + cost("read to the end, slack"))
+                self.fair = min(_MOST_COST, goals[0].cost + COSTS["read further, slack"])
+                self.limit = min(_MOST_COST, goals[0].cost + COSTS["read to the end, slack"])
             elif paid <= self.fair or is_gap:
                 is_deleted = changes is not None and changes[1] == "delete"
                 key = (stack.innermost, at, shifts > 0, is_deleted)
@@ -214,7 +214,7 @@ class _Search:
                 add(price, (stack, at + 1, (changes, "delete", at, kind), 0, first, False))
         is_gap = is_gap and (shifts == 0 or changes is None)
         most = self.limit if is_gap else fair
-        factor = cost("insert on, factor") if step == "insert" else 1.0
+        factor = COSTS["insert on, factor"] if step == "insert" else 1.0
         for new, after in stack.losable():
             price = paid + self.prices.insertion(new, at) * factor
             if price <= most:
@@ -276,7 +276,7 @@ class _Prices:
 
     def __init__(self, tokens: Sequence[Token], preferences: Preferences) -> None:
         def deletion(index: int, is_continued: bool) -> float:
-            price = cost("delete on") if is_continued else _deletion_cost(tokens[index].kind)
+            price = COSTS["delete on"] if is_continued else _deletion_cost(tokens[index].kind)
             return price + preferences.deletion(index)
 
         def insertion(new: str, index: int) -> float:
