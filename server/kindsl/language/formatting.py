@@ -12,9 +12,6 @@ from kindsl.language.text.edits import TextEdit
 from kindsl.language.text.span import Span
 
 _LINE_END = re.compile(r"\r\n|\n|\r")
-
-
-_LINE_END = re.compile(r"\r\n|\n|\r")
 _INDENT = "    "
 _BLOCKS = frozenset(("head", *BLOCKS))
 _LINES = KINDS.keys() - of_kind("group")

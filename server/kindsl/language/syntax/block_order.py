@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from kindsl.language.syntax.indentation import lost_closing, surplus_closing
-from kindsl.language.syntax.sections import misplaced, title
+from kindsl.language.syntax.sections import displacement, misplaced, title
 from kindsl.language.syntax.tables import ORDERS
 from kindsl.language.syntax.token_names import opened_block
 from kindsl.language.syntax.tree import Edit, Island, Node, Problem, Repair, Token
@@ -70,11 +70,13 @@ def _first_robot(
     heads = [i for i, block in enumerate(blocks) if block.node.kind == "head"]
     if len(heads) < 2 or heads[1] == heads[0] + 1:
         return blocks, []
-    second = blocks[heads[1]]
-    name = second.node.children[1]
-    message = f"second {title_of(second.node)} in one document"
-    problem = Problem("KD009", message, second.node.start, name.end)
-    return blocks[: heads[1]], [_placed(second, problem)]
+    return blocks[: heads[1]], [_second(blocks[heads[1]])]
+
+
+def _second(block: OrderedBlock) -> PlacedProblem:
+    """Return the problem of a block of which there is one before."""
+    message, end = f"second {title_of(block.node)} in one document", block.node.children[1].end
+    return _placed(block, Problem("KD009", message, block.node.start, end))
 
 
 def _empty(islands: Sequence[Island]) -> PlacedProblem:
@@ -89,11 +91,7 @@ def _surplus(blocks: Sequence[OrderedBlock]) -> list[PlacedProblem]:
         if kind in ("head", "base"):
             first = seen.setdefault(kind, block)
             if first is not block and not (block.island.problems or first.island.problems):
-                name = block.node.children[1]
-                message = f"second {title_of(block.node)} in one document"
-                keyword = block.node.children[0]
-                problem = Problem("KD009", message, keyword.start, name.end)
-                problems.append(_placed(block, problem))
+                problems.append(_second(block))
         elif kind == "end" and position < len(blocks) - 1:
             before = blocks[position - 1] if position else None
             if before is None or before.node.kind != "end" or before.number != block.number:
@@ -153,18 +151,14 @@ def _misplaced_run(
     known: Sequence[OrderedBlock], ranks: Sequence[int], run: Sequence[int]
 ) -> PlacedProblem:
     first = known[run[0]]
-    others = [i for i in range(len(known)) if i not in set(run)]
-    above = [i for i in others if i < run[0] and ranks[i] > ranks[run[0]]]
-    below = [i for i in others if i > run[-1] and ranks[i] < ranks[run[-1]]]
-    side, other = ("after", above[0]) if above else ("before", (below or others)[-1])
+    side, other, anchor = displacement(ranks, run)
     what = title_of(first.node)
     if len(run) > 1:
         what = f"{_PLURALS.get(first.node.kind, first.node.kind)} {_listed(known, run)}"
     verb = "stands" if len(run) == 1 else "stand"
     message = f"{what} {verb} {side} {title_of(known[other].node)}"
     name = first.node.children[min(1, len(first.node.children) - 1)]
-    anchors = [i for i in others if ranks[i] <= ranks[run[0]]]
-    repair = _move(known, run, anchors[-1]) if anchors else None
+    repair = None if anchor is None else _move(known, run, anchor)
     problem = Problem("KD007", message, first.node.start, name.end, repair)
     return _placed(first, problem)
 

@@ -14,7 +14,7 @@ from kindsl.language.syntax.lookalikes import is_ignorable
 from kindsl.language.syntax.scanner import BAD, COMMENT
 from kindsl.language.syntax.token_names import shown
 from kindsl.language.syntax.tree import Edit, Problem, Repair, Token
-from kindsl.language.syntax.values import in_radians
+from kindsl.language.syntax.values import with_unit
 from kindsl.language.syntax.vocabulary import NUMBERS, OPERANDS
 from kindsl.language.text.decimals import plain_decimal
 from kindsl.language.text.phrases import listed
@@ -29,7 +29,10 @@ _OPERANDS_OR_SIGNS = OPERANDS | _SIGNS | _FACTORS
 _STRANGE = re.compile(r"[^\t\n\r -~]")
 _GAP = re.compile(rf"(?P<comment>{COMMENT.pattern})|(?P<blanks>\s+)|.", re.S)
 _MOST_NAMED = 2
-_NAMED = {"\ufeff": "byte order mark", "\x00": "null character", "\ufffd": "undecodable byte"}
+_NAMED = {
+    "\ufeff": "byte order mark", "\x00": "null character", "\ufffd": "undecodable byte",
+    "\x0b": "vertical tab", "\x0c": "form feed", "\u200b": "zero-width space",
+}  # fmt: skip
 
 
 def without_invalid(
@@ -51,7 +54,8 @@ def without_invalid(
         invalid.append(token)
         is_glued = bool(good) and good[-1].end == token.start
         if is_glued and token.text == "°" and good[-1].kind in ("INT", "FLOAT"):
-            problems.append(_degrees(text, good[-1], token))
+            number = good[-1]
+            problems.append(with_unit(text[number.start : token.end], number, token))
     starts = {problem.start for problem in problems}
     problems += [p for p in misprints(text, good, invalid) if p.start not in starts]
     problems.sort(key=lambda problem: problem.start)
@@ -94,15 +98,6 @@ def _stray_problem(text: str, start: int, end: int) -> Problem:
     return Problem("KD004", message, start, end, repair)
 
 
-def _degrees(text: str, number: Token, sign: Token) -> Problem:
-    repair = None
-    if float(number.text):
-        meant = in_radians(number.text)
-        repair = Repair(f"Write {meant}", (Edit(number.start, sign.end, meant),), False)
-    message = f"'{shown(text[number.start : sign.end])}' is not a number"
-    return Problem("KD005", message, number.start, sign.end, repair)
-
-
 def misprints(text: str, tokens: Sequence[Token], invalid: Iterable[Token]) -> Iterator[Problem]:
     """Yield a problem for each value, word and sign whose characters stand for others.
 
@@ -135,9 +130,6 @@ def named(character: str) -> str:
     known = f"'{character}'" if character.isprintable() else name(character, "").lower()
     called, code = _NAMED.get(character, known), f"U+{ord(character):04X}"
     return f"{called} ({code})" if called else code
-
-
-_NAMED |= {"\x0b": "vertical tab", "\x0c": "form feed", "\u200b": "zero-width space"}
 
 
 def _values(text: str, tokens: Sequence[Token]) -> Iterator[tuple[int, int]]:

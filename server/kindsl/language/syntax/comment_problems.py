@@ -18,10 +18,16 @@ def comment_problems(text: str, spans: Sequence[tuple[int, int]]) -> list[Proble
     problems = [] if text.isascii() else [*summary(list(undecodable(text, spans)))]
     if spans:
         start, end = spans[-1]  # only the last can be open
-        comment = text[start:end]
-        if comment.startswith("/*") and (len(comment) < 4 or not comment.endswith("*/")):
-            problems.append(_open_comment(comment, start))
+        if is_open(text, start, end):
+            problems.append(_open_comment(text[start:end], start))
     return problems
+
+
+def is_open(text: str, start: int, end: int) -> bool:
+    """Return whether a comment in a text has no end."""
+    return text.startswith("/*", start) and not (
+        end - start >= 4 and text.endswith("*/", start, end)
+    )
 
 
 def _open_comment(comment: str, start: int) -> Problem:

@@ -13,6 +13,7 @@ from functools import cached_property
 from itertools import accumulate, chain
 from typing import TYPE_CHECKING
 
+from kindsl.language.syntax.comment_problems import is_open
 from kindsl.language.syntax.parser import parse_island
 from kindsl.language.syntax.splitter import LOOKAHEAD, split
 from kindsl.language.syntax.tables import HOLDS, ORDERS
@@ -169,11 +170,7 @@ def parse(text: str) -> SyntaxDocument:
 
 def has_open_comment(island: Island) -> bool:
     """Return whether a comment in the island has no end."""
-    if not island.comments:
-        return False
-    start, end = island.comments[-1]
-    comment = island.text[start:end]
-    return comment.startswith("/*") and (len(comment) < 4 or not comment.endswith("*/"))
+    return bool(island.comments) and is_open(island.text, *island.comments[-1])
 
 
 @contextmanager

@@ -5,7 +5,6 @@ Apart from `parser.py` because correct documents never load it.
 
 from bisect import bisect_left, bisect_right, insort
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from kindsl.language.syntax.characters import without_invalid
 from kindsl.language.syntax.comment_problems import OPEN_COMMENT
@@ -46,12 +45,12 @@ def mended(
     usual = adapted(text, good)
     is_cut = any(problem.code == OPEN_COMMENT for problem in about_comments)
     recovered = recover(text, usual.tokens, is_cut=is_cut)
-    written, skipped = recovered.tokens, recovered.skipped
     foreign = [_foreign(text, passage) for passage in passages]
     invalid += [*usual.skipped, *foreign]
+    written = [*recovered.written, *invalid]
     if invalid:
-        written = tuple(sorted((*written, *invalid), key=lambda t: (t.start, t.end)))
-        skipped = (*skipped, *invalid)
+        written.sort(key=lambda token: (token.start, token.end))
+    skipped = (*recovered.skipped, *invalid)
     touched = touched_nodes(recovered.nodes, [*recovered.skipped, *foreign])
     found = [*problems, *usual.problems, *recovered.problems, *about_comments]
     found += _not_echoing(recovered.leftovers, found, tokens)
@@ -59,7 +58,8 @@ def mended(
     found = [problem for problem in found if not _is_within(problem.start, passages)]
     found += map(_taken_over, passages)
     found.sort(key=lambda problem: problem.start)
-    return Island(text, recovered.nodes, _with_leads(written), skipped, spans, tuple(found))
+    nodes = tuple(recovered.nodes)
+    return Island(text, nodes, _with_leads(written), skipped, spans, tuple(found))
 
 
 def _outside(tokens: list[Token], passages: Sequence[Passage]) -> list[Token]:
@@ -119,12 +119,12 @@ def _not_explained(problems: Sequence[Problem], found: Sequence[Problem]) -> lis
     ]
 
 
-def _with_leads(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
+def _with_leads(tokens: Sequence[Token]) -> tuple[Token, ...]:
     done = 0
     for token in tokens:
         token.lead = done
         done = token.end
-    return tokens
+    return tuple(tokens)
 
 
 def touched_nodes(nodes: Sequence[Node], skipped: Sequence[Token]) -> frozenset[int]:
@@ -161,26 +161,8 @@ def is_repaired(token: Token) -> bool:
     return token.is_missing or (token.kind in PUNCTUATION and token.text != token.kind)
 
 
-class Recovered(NamedTuple):
-    """The result of reading an island's tokens.
-
-    Attributes:
-        nodes: The blocks.
-        tokens: All tokens in order: read, supplied and skipped.
-        skipped: Those that are in no node.
-        problems: One for each repair but those in `leftovers`.
-        leftovers: One for each repair that does nothing but leave tokens out.
-    """
-
-    nodes: tuple[Node, ...]
-    tokens: tuple[Token, ...]
-    skipped: tuple[Token, ...]
-    problems: tuple[Problem, ...]
-    leftovers: tuple[Problem, ...]
-
-
-def recover(text: str, tokens: Sequence[Token], *, is_cut: bool) -> Recovered:
-    """Return the nodes and problems of tokens that the grammar does not take as they are.
+def recover(text: str, tokens: Sequence[Token], *, is_cut: bool) -> RepairProgress:
+    """Read tokens that the grammar does not take as they are.
 
     Args:
         text: The island's text.
@@ -199,10 +181,4 @@ def recover(text: str, tokens: Sequence[Token], *, is_cut: bool) -> Recovered:
         else:
             island.open(block)
             BlockProgress(island, block.start).read()
-    return Recovered(
-        tuple(island.nodes),
-        tuple(island.written),
-        tuple(island.skipped),
-        tuple(island.problems),
-        tuple(island.leftovers),
-    )
+    return island

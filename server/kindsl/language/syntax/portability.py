@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from kindsl.language.syntax.comment_problems import is_open
 from kindsl.language.syntax.moving import removed
 from kindsl.language.syntax.tables import HOLDS, ONLY
 from kindsl.language.syntax.token_names import shown
@@ -112,7 +113,7 @@ def _comment_notes(island: Island) -> Iterator[PortabilityNote]:
     text = island.text
     for start, end in island.comments:
         if text.startswith("/*", start):
-            if end - start < 4 or not text.endswith("*/", start, end):
+            if is_open(text, start, end):
                 continue
             repair = _line_comments(text, start, end)
             for target in TARGETS_OF_ALL - targets_of("BLOCK_COMMENT"):
@@ -126,7 +127,7 @@ def _comment_notes(island: Island) -> Iterator[PortabilityNote]:
 
 def _line_comments(text: str, start: int, end: int) -> Repair | None:
     """Return the rewrite to `//`, None where code follows on the comment's last line."""
-    if text[end : end + 200].split("\n")[0].strip() or not text.endswith("*/", start, end):
+    if text[end : end + 200].split("\n")[0].strip():
         return None
     lines = text[start + 2 : end - 2].replace("\r\n", "\n").replace("\r", "\n").split("\n")
     indent = " " * (start - text.rfind("\n", 0, start) - 1)

@@ -77,6 +77,16 @@ def misplaced(ranks: Sequence[int]) -> list[int]:
     return sorted(wrong)
 
 
+def displacement(ranks: Sequence[int], run: Sequence[int]) -> tuple[str, int, int | None]:
+    """Return on which wrong side of which other index a run stands, and behind which it belongs."""
+    others = [i for i in range(len(ranks)) if not run[0] <= i <= run[-1]]
+    above = [i for i in others if i < run[0] and ranks[i] > ranks[run[0]]]
+    below = [i for i in others if i > run[-1] and ranks[i] < ranks[run[-1]]]
+    anchors = [i for i in others if ranks[i] <= ranks[run[0]]]
+    side, other = ("after", above[0]) if above else ("before", (below or others)[-1])
+    return side, other, anchors[-1] if anchors else None
+
+
 def title(node: Node) -> str:
     """Return how a message names a block."""
     head = [child for child in node.children[:2] if isinstance(child, Token)]
@@ -204,14 +214,10 @@ def _misplaced_run(
     moved = [sections[i] for i in run]
     words = " and ".join(f"'{_word(section)}'" for section in moved)
     verb = "stands" if len(moved) == 1 else "stand"
-    others = [i for i in range(len(sections)) if i not in run]
-    above = [i for i in others if i < run[0] and ranks[i] > ranks[run[0]]]
-    below = [i for i in others if i > run[-1] and ranks[i] < ranks[run[-1]]]
-    side, other = ("after", above[0]) if above else ("before", (below or others)[-1])
+    side, other, anchor = displacement(ranks, run)
     keyword = moved[0].children[0]
-    target = [sections[i] for i in others if ranks[i] <= ranks[run[0]]]
-    anchor = target[-1].end if target else _body_start(node)
-    edits = moved_behind(text, moved[0], moved[-1], anchor)
+    place = _body_start(node) if anchor is None else sections[anchor].end
+    edits = moved_behind(text, moved[0], moved[-1], place)
     repair = Repair(f"Move {words}", edits, not comments(edits[-1].text))
     message = f"{words} {verb} {side} '{_word(sections[other])}'"
     return Problem("KD007", message, keyword.start, keyword.end, repair)

@@ -136,6 +136,12 @@ class Problem(NamedTuple):
     repair: Repair | None = None
     choices: tuple[Repair, ...] = ()
 
+    def repaired_by(self, repairs: tuple[Repair, ...]) -> "Problem":
+        """Return the same with what fixes it: several are choices."""
+        if len(repairs) == 1:
+            return self._replace(repair=repairs[0])
+        return self._replace(choices=repairs)
+
 
 class Island:
     """A piece of the document that is parsed on its own; immutable.

@@ -14,7 +14,6 @@ TARGETS_OF_ALL = frozenset({"robcogen", "robcogen2"})
 
 _LONGEST = 12
 _MOST_KNOWN = 4096
-_known: dict[tuple[str, ...], frozenset[str]] = {}
 
 
 def accepted_by(tokens: Sequence[Token]) -> frozenset[str]:
@@ -22,19 +21,37 @@ def accepted_by(tokens: Sequence[Token]) -> frozenset[str]:
 
     An integer that stands where both targets need a decimal point is taken by none.
     """
-    if len(tokens) > _LONGEST:
-        return frozenset()
     return kinds_accepted_by(tuple(form_kind(token) for token in tokens))
 
 
+@lru_cache(_MOST_KNOWN)
 def kinds_accepted_by(kinds: tuple[str, ...]) -> frozenset[str]:
-    """Return the targets that take an expression of tokens of these kinds."""
-    targets = _known.get(kinds)
-    if targets is None:
-        if len(_known) > _MOST_KNOWN:
-            _known.clear()
-        targets = _known[kinds] = _run(kinds)
-    return targets
+    """Return the targets that take an expression of tokens of these kinds.
+
+    They are those that no rule and no terminal on the way excludes.
+    """
+    if len(kinds) > _LONGEST:
+        return frozenset()
+    state, end = STARTS["value"]
+    states = [state]
+    targets = TARGETS_OF_ALL
+    for kind in (*kinds, "$END"):
+        targets &= targets_of(kind)
+        while True:
+            action = ROWS[states[-1]].get(kind)
+            if action is None:
+                return frozenset()
+            if action >= 0:
+                states.append(action)
+                break
+            size, name, _, alias = RULES[~action]
+            targets &= targets_of(alias)
+            del states[-size:]
+            state = TARGETS[states[-1]][name]
+            if state == end:
+                return targets
+            states.append(state)
+    return frozenset()
 
 
 def form_kind(token: Token) -> str:
@@ -77,30 +94,6 @@ def is_signed_product(node: Node) -> bool:
     if not (isinstance(left, Node) and isinstance(right, Node) and left.kind == "number"):
         return False
     return left.children[0].kind == "FLOAT" and right.kind in ("pi", "parameter")
-
-
-def _run(kinds: tuple[str, ...]) -> frozenset[str]:
-    """Return the targets that no rule and no terminal on the way excludes."""
-    state, end = STARTS["value"]
-    states = [state]
-    targets = TARGETS_OF_ALL
-    for kind in (*kinds, "$END"):
-        targets &= targets_of(kind)
-        while True:
-            action = ROWS[states[-1]].get(kind)
-            if action is None:
-                return frozenset()
-            if action >= 0:
-                states.append(action)
-                break
-            size, name, _, alias = RULES[~action]
-            targets &= targets_of(alias)
-            del states[-size:]
-            state = TARGETS[states[-1]][name]
-            if state == end:
-                return targets
-            states.append(state)
-    return frozenset()
 
 
 def targets_of(name: str) -> frozenset[str]:

@@ -73,10 +73,8 @@ def _malformed(tokens: Sequence[Token]) -> Problem | None:
         for meant in meant_numbers(token.text)
     )
     message = f"'{shown(token.text)}' is not a number"
-    problem = Problem(NEITHER[form_kind(token)], message, token.start, token.end)
-    if len(repairs) == 1:
-        return problem._replace(repair=repairs[0])
-    return problem._replace(choices=repairs)
+    code = NEITHER[form_kind(token)]
+    return Problem(code, message, token.start, token.end).repaired_by(repairs)
 
 
 def _integer(tokens: Sequence[Token]) -> Problem | None:
@@ -85,11 +83,11 @@ def _integer(tokens: Sequence[Token]) -> Problem | None:
     whole = [index for index, kind in enumerate(kinds) if kind == "INT"]
     for chosen in (*([index] for index in whole), whole):
         trial = tuple("FLOAT" if i in chosen else kind for i, kind in enumerate(kinds))
-        if chosen and len(trial) <= 12 and kinds_accepted_by(trial):
+        if chosen and kinds_accepted_by(trial):
             token = tokens[chosen[0]]
             glued = next((t for t in tokens if t.start == token.end and t.kind == "NAME"), None)
             if glued is not None:
-                return _with_unit(token, glued)
+                return with_unit(token.text + glued.text, token, glued)
             edits = tuple(Edit(tokens[i].end, tokens[i].end, ".0") for i in chosen)
             message = f"number '{shown(token.text)}' has no decimal point"
             repair = Repair(f"Write {shown(token.text)}.0", edits, True)
@@ -97,13 +95,13 @@ def _integer(tokens: Sequence[Token]) -> Problem | None:
     return None
 
 
-def _with_unit(number: Token, unit: Token) -> Problem:
-    text = number.text + unit.text
+def with_unit(written: str, number: Token, unit: Token) -> Problem:
+    """Return the problem of a number with a unit; its repair if that is degrees."""
     repair = None
-    if unit.text in ("deg", "degrees") and int(number.text):
+    if unit.text in ("deg", "degrees", "°") and float(number.text):
         meant = in_radians(number.text)
         repair = Repair(f"Write {meant}", (Edit(number.start, unit.end, meant),), False)
-    message = f"'{shown(text)}' is not a number"
+    message = f"'{shown(written)}' is not a number"
     return Problem("KD005", message, number.start, unit.end, repair)
 
 

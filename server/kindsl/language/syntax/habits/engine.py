@@ -7,7 +7,7 @@ each token that begins a line. In a pattern a blank stands for a line end that m
 import re
 from bisect import bisect_left
 from collections.abc import Callable, Iterable, Sequence
-from functools import cached_property
+from functools import cache, cached_property
 from typing import NamedTuple
 
 from kindsl.language.syntax.tables import CLASSES, KEYWORDS
@@ -202,13 +202,9 @@ def _letter(token: Token) -> str:
     return LETTERS.get(token.kind, "u")
 
 
-_patterns: dict[str, re.Pattern[str]] = {}
-
-
+@cache
 def _compiled(pattern: str) -> re.Pattern[str]:
-    if pattern not in _patterns:
-        _patterns[pattern] = re.compile(pattern.replace(" ", "\n?"))
-    return _patterns[pattern]
+    return re.compile(pattern.replace(" ", "\n?"))
 
 
 def _left_out(old: Sequence[Token], new: Sequence[Token]) -> list[Token]:

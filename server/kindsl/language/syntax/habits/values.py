@@ -16,10 +16,7 @@ VECTOR = ("(", "FLOAT", ",", "FLOAT", ",", "FLOAT", ")")
 
 _COMPONENTS = 3
 _DECIMAL_COMMAS = (["INT", ",", "INT"], ["INT", ",", "SCIENTIFIC"])
-_LONGEST_FORM = 12
 _BEFORE_OPERATORS = OPERANDS | set(")]>")
-
-
 _SIGNS = frozenset(",([])")
 
 
@@ -100,7 +97,7 @@ def lost_commas(found: Sighting) -> Iterator[Rewrite]:
 def is_value(tokens: Sequence[Token]) -> bool:
     """Return whether tokens are a value, a whole number for a decimal one included."""
     kinds = tuple("FLOAT" if token.kind == "INT" else form_kind(token) for token in tokens)
-    return len(kinds) <= _LONGEST_FORM and bool(kinds_accepted_by(kinds))
+    return bool(kinds_accepted_by(kinds))
 
 
 def _begins_value(tokens: Sequence[Token], index: int) -> bool:

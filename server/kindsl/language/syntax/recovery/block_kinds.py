@@ -116,9 +116,7 @@ def _with_repairs(
         Repair(f"{what} '{word}'", (Edit(problem.start, end, word + behind),), False)
         for word in words
     )
-    if len(repairs) > 1:
-        return problem._replace(choices=repairs)
-    return problem._replace(repair=repairs[0])
+    return problem.repaired_by(repairs)
 
 
 def _unglued(token: Token) -> Opening | None:

@@ -60,9 +60,7 @@ def repair_problem(
     repairs = _repairs(text, read, tokens, changes, words)
     if not added and not _are_separators(gone):
         repairs = _as_one_name(text, tokens, gone) or repairs
-    if len(repairs) > 1:
-        return Problem(code, message, start, end, choices=repairs)
-    return Problem(code, message, start, end, repairs[0] if repairs else None)
+    return Problem(code, message, start, end).repaired_by(repairs)
 
 
 def closing_problem(text: str, read: Sequence[Token], kinds: Sequence[str], place: int) -> Problem:
