@@ -3,7 +3,7 @@
 import numpy as np
 import numpy.typing as npt
 
-from kindsl.mechanics.spatial.arrays import Array
+from kindsl.mechanics.spatial.arrays import Array, real_array
 from kindsl.mechanics.spatial.cross_products import skew
 
 # Below, the series' first terms are exact to 1e-16 of the result.
@@ -44,15 +44,7 @@ def pose_array(quantity: str, values: npt.ArrayLike) -> Array:
     Raises:
         ValueError: If they are not real, finite numbers, or of another shape.
     """
-    try:
-        poses = np.asarray(values, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise ValueError(f"'{quantity}' holds something that is not a real number") from None
-    if poses.shape[-2:] != (4, 4):
-        raise ValueError(f"'{quantity}' has shape {poses.shape}, expected (..., 4, 4)")
-    if not np.isfinite(poses).all():
-        raise ValueError(f"'{quantity}' holds a value that is not finite")
-    return poses
+    return real_array(quantity, values, (4, 4))
 
 
 def pose_of_motion(motion: Array) -> Array:

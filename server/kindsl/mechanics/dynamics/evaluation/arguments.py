@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY
-from kindsl.mechanics.spatial.arrays import Array
+from kindsl.mechanics.spatial.arrays import Array, real_array
 from kindsl.mechanics.spatial.transforms import homogeneous
 
 # Values of all joints in their order, or of some by their names.
@@ -23,18 +23,7 @@ def vectors(quantity: str, values: npt.ArrayLike, components: int) -> Array:
     Raises:
         ValueError: If they are not real, finite numbers, or of another length.
     """
-    try:
-        array = np.asarray(values)
-        if array.dtype.kind not in "fiub":
-            raise TypeError(array.dtype)
-        array = array.astype(np.float64, copy=False)
-    except (TypeError, ValueError):
-        raise ValueError(f"'{quantity}' holds something that is not a real number") from None
-    if array.ndim == 0 or array.shape[-1] != components:
-        raise ValueError(f"'{quantity}' has shape {array.shape}, expected (..., {components})")
-    if not np.isfinite(array).all():
-        raise ValueError(f"'{quantity}' holds a value that is not finite")
-    return array
+    return real_array(quantity, values, (components,))
 
 
 def joint_vector(quantity: str, values: JointVector, joints: Sequence[str]) -> Array:

@@ -15,7 +15,12 @@ import numpy.typing as npt
 from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.constrained_forward_dynamics import WORST_CONDITION
 from kindsl.mechanics.dynamics.evaluation.arguments import JointVector
-from kindsl.mechanics.dynamics.evaluation.kernels import Extension, Method, signature_with_out
+from kindsl.mechanics.dynamics.evaluation.kernels import (
+    KEYWORDS,
+    Extension,
+    Method,
+    signature_with_out,
+)
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanics.dynamics.evaluation.request import Request
 from kindsl.mechanics.dynamics.evaluation.results import ConstrainedMotion, Poses
@@ -175,19 +180,9 @@ class _Rows:
         name = f"{request.function}_loaded" if has_load else request.function
         group = "masses" if name == "joint_space_inertia" else "plain"
         extension = self._owner._group("loads" if has_load else group)
-        given = dict(zip(("q", "qd"), request.joint_vectors, strict=False))
-        if len(request.joint_vectors) > 2:
-            given |= dict.fromkeys(("qdd", "tau"), request.joint_vectors[2])
-        given |= {
-            "base_velocity": request.base_velocity,
-            "gravity": request.gravity,
-            "external_forces": np.zeros(6 * (self._owner.n_joints + 1)),
-        }
-        for key, vector in (
-            ("base_acceleration", request.base_acceleration),
-            ("external_forces", request.external),
-        ):
-            given |= {key: vector} if vector is not None else {}
+        given = {KEYWORDS.get(key, key): vector for key, vector in request.vectors().items()}
+        nothing = np.zeros(6 * (self._owner.n_joints + 1))
+        given["external_forces"] = given.pop("fext", nothing)
         size = math.prod(request.batch_shape)
         rows = [
             _in_rows(given[key], request.batch_shape, size) if length else None

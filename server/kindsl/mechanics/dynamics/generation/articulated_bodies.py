@@ -23,6 +23,7 @@ from kindsl.mechanics.dynamics.generation.vectors import (
     dot,
     scale,
     subtract,
+    symmetric,
     transpose,
 )
 from kindsl.mechanics.dynamics.quantities import SingularInertiaError
@@ -136,11 +137,7 @@ def _in_parent(joint: JointMotion, inertia: ArticulatedInertia) -> ArticulatedIn
     rows = transpose([joint.to_parent(row) for row in inertia.B])
     B, r = transpose([joint.to_parent(row) for row in rows]), joint.offset
     moved = add_matrices(B, transpose([cross(r, column) for column in C]))
-    turned: Matrix = [[0.0] * 3 for _ in range(3)]
-    for i in range(3):
-        for j in range(i, 3):
-            entry = A[i][j] + (cross(r, moved[j])[i] - cross(B[i], r)[j])
-            turned[i][j] = turned[j][i] = entry
+    turned = symmetric(lambda i, j: A[i][j] + (cross(r, moved[j])[i] - cross(B[i], r)[j]))
     return ArticulatedInertia(turned, moved, C)
 
 
@@ -150,11 +147,7 @@ def _sum(one: ArticulatedInertia, other: ArticulatedInertia) -> ArticulatedInert
 
 def _less_square(M: Matrix, scaled: Vector, v: Vector) -> Matrix:
     """Return `M - scaled v^T`, which is symmetric."""
-    found: Matrix = [list(row) for row in M]
-    for i in range(3):
-        for j in range(i, 3):
-            found[i][j] = found[j][i] = M[i][j] - scaled[i] * v[j]
-    return found
+    return symmetric(lambda i, j: M[i][j] - scaled[i] * v[j])
 
 
 def _without_axis(M: Matrix) -> Matrix:

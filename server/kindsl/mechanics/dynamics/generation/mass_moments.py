@@ -18,6 +18,7 @@ from kindsl.mechanics.dynamics.generation.vectors import (
     rotate_symmetric,
     scale,
     subtract,
+    symmetric,
     transform,
 )
 
@@ -65,11 +66,9 @@ class MassMoments:
     def displaced(self, r: Vector) -> "MassMoments":
         """Return the moments about an origin from which this one's is displaced by `r`."""
         first = add(self.first, scale(self.mass, r))
-        second: Matrix = [[0.0] * 3 for _ in range(3)]
-        for i in range(3):
-            for j in range(i, 3):
-                moved = self.second[i][j] + (self.first[i] * r[j] + r[i] * first[j])
-                second[i][j] = second[j][i] = moved
+        second = symmetric(
+            lambda i, j: self.second[i][j] + (self.first[i] * r[j] + r[i] * first[j])
+        )
         return MassMoments(second, first, self.mass)
 
     def inertia(self) -> Matrix:

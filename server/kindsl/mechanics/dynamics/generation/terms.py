@@ -154,16 +154,17 @@ class Term:
         return Term(self.graph, int(operand))
 
 
-def needed(graph: Graph, values: Iterable[Scalar]) -> list[int]:
-    """Return the nodes that values depend on, operands first."""
-    found: set[int] = set()
+def needed(graph: Graph, values: Iterable[Scalar | None], known: Iterable[int] = ()) -> list[int]:
+    """Return the nodes that values depend on, operands first, as far as some are not known."""
+    given = frozenset(known)
+    found = set(given)
     waiting = [value.index for value in values if isinstance(value, Term)]
     while waiting:
         index = waiting.pop()
         if index not in found:
             found.add(index)
             waiting += operand_nodes(graph, index)
-    return sorted(found)
+    return sorted(found - given)
 
 
 def operations(graph: Graph, values: Iterable[Scalar]) -> int:

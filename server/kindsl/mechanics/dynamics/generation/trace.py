@@ -6,7 +6,7 @@ from typing import Literal, TypeAlias
 from kindsl.mechanics.dynamics.generation.function import inputs_of
 from kindsl.mechanics.dynamics.generation.functions import QUANTITIES
 from kindsl.mechanics.dynamics.generation.robot import Robot
-from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar, Term, needed, operand_nodes
+from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar, Term, needed
 from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY
 
 # At rest: the base does not move, gravity is the standard one; the code is shorter then.
@@ -33,10 +33,6 @@ class Trace:
     def needed(self) -> list[int]:
         """Return the nodes that the outputs depend on, operands first."""
         return needed(self.graph, self.outputs)
-
-    def operands(self, index: int) -> list[int]:
-        """Return the nodes that a node depends on directly."""
-        return operand_nodes(self.graph, index)
 
 
 def trace(robot: Robot, name: str, conditions: Conditions) -> Trace:

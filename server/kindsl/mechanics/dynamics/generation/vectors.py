@@ -1,5 +1,6 @@
 """3-D vectors and matrices as lists of scalars, for algorithms that are traced."""
 
+from collections.abc import Callable
 from typing import TypeAlias
 
 from kindsl.mechanics.dynamics.generation.terms import Scalar
@@ -64,11 +65,16 @@ def add_matrices(A: Matrix, B: Matrix) -> Matrix:
     return [add(a, b) for a, b in zip(A, B, strict=True)]
 
 
-def rotate_symmetric(R: Matrix, M: Matrix) -> Matrix:
-    """Return `R @ M @ R.T` of a symmetric matrix, each pair of entries computed once."""
-    half = multiply(R, M)
-    rotated: Matrix = [[0.0] * 3 for _ in range(3)]
+def symmetric(entry: Callable[[int, int], Scalar]) -> Matrix:
+    """Return a symmetric 3x3 matrix, each pair of entries computed once."""
+    M: Matrix = [[0.0] * 3 for _ in range(3)]
     for row in range(3):
         for column in range(row, 3):
-            rotated[row][column] = rotated[column][row] = dot(half[row], R[column])
-    return rotated
+            M[row][column] = M[column][row] = entry(row, column)
+    return M
+
+
+def rotate_symmetric(R: Matrix, M: Matrix) -> Matrix:
+    """Return `R @ M @ R.T` of a symmetric matrix."""
+    half = multiply(R, M)
+    return symmetric(lambda i, j: dot(half[i], R[j]))

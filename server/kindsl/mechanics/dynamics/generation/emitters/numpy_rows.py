@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from kindsl.mechanics.dynamics.generation.terms import Operand, Term
+from kindsl.mechanics.dynamics.generation.terms import Operand, Term, operand_nodes
 from kindsl.mechanics.dynamics.generation.trace import Trace
 from kindsl.mechanics.spatial.arrays import Array
 
@@ -149,7 +149,9 @@ class Rows:
             if isinstance(output, Term) and output.index not in self._names:
                 self._outputs.setdefault(output.index, number)
         self._last_use = {
-            operand: index for index in trace.needed() for operand in trace.operands(index)
+            operand: index
+            for index in trace.needed()
+            for operand in operand_nodes(trace.graph, index)
         }
 
     @property
@@ -177,7 +179,7 @@ class Rows:
 
     def release(self, index: int) -> None:
         """Free the scratch rows that no node after this one uses."""
-        for operand in set(self._trace.operands(index)):
+        for operand in set(operand_nodes(self._trace.graph, index)):
             if self._last_use[operand] == index and self._names[operand] in self._scratch:
                 self._free.append(self._names[operand])
 

@@ -12,7 +12,7 @@ import numpy as np
 from kindsl.mechanics.dynamics.generation.emitters.numbers import OPERATIONS
 from kindsl.mechanics.dynamics.generation.emitters.straight_line import Notation
 from kindsl.mechanics.dynamics.generation.factorization import is_zero
-from kindsl.mechanics.dynamics.generation.terms import Term
+from kindsl.mechanics.dynamics.generation.terms import Term, operand_nodes
 from kindsl.mechanics.dynamics.generation.trace import Trace
 from kindsl.mechanics.spatial.arrays import Array
 
@@ -106,6 +106,7 @@ def _unpacked_arguments(trace: Trace, texts: dict[int, str]) -> list[str]:
 
 
 def _uses(trace: Trace) -> Counter[int]:
-    uses = Counter(operand for index in trace.needed() for operand in trace.operands(index))
+    nodes = (operand_nodes(trace.graph, index) for index in trace.needed())
+    uses = Counter(operand for operands in nodes for operand in operands)
     uses.update(output.index for output in trace.outputs if isinstance(output, Term))
     return uses

@@ -5,7 +5,14 @@ from collections.abc import Callable, Iterable, Sequence
 from itertools import count
 from typing import NamedTuple
 
-from kindsl.mechanics.dynamics.generation.terms import Graph, Operand, Scalar, Term, operand_nodes
+from kindsl.mechanics.dynamics.generation.terms import (
+    Graph,
+    Operand,
+    Scalar,
+    Term,
+    needed,
+    operand_nodes,
+)
 
 OPERATORS = ("+", "-", "*", "/")
 
@@ -74,15 +81,7 @@ class Parts(NamedTuple):
 
 def computed(graph: Graph, values: Iterable[Scalar | None], known: Iterable[int]) -> list[int]:
     """Return the nodes to compute for values, operands first, when some nodes are known."""
-    found: set[int] = set(known)
-    given = frozenset(found)
-    waiting = [value.index for value in values if isinstance(value, Term)]
-    while waiting:
-        index = waiting.pop()
-        if index not in found:
-            found.add(index)
-            waiting += operand_nodes(graph, index)
-    return [i for i in sorted(found - given) if graph.nodes[i][0] != "input"]
+    return [i for i in needed(graph, values, known) if graph.nodes[i][0] != "input"]
 
 
 def cut(graph: Graph, order: Sequence[int], size: int) -> Parts:
