@@ -59,7 +59,7 @@ class ModelPart(NamedTuple):
 def model_part(chunk: Chunk) -> ModelPart:
     """Return what a chunk adds to a model; kept with it."""
     declared = list(map(declarations, chunk.islands))
-    symbols = list(map(island_symbols, chunk.islands, declared))
+    symbols = list(map(island_symbols, chunk.islands))
     links = [link for each in declared for link in each.links]
     joints = [joint for each in declared for joint in each.joints]
     return ModelPart(

@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from math import isfinite
 
 from kindsl.language.semantics.declarations import FixedAxes, Inertia, Pose, Vector
-from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.parameters import island_symbols
 from kindsl.language.syntax.tree import Island
 from kindsl.language.syntax.vocabulary import MOMENTS
@@ -70,4 +69,4 @@ def triple(vector: Vector | None, values: Mapping[str, float]) -> Vector3 | None
 
 def _is_literal(island: Island) -> bool:
     """Return whether an island has the same numbers whatever the parameters' values are."""
-    return not any(island_symbols(island, declarations(island)))
+    return not any(island_symbols(island))

@@ -1,15 +1,16 @@
 """Parameters and named constants of a document, with all their places."""
 
-from collections.abc import Iterable, Mapping
-from typing import NamedTuple
+from collections.abc import Iterable, Iterator, Mapping
+from typing import NamedTuple, TypeVar
 
 from kindsl.language.semantics.declarations import Declarations
 from kindsl.language.semantics.expressions import ConstantUse, Expression, ParameterUse, symbols
+from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.places import Name
 from kindsl.language.syntax.tables import ValueKind
 from kindsl.language.syntax.tree import Island
 from kindsl.language.syntax.value_forms import formed_values
-from kindsl.language.text.facts import Fact
+from kindsl.language.text.facts import kept
 
 
 class Use(NamedTuple):
@@ -105,39 +106,37 @@ class JointProperties(NamedTuple):
 UNTOLD = JointProperties()
 
 
-_SYMBOLS = Fact[Symbols]("symbols")
 _NO_SYMBOLS = Symbols((), ())
+_Use = TypeVar("_Use", Use, ConstantUse)
 
 
-def island_symbols(island: Island, declared: Declarations) -> Symbols:
+@kept
+def island_symbols(island: Island) -> Symbols:
     """Return what an island uses; computed once in its life."""
-    known = island.facts.get(_SYMBOLS)
-    if known is None:
-        found = _collect(declared) if formed_values(island) else _NO_SYMBOLS
-        known = island.facts.keep(_SYMBOLS, found)
-    return known
+    return _collect(declarations(island)) if formed_values(island) else _NO_SYMBOLS
 
 
 def parameters_of(uses: Iterable[Use]) -> tuple[Parameter, ...]:
     """Group uses by name, in the order of their first places."""
-    by_name: dict[str, list[Use]] = {}
-    for use in uses:
-        by_name.setdefault(str(use.name), []).append(use)
     return tuple(
-        Parameter(group[0].name, group[0].kind, tuple(group), _first_default(group))
-        for group in by_name.values()
+        Parameter(group[0].name, group[0].kind, group, _first_default(group))
+        for group in _by_name(uses)
     )
 
 
 def constants_of(uses: Iterable[ConstantUse]) -> tuple[Constant, ...]:
     """Group uses by name, in the order of their first places."""
-    by_name: dict[str, list[ConstantUse]] = {}
-    for use in uses:
-        by_name.setdefault(str(use.name), []).append(use)
     return tuple(
-        Constant(group[0].name, tuple(u for u in group if u.value is not None), tuple(group))
-        for group in by_name.values()
+        Constant(group[0].name, tuple(u for u in group if u.value is not None), group)
+        for group in _by_name(uses)
     )
+
+
+def _by_name(uses: Iterable[_Use]) -> Iterator[tuple[_Use, ...]]:
+    groups: dict[str, list[_Use]] = {}
+    for use in uses:
+        groups.setdefault(str(use.name), []).append(use)
+    return map(tuple, groups.values())
 
 
 def values_of(

@@ -1,6 +1,7 @@
 """Text to tokens; any text whatever, nothing is ever refused."""
 
 import re
+from functools import lru_cache
 
 from kindsl.language.syntax.tables import (
     CLASSES,
@@ -15,6 +16,7 @@ from kindsl.language.syntax.tree import Token
 
 BAD = "BAD"
 _MOST_BAD = 2000
+_MOST_KNOWN = 4096
 
 COMMENT = re.compile(COMMENTS)
 _SIGNS = "+-"
@@ -36,16 +38,6 @@ _WORD, _FLOAT, _SIGN, _INT, _END, _ODD = 1, 2, 3, 4, 5, 6
 _OPERATOR = _ODD + len(_ODD_KINDS)
 
 
-class _WordKinds(dict[str, str]):
-    """Kinds of words: the keywords by look-up, names by their spelling."""
-
-    def __missing__(self, word: str) -> str:
-        return word_kind(word)
-
-
-_WORD_KINDS = _WordKinds(KEYWORDS)
-
-
 def scan(text: str) -> list[Token]:
     """Return the tokens of a text; together with what lies between them they are the text.
 
@@ -59,7 +51,7 @@ def scan(text: str) -> list[Token]:
         start, end = match.span(group)
         word = match[group]
         if group == _WORD:
-            kind = _WORD_KINDS[word]
+            kind = word_kind(word)
         elif group == _FLOAT:
             kind = "FLOAT"
         elif group in (_SIGN, _OPERATOR):
@@ -82,6 +74,7 @@ def scan(text: str) -> list[Token]:
     return tokens
 
 
+@lru_cache(_MOST_KNOWN)
 def word_kind(word: str) -> str:
     """Return the terminal that a word belongs to; a name has a kind for its spelling."""
     kind = KEYWORDS.get(word)

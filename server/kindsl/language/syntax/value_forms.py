@@ -56,14 +56,11 @@ def kinds_accepted_by(kinds: tuple[str, ...]) -> frozenset[str]:
 
 def form_kind(token: Token) -> str:
     """Return the grammar's terminal for a token of an expression, names by their spelling."""
-    return token.kind if token.kind != "NAME" else _name_kind(token.text)
-
-
-@lru_cache(_MOST_KNOWN)
-def _name_kind(name: str) -> str:
-    if name.startswith("^"):
+    if token.kind != "NAME":
+        return token.kind
+    if token.text.startswith("^"):
         return "ESCAPED_NAME"
-    kind = word_kind(name)
+    kind = word_kind(token.text)
     return kind if kind in NAMES else "KEYWORD_NAME"
 
 

@@ -91,14 +91,15 @@ def _checked(tokens: Sequence[Token], index: int, start: str) -> Opening:
     content = kind_by_content(tokens, index, written)
     if content in (None, written):
         return Opening(start)
-    kind, token = BLOCK_KINDS[content], tokens[index]
-    message = f"expected {called(kind)} instead of '{token.text}'"
-    return _replaced(token, content, Problem("KD001", message, token.start, token.end))
+    return _replaced(tokens[index], content, "KD001")
 
 
-def _replaced(token: Token, start: str, problem: Problem, words: tuple[str, ...] = ()) -> Opening:
+def _replaced(token: Token, start: str, code: str, meant: tuple[str, ...] = ()) -> Opening:
     kind = BLOCK_KINDS[start]
-    words = words or _spellings(kind)
+    message = f"expected {called(kind)} instead of '{shown(token.text)}'"
+    if meant:
+        message = unknown_keyword(token.text, meant)
+    words, problem = meant or _spellings(kind), Problem(code, message, token.start, token.end)
     problem = _with_repairs(problem, f"Replace '{shown(token.text)}' with", words, token.end)
     read = Token(kind, words[0], token.lead, token.start, token.end)
     return Opening(start, (token,), (read,), problem)
@@ -163,12 +164,7 @@ def _misspelt(tokens: Sequence[Token], index: int, previous: str) -> Opening | N
     content = kind_by_content(tokens, index)
     if content is not None and (content == "joint") != (start == "joint"):
         start, meant = content, ()
-    kind = BLOCK_KINDS[start]
-    if not meant:
-        message = f"expected {called(kind)} instead of '{shown(token.text)}'"
-        return _replaced(token, start, Problem("KD010", message, token.start, token.end))
-    message = unknown_keyword(token.text, meant)
-    return _replaced(token, start, Problem("KD010", message, token.start, token.end), meant)
+    return _replaced(token, start, "KD010", meant)
 
 
 def block_words(word: str) -> tuple[str, ...]:
@@ -185,12 +181,7 @@ def _in_place_of_junk(tokens: Sequence[Token], index: int, previous: str) -> Ope
     if len(behind) < 2 or not _is_word(behind[0]) or behind[1].kind not in _BODY:
         return None
     start = _guess(tokens, index + 1, previous)
-    if start is None:
-        return None
-    token = tokens[index]
-    message = f"expected {called(BLOCK_KINDS[start])} instead of '{shown(token.text)}'"
-    problem = Problem("KD001", message, token.start, token.end)
-    return _replaced(token, start, problem)
+    return None if start is None else _replaced(tokens[index], start, "KD001")
 
 
 def _guess(tokens: Sequence[Token], index: int, previous: str) -> str | None:

@@ -57,7 +57,11 @@ def repair_problem(
         code, message = _instead(*added[0], gone, first_row(text, gone))
     else:
         code, message = _lost(read, tokens, *added[0])
-    repairs = _repairs(text, read, tokens, changes, words)
+    choices = [words]
+    if len(changes) == 1 and words[0].near:
+        choices = [[Word(near)] for near in words[0].near]
+    found = (_repair(text, read, tokens, changes, choice) for choice in choices)
+    repairs = tuple(repair for repair in found if repair is not None)
     if not added and not _are_separators(gone):
         repairs = _as_one_name(text, tokens, gone) or repairs
     return Problem(code, message, start, end).repaired_by(repairs)
@@ -183,20 +187,6 @@ def _lost(
 
 def _called(kind: str, word: Word) -> str:
     return f"'{word.text}'" if kind == "MOMENT" else called(kind)
-
-
-def _repairs(
-    text: str,
-    read: Sequence[Token],
-    tokens: Sequence[Token],
-    changes: Sequence[RepairStep],
-    words: Sequence[Word],
-) -> tuple[Repair, ...]:
-    choices: list[Sequence[Word]] = [words]
-    if len(changes) == 1 and words[0].near:
-        choices = [[Word(near)] for near in words[0].near]
-    repairs = (_repair(text, read, tokens, changes, choice) for choice in choices)
-    return tuple(repair for repair in repairs if repair is not None)
 
 
 def _repair(
