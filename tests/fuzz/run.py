@@ -27,7 +27,7 @@ _WATCHED = {
 # Not watched: how the parser looks for a repair says little of an input, and takes most time.
 _SEARCH = (
     "kindsl.language.syntax.automaton",
-    "kindsl.language.syntax.recovery.preferences",
+    "kindsl.language.syntax.recovery.prices",
     "kindsl.language.syntax.recovery.repair",
 )
 _LONGEST, _MOST_BYTES = {"document": 64}, 4096

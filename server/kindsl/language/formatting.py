@@ -34,11 +34,8 @@ def format_document(document: SyntaxDocument) -> list[TextEdit]:
     text = document.text
     first_line_end = _LINE_END.search(text)
     newline = first_line_end[0] if first_line_end else "\n"
-    return [
-        TextEdit(gap.start, gap.end, gap.blanks)
-        for gap in gaps(pieces(document), len(text), newline)
-        if text[gap.start : gap.end] != gap.blanks
-    ]
+    proper = gaps(pieces(document), len(text), newline)
+    return [gap for gap in proper if text[gap.start : gap.end] != gap.text]
 
 
 def format_range(document: SyntaxDocument, span: Span) -> list[TextEdit]:
@@ -111,16 +108,8 @@ def _in_node(
         path = ()
 
 
-class Gap(NamedTuple):
-    """The blanks from `start` to `end` (absolute), and what should be there."""
-
-    start: int
-    end: int
-    blanks: str
-
-
-def gaps(pieces: Iterable[Lexeme], length: int, newline: str) -> Iterator[Gap]:
-    """Yield every gap of a document with its proper blanks.
+def gaps(pieces: Iterable[Lexeme], length: int, newline: str) -> Iterator[TextEdit]:
+    """Yield every gap of a document, absolute, with its proper blanks.
 
     Args:
         pieces: All tokens and comments, in order; at least one.
@@ -132,11 +121,11 @@ def gaps(pieces: Iterable[Lexeme], length: int, newline: str) -> Iterator[Gap]:
     for piece in pieces:
         if piece.kind == "}" and piece.parent != "end":
             depth -= 1
-        yield Gap(done, piece.start, _blanks(before, piece, depth, newline))
+        yield TextEdit(done, piece.start, _blanks(before, piece, depth, newline))
         if piece.kind == "{" and piece.parent != "head":
             depth += 1
         before, done = piece, piece.end
-    yield Gap(done, length, newline)
+    yield TextEdit(done, length, newline)
 
 
 def _blanks(before: Lexeme | None, piece: Lexeme, depth: int, newline: str) -> str:

@@ -132,7 +132,7 @@ def _piece(text: str, kept: Iterable[str]) -> str:
 
     plain = _STRANGE.sub(replaced, text)
     plain = _BLANKS_BETWEEN_DIGITS.sub(_groups_or_blanks, plain)
-    return _with_dots(text, plain)
+    return re.sub(_DOT, lambda dot: _dot(plain, dot.start()) or text[dot.start()], plain)
 
 
 def _is_in_name(text: str, at: int) -> bool:
@@ -160,13 +160,8 @@ def _groups_or_blanks(match: re.Match[str]) -> str:
     return re.sub(r"\s", " ", match[0])
 
 
-def _with_dots(text: str, plain: str) -> str:
-    """Return the text with each middle dot as a point, a sign of multiplication or itself."""
-    return re.sub(_DOT, lambda dot: _dot(plain, dot.start()) or text[dot.start()], plain)
-
-
 def _dot(plain: str, at: int) -> str | None:
-    """Return the meaning of a middle dot between its neighbours, None where it has none."""
+    """Return the point or sign that a middle dot is between its neighbours, None for neither."""
     before, behind = plain[max(at - _NEAR, 0) : at], plain[at + 1 : at + 1 + _NEAR]
     left = _FACTOR_BEFORE.search(before.rstrip(" \t"))
     right = _FACTOR_BEHIND.match(behind.lstrip(" \t"))

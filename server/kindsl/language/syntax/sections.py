@@ -146,25 +146,27 @@ def _problems(text: str, node: Node) -> list[Problem]:
     return problems
 
 
+def _removed(text: str, section: Node, code: str, message: str, which: str = "") -> Problem:
+    """Return the problem of a section that is better left out."""
+    title = f"Remove {which}'{_word(section)}'"
+    repair = Repair(title, (_removal(text, section),), False)
+    return Problem(code, message, section.start, section.end, repair)
+
+
 def _foreign(text: str, node: Node, section: Node) -> Problem:
-    repair = Repair(f"Remove '{_word(section)}'", (_removal(text, section),), False)
     owners = listed([f"{block}s" for block, order in ORDER.items() if section.kind in order])
     article = "an" if _word(section)[0] in "aeiou" else "a"
     message = f"{title(node)} has {article} '{_word(section)}', which only {owners} have"
-    return Problem("KD001", message, section.start, section.end, repair)
+    return _removed(text, section, "KD001", message)
 
 
 def _refused(text: str, section: Node) -> Problem:
-    repair = Repair(f"Remove '{_word(section)}'", (_removal(text, section),), False)
-    message = f"no generator takes '{_word(section)}'"
-    return Problem(NEITHER[section.kind], message, section.start, section.end, repair)
+    return _removed(text, section, NEITHER[section.kind], f"no generator takes '{_word(section)}'")
 
 
 def _repeated(text: str, node: Node, section: Node) -> Problem:
-    word = _word(section)
-    repair = Repair(f"Remove the second '{word}'", (_removal(text, section),), False)
-    message = f"{title(node)} has a second '{word}'"
-    return Problem("KD009", message, section.start, section.end, repair)
+    message = f"{title(node)} has a second '{_word(section)}'"
+    return _removed(text, section, "KD009", message, "the second ")
 
 
 def _second_pose(node: Node, translation: Node, rotation: Node) -> Problem:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kindsl.language.syntax.grammars import grammar_text
 from kindsl.language.syntax.token_names import shown
+from kindsl.language.text.phrases import alternatives
 
 if TYPE_CHECKING:
     from lark import Lark, Token, Tree, UnexpectedInput
@@ -171,7 +172,7 @@ class _Recovery:
             return
         self._states = states
         found = f"'{shown(self.text[start:end])}'" if start < end else "the end of the document"
-        message = f"expected {_listed(accepted)} instead of {found}"
+        message = f"expected {alternatives(map(_shown, accepted))} instead of {found}"
         self.defects.append(Defect(message, start, end))
 
 
@@ -238,11 +239,6 @@ def _inserted(kind: str, before: "Token") -> "Token":
     from lark import Token
 
     return Token.new_borrow_pos(kind, "", before)
-
-
-def _listed(kinds: list[str]) -> str:
-    words = [_shown(kind) for kind in kinds]
-    return " or ".join([", ".join(words[:-1]), words[-1]] if words[1:] else words)
 
 
 def _shown(kind: str) -> str:

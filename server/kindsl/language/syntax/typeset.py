@@ -13,6 +13,7 @@ from kindsl.language.syntax.lookalikes import (
     SUPERSCRIPTS,
     as_meant,
     is_ignorable,
+    is_unseen,
     word_as_meant,
 )
 from kindsl.language.syntax.scanner import scan, word_kind
@@ -146,7 +147,8 @@ def meant_numbers(text: str) -> tuple[str, ...]:
     if _HEXADECIMAL.fullmatch(text):
         is_short = len(text) <= _LONGEST_HEXADECIMAL
         return (f"{float(int(text, 16)):.1f}",) if is_short else ()
-    text = _without_unseen(text).replace("_", "")
+    seen = [character for at, character in enumerate(text) if not at or not is_unseen(character)]
+    text = "".join(seen).replace("_", "")
     grouped = _grouped(text)
     if grouped is not None:
         is_comma = text.count(",") == 1 and "." not in text
@@ -164,16 +166,6 @@ def _grouped(text: str) -> str | None:
         sign = text[0] if text[0] in "+-" else ""
         return f"{sign}{_DIGITS.sub('', match['whole'])}.{match['decimals'] or '0'}"
     return "".join(text.split()) if _GROUPED_DECIMALS.fullmatch(text) else None
-
-
-def _without_unseen(text: str) -> str:
-    """Return a number without the characters between its digits that cannot be seen."""
-    if text.isascii():
-        return text
-    from kindsl.language.syntax.lookalikes import is_unseen
-
-    kept = [c for at, c in enumerate(text) if not at or not is_unseen(c)]
-    return "".join(kept)
 
 
 def _with_point(number: str) -> str:

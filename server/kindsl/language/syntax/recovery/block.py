@@ -12,9 +12,9 @@ from kindsl.language.syntax.indentation import lost_closing
 from kindsl.language.syntax.recovery.block_kinds import LONGEST_FIRST, Opening, opening, unglue
 from kindsl.language.syntax.recovery.lost_heads import lost_head
 from kindsl.language.syntax.recovery.messages import closing_problem, repair_problem
-from kindsl.language.syntax.recovery.preferences import moments_around, preferences
+from kindsl.language.syntax.recovery.prices import Prices, moments_around
 from kindsl.language.syntax.recovery.progress import RepairProgress
-from kindsl.language.syntax.recovery.repair import FoundRepair, RepairStep, completion, search
+from kindsl.language.syntax.recovery.repair import FoundRepair, RepairStep, Search, completion
 from kindsl.language.syntax.recovery.repair_words import fitting_words, is_alike, repair_words
 from kindsl.language.syntax.tables import KEYWORDS
 from kindsl.language.syntax.token_names import BLOCK_STARTS, SPELLINGS, supplied
@@ -118,8 +118,8 @@ class BlockProgress:
         """Find a repair and apply it; return whether there was one."""
         island = self.island
         stacks = [self.stack, *self.history[: -_BACK - 1 : -1]]
-        costs = preferences(self.read_tokens, island.tokens, island.index)
-        found = search(stacks, island.tokens, island.index, self.start, costs)
+        prices = Prices(self.read_tokens, island.tokens, island.index)
+        found = Search(island.tokens, island.index, self.start, prices).best(stacks)
         if found is None:
             return self._skip_to_fit()
         self._apply(found)

@@ -7,18 +7,14 @@ one that reads furthest wins.
 
 import heapq
 import itertools
-from collections.abc import Callable, Iterator, Sequence
-from functools import cache
-from math import inf
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from kindsl.language.syntax.automaton import Stack, is_complete
 from kindsl.language.syntax.recovery.costs import COSTS
+from kindsl.language.syntax.recovery.prices import Prices, insertion_cost
 from kindsl.language.syntax.token_names import BLOCK_STARTS
 from kindsl.language.syntax.tree import Token
-
-_SIGNS = frozenset("{}()=,]>")
-_VALUES = frozenset({"NAME", "FLOAT", "INT"})
 
 _MOST_EXPANSIONS = 1200
 _MOST_GOALS = 30
@@ -70,40 +66,6 @@ class _Goal(NamedTuple):
     is_gap: bool
 
 
-class Preferences(NamedTuple):
-    """Extra costs of a change at a place, beyond its kind.
-
-    Attributes:
-        insertion: Extra cost of inserting a kind before the token of an index.
-        replacement: Extra cost of taking the token `index` for a kind.
-        deletion: Extra cost of leaving out the token `index`.
-    """
-
-    insertion: Callable[[str, int], float]
-    replacement: Callable[[str, int], float]
-    deletion: Callable[[int], float]
-
-
-def search(
-    stacks: Sequence[Stack],
-    tokens: Sequence[Token],
-    index: int,
-    start: str,
-    preferences: Preferences,
-) -> FoundRepair | None:
-    """Return the best repair where the token `index` does not fit.
-
-    Args:
-        stacks: The stacks before the tokens at and before `index`, the last one first; a repair
-            may begin at any of them.
-        tokens: All tokens of the island.
-        index: The first token that does not fit; the number of tokens at the end.
-        start: The construct being read.
-        preferences: Extra costs.
-    """
-    return _Search(tokens, index, start, preferences).best(stacks)
-
-
 def completion(stack: Stack, start: str) -> list[str] | None:
     """Return the kinds of the fewest tokens that end a construct, None where there are too many."""
     queue: list[tuple[float, int, Stack, tuple[str, ...]]] = [(0.0, 0, stack, ())]
@@ -126,46 +88,32 @@ def completion(stack: Stack, start: str) -> list[str] | None:
     return None
 
 
-def insertion_cost(kind: str) -> float:
-    """Return how dear it is to suppose a lost token of that kind."""
-    if kind in _SIGNS:
-        return 1.0
-    return COSTS["insert a value" if kind in _VALUES else "insert a word"]
-
-
-def _deletion_cost(kind: str) -> float:
-    if kind == "BAD":
-        return COSTS["delete an odd character"]
-    return COSTS["delete '='"] if kind == "=" else 1.0
-
-
-def _replacement_cost(old: str, new: str) -> float:
-    price = COSTS["replace an odd character" if old == "BAD" else "replace"]
-    if old == "=" and new in _VALUES:
-        price = COSTS["replace '=' by a value"]
-    return price if new in _VALUES else price + COSTS["replace by no value, more"]
-
-
-class _Search:
+class Search:
     """A search for the repair where the token `failed` does not fit.
 
     Attributes:
+        tokens: All tokens of the island.
+        failed: The first token that does not fit; the number of tokens at the end.
+        start: The construct being read.
+        prices: The costs of changes.
         fair: The most that a repair may cost.
         limit: The most that one may cost that puts in what is lost at one place.
     """
 
-    def __init__(
-        self, tokens: Sequence[Token], failed: int, start: str, preferences: Preferences
-    ) -> None:
+    def __init__(self, tokens: Sequence[Token], failed: int, start: str, prices: Prices) -> None:
         self.tokens = tokens
         self.failed = failed
         self.start = start
-        self.prices = _Prices(tokens, preferences)
+        self.prices = prices
         self.queue = _Queue()
         self.fair = self.limit = _MOST_COST
 
     def best(self, stacks: Sequence[Stack]) -> FoundRepair | None:
-        """Return the best repair that begins at one of the stacks, the last one first."""
+        """Return the best repair, which may begin before any of the last tokens.
+
+        Args:
+            stacks: The stacks before the tokens at and before `failed`, the last one first.
+        """
         goals = self._goals(stacks)
         if not goals:
             return None
@@ -269,28 +217,6 @@ class _Queue:
             for candidate in self._alike[paid]:
                 yield paid, candidate
             del self._alike[paid]
-
-
-class _Prices:
-    """The costs of the changes that a search tries, each found once."""
-
-    def __init__(self, tokens: Sequence[Token], preferences: Preferences) -> None:
-        def deletion(index: int, is_continued: bool) -> float:
-            price = COSTS["delete on"] if is_continued else _deletion_cost(tokens[index].kind)
-            return price + preferences.deletion(index)
-
-        def insertion(new: str, index: int) -> float:
-            return insertion_cost(new) + preferences.insertion(new, index)
-
-        def replacement(new: str, index: int) -> float:
-            old = tokens[index].kind if index < len(tokens) else new
-            if new == old:
-                return inf
-            return _replacement_cost(old, new) + preferences.replacement(new, index)
-
-        self.deletion = cache(deletion)
-        self.insertion = cache(insertion)
-        self.replacement = cache(replacement)
 
 
 def _begins_block(tokens: Sequence[Token], index: int) -> bool:
