@@ -4,7 +4,7 @@ import numpy as np
 
 from kindsl.mechanics.dynamics.bias_torque import bias_torque, gravity_torque
 from kindsl.mechanics.dynamics.bodies import Bodies
-from kindsl.mechanics.dynamics.evaluation.request import Request
+from kindsl.mechanics.dynamics.evaluation.request import Request, rows_of
 from kindsl.mechanics.dynamics.forward_dynamics import accelerations_by_inertia, forward_dynamics
 from kindsl.mechanics.dynamics.forward_kinematics import body_poses, frame_poses
 from kindsl.mechanics.dynamics.inverse_dynamics import (
@@ -31,10 +31,7 @@ def evaluate(bodies: Bodies, request: Request) -> Array:
         numpy.linalg.LinAlgError: If a floating base's inertia is singular.
     """
     shape = request.batch_shape
-    rows = {
-        name: np.broadcast_to(vector, (*shape, vector.shape[-1])).reshape((-1, vector.shape[-1]))
-        for name, vector in request.vectors().items()
-    }
+    rows = {name: rows_of(vector, shape) for name, vector in request.vectors().items()}
     size, chunk = len(rows["q"]), max(1, BODIES_AT_A_TIME // bodies.n_links)
     entries = []
     # A batch without rows is computed once: only the result says how long rows are.

@@ -22,7 +22,7 @@ from kindsl.mechanics.dynamics.evaluation.kernels import (
     signature_with_out,
 )
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
-from kindsl.mechanics.dynamics.evaluation.request import Request
+from kindsl.mechanics.dynamics.evaluation.request import Request, rows_of
 from kindsl.mechanics.dynamics.evaluation.results import ConstrainedMotion, Poses
 from kindsl.mechanics.dynamics.evaluation.singular import singular_inertia
 from kindsl.mechanics.dynamics.generation.jacobians import feet
@@ -185,11 +185,10 @@ class _Rows:
         given["external_forces"] = given.pop("fext", nothing)
         size = math.prod(request.batch_shape)
         rows = [
-            _in_rows(given[key], request.batch_shape, size) if length else None
+            _in_rows(given[key], request.batch_shape) if length else None
             for key, length in extension.arguments[name]
         ]
-        q = np.broadcast_to(given["q"], (*request.batch_shape, given["q"].shape[-1]))
-        rows[0] = np.ascontiguousarray(q.reshape((size, q.shape[-1])))
+        rows[0] = np.ascontiguousarray(rows_of(given["q"], request.batch_shape))
         outs = tuple(np.empty((size, *shape)) for shape in extension.shapes[name])
         _run_in_threads(extension.bind(name, _refuse, True), rows, outs, self._threads)
         entries = np.concatenate(
@@ -198,12 +197,9 @@ class _Rows:
         return entries.reshape((*request.batch_shape, entries.shape[-1]))
 
 
-def _in_rows(vector: Array, batch_shape: tuple[int, ...], size: int) -> Array:
+def _in_rows(vector: Array, batch_shape: tuple[int, ...]) -> Array:
     """Return one vector for all, or one row a configuration."""
-    if vector.ndim == 1:
-        return np.ascontiguousarray(vector)
-    full = np.broadcast_to(vector, (*batch_shape, vector.shape[-1]))
-    return np.ascontiguousarray(full.reshape((size, vector.shape[-1])))
+    return np.ascontiguousarray(vector if vector.ndim == 1 else rows_of(vector, batch_shape))
 
 
 def _run_in_threads(

@@ -13,7 +13,7 @@ import numpy as np
 
 from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.evaluation import book
-from kindsl.mechanics.dynamics.evaluation.request import Request
+from kindsl.mechanics.dynamics.evaluation.request import Request, rows_of
 from kindsl.mechanics.dynamics.generation.emitters.numpy_rows import (
     BatchFunction,
     batch_function,
@@ -113,7 +113,7 @@ class GeneratedForm:
         size = math.prod(shape)
         if 0 < size < SMALLEST_BATCH:
             single, names = self._single.get(key) or self._new_single(*key)
-            rows = zip(*(_flattened(vectors[name], shape) for name in names), strict=True)
+            rows = zip(*(rows_of(vectors[name], shape) for name in names), strict=True)
             entries = np.stack([single(*row) for row in rows])
             return entries.reshape((*shape, entries.shape[-1]))
         if key not in self._batch:
@@ -121,7 +121,7 @@ class GeneratedForm:
             self._batch[key] = batch_function(recorded), recorded.names
         function, names = self._batch[key]
         columns = [
-            vectors[name].tolist() if vectors[name].ndim == 1 else _flattened(vectors[name], shape)
+            vectors[name].tolist() if vectors[name].ndim == 1 else rows_of(vectors[name], shape)
             for name in names
         ]
         by_entry = run_in_chunks(function, columns, size, CHUNK)
@@ -150,10 +150,3 @@ def _conditions(request: Request) -> Conditions:
     is_standard = tuple(request.gravity.tolist()) == STANDARD_GRAVITY
     is_still = request.base_acceleration is None and not request.base_velocity.any()
     return "at_rest" if is_still and is_standard else "any"
-
-
-def _flattened(argument: Array, batch_shape: tuple[int, ...]) -> Array:
-    components = argument.shape[-1]
-    if argument.shape[:-1] == batch_shape:
-        return argument.reshape((-1, components))
-    return np.broadcast_to(argument, (*batch_shape, components)).reshape((-1, components))

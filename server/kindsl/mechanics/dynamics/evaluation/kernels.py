@@ -1,7 +1,7 @@
 """The functions compiled for a mechanism, with the arguments of `Mechanics`' methods."""
 
 import inspect
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from kindsl.mechanics.dynamics.evaluation.compiling import compiled_module
@@ -144,8 +144,8 @@ def _kernel(function: Function, robot: Robot, *, may_be_wide: bool) -> Kernel:
     )
     entries = [entry for result in results for entry in result.entries]
     is_wide = may_be_wide and not function.is_loop and is_worth_lanes(robot.graph, entries)
-    names = _names(function)
     given = {argument.name: argument.components for argument in function.arguments}
+    names = _names(name, given)
     arguments = [
         KernelArgument(
             KEYWORDS.get(name, name),
@@ -160,11 +160,10 @@ def _kernel(function: Function, robot: Robot, *, may_be_wide: bool) -> Kernel:
     return Kernel(name, arguments, results, accelerates, is_wide, documentation(name), loop)
 
 
-def _names(function: Function) -> list[str]:
+def _names(name: str, given: Iterable[str]) -> list[str]:
     """Return the names of a kernel's arguments, of a fixed base's motion too."""
-    given = {argument.name: argument.components for argument in function.arguments}
-    kind, _, number = function.name.rpartition("_")
-    base = MOVING_BASE.get(kind if number.isdigit() else function.name, ())
+    kind, _, number = name.rpartition("_")
+    base = MOVING_BASE.get(kind if number.isdigit() else name, ())
     joints = [n for n in given if n not in KEYWORDS and n != "external_forces"]
     others = [n for n in given if n not in (*joints, *base)]
     return [*joints, *base, *others]

@@ -2,6 +2,8 @@
 
 from typing import NamedTuple
 
+import numpy as np
+
 from kindsl.mechanics.dynamics.quantities import JOINT_VECTORS, Quantity
 from kindsl.mechanics.spatial.arrays import Array
 
@@ -41,3 +43,9 @@ class Request(NamedTuple):
             "g": self.gravity, "fext": self.external,
         }  # fmt: skip
         return {**dict(joints), **{k: x for k, x in others.items() if x is not None}}
+
+
+def rows_of(vector: Array, batch_shape: tuple[int, ...]) -> Array:
+    """Return the vector of each configuration of a batch in a row."""
+    components = vector.shape[-1]
+    return np.broadcast_to(vector, (*batch_shape, components)).reshape((-1, components))

@@ -12,7 +12,6 @@ takes follows from the carried bodies' moments of mass and two integrals of V.
 from typing import NamedTuple
 
 from kindsl.mechanics.dynamics.generation.mass_moments import MassMoments
-from kindsl.mechanics.dynamics.generation.terms import Scalar
 from kindsl.mechanics.dynamics.generation.tree import JointMotion, Tree, Wrench
 from kindsl.mechanics.dynamics.generation.vectors import (
     Matrix,
@@ -20,7 +19,6 @@ from kindsl.mechanics.dynamics.generation.vectors import (
     add,
     add_matrices,
     cross,
-    dot,
     scale,
     transform,
     transpose,
@@ -114,14 +112,3 @@ def flow_reaction(kind: str, flow: Flow) -> Vector:
         return scale(2.0, [0.0 - xz, 0.0 - yz, xx + yy])
     x, y, _ = flow.first
     return scale(2.0, [y, 0.0 - x, 0.0])
-
-
-def joint_force(field: Field, reaction: Wrench, turning: Vector) -> Scalar:
-    """Return the force of a joint in a field.
-
-    Args:
-        field: At some origin.
-        reaction: The joint's wrench, there, when it accelerates by one.
-        turning: Its `flow_reaction`, moved there.
-    """
-    return dot([*reaction.force, *reaction.moment, *turning], [*field.a, *field.b, *field.o])

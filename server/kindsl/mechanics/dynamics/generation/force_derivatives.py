@@ -12,7 +12,6 @@ from kindsl.mechanics.dynamics.generation.carried_motion import (
     Flow,
     flow_reaction,
     flows,
-    joint_force,
     wrench_of,
 )
 from kindsl.mechanics.dynamics.generation.composite_bodies import (
@@ -36,6 +35,7 @@ from kindsl.mechanics.dynamics.generation.vectors import (
     Vector,
     add,
     cross,
+    dot,
     scale,
     subtract,
     transpose,
@@ -156,6 +156,11 @@ class _Column(NamedTuple):
     reaction: Wrench
     turning: Vector
 
+    def force_in(self, field: Field) -> Scalar:
+        """Return the joint's force when a field, at the same origin, moves all that it carries."""
+        reaction = [*self.reaction.force, *self.reaction.moment, *self.turning]
+        return dot(reaction, [*field.a, *field.b, *field.o])
+
 
 def _fill_joint(mechanism: _Mechanism, link: int, inputs: Inputs, dq: Matrix, dqd: Matrix) -> None:
     """Fill row and column of a joint, as far as those are concerned that carry it."""
@@ -169,16 +174,16 @@ def _fill_joint(mechanism: _Mechanism, link: int, inputs: Inputs, dq: Matrix, dq
         there = first + link - 1
         dq[there][here] = joints[link].along(column.by_position)
         dqd[there][here] = joints[link].along(column.by_velocity)
-        dq[here][there] = _taken(mechanism.by_position[link], column)
-        dqd[here][there] = _taken(mechanism.by_velocity[link], column)
+        dq[here][there] = column.force_in(mechanism.by_position[link])
+        dqd[here][there] = column.force_in(mechanism.by_velocity[link])
     if tree.is_floating:
         column = _in_parent(mechanism, link, column)
         for row in range(6):
             dq[row][here] = _entries(column.by_position)[row]
             dqd[row][here] = _entries(column.by_velocity)[row]
         turns, turning, moving = _base_fields(inputs)
-        dq[here][:3] = [_taken(field, column) for field in turns]
-        dqd[here][:6] = [_taken(field, column) for field in (*turning, *moving)]
+        dq[here][:3] = [column.force_in(field) for field in turns]
+        dqd[here][:6] = [column.force_in(field) for field in (*turning, *moving)]
 
 
 def _own_column(mechanism: _Mechanism, link: int) -> _Column:
@@ -199,10 +204,6 @@ def _in_parent(mechanism: _Mechanism, link: int, column: _Column) -> _Column:
     )  # fmt: skip
     moved = scale(2.0, cross(mechanism.steps[link], reaction.force))
     return _Column(by_position, by_velocity, reaction, add(joint.to_parent(column.turning), moved))
-
-
-def _taken(field: Field, column: _Column) -> Scalar:
-    return joint_force(field, column.reaction, column.turning)
 
 
 def _turned(kind: str, change: Wrench, wrench: Wrench) -> Wrench:

@@ -93,7 +93,8 @@ def extension_source(
 
 def _kernel_text(graph: Graph, number: int, kernel: Kernel) -> str:
     """Return the code of one kernel: for one configuration and for many."""
-    takes = [CArray(f"a{i}", _const(f"a{i}"), a.components) for i, a in _given(kernel)]
+    takes = [CArray(f"a{i}", f"const double *restrict a{i}", a.components)
+             for i, a in _given(kernel)]  # fmt: skip
     gives = [CArray(f"o{i}", f"double *restrict o{i}", r.entries)
              for i, r in enumerate(kernel.results)]  # fmt: skip
     body = CBody(f"scalar_{number}", takes, gives, {})
@@ -169,10 +170,6 @@ def _wide(graph: Graph, number: int, kernel: Kernel) -> str:
 def _given(kernel: Kernel) -> list[tuple[int, KernelArgument]]:
     """Return the arguments that matter, with their positions."""
     return [(i, a) for i, a in enumerate(kernel.arguments) if a.length]
-
-
-def _const(name: str) -> str:
-    return f"const double *restrict {name}"
 
 
 def _tables(kernels: Sequence[Kernel]) -> str:
