@@ -189,6 +189,23 @@ def test_ends_of_a_range_are_in_it(
     assert told == ([] if message is None else [message])
 
 
+@pytest.mark.parametrize(
+    ("base", "below", "moments", "count"),
+    [
+        ("wheelA via a cartB via b roue via c", "", ("1.28825", "1.28825", "2.10573"), 0),
+        ("wheelA via a cartB via b roue via c", "", ("1.3", "1.3", "2.1"), 1),
+        ("wheelA via a cartB via b", "roue via c", ("1.28825", "1.28825", "2.10573"), 1),
+    ],
+)
+def test_one_part_is_mounted_several_times(
+    base: str, below: str, moments: tuple[str, str, str], count: int
+) -> None:
+    section = inertia("39.4427", "0.0603226", *moments)
+    names, carried = ("wheelA", "cartB", "roue"), ("", below, "")
+    links = [link(name, n, carried[n - 1], section) for n, name in enumerate(names, 1)]
+    assert len(found("KD310", robot(*links, base=base, joints="a b c"))) == count
+
+
 @pytest.mark.parametrize(("names", "count"), [("abc", 1), ("ab", 0), ("LF_a RF_a b", 0)])
 def test_three_different_parts_alike_are_suspicious(names: str, count: int) -> None:
     words = names.split() if " " in names else list(names)

@@ -3,7 +3,8 @@
 ## What it does
 Reports a mass of 1.0 with three moments of 1.0, and the same mass and moments in three or more
 moving links of different parts. Parts are recognised by names without sides and numbers: `LF_hip`
-and `RH_hip` are one part, and so are `segment1` and `segment2`.
+and `RH_hip` are one part, and so are `segment1` and `segment2`. Links of which none carries another
+may be one part that is mounted several times, as wheels are, where their moments have many digits.
 
 Says of an impossible inertia (KD301, KD302) or one of implausible density (KD311) that it is a
 placeholder where its three moments are one round number, or below 1 kg·m² within 5 %, and the
@@ -23,9 +24,10 @@ inertia_params {
 ```
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import starmap
 
+from kindsl.judgement.diagnosis.counterparts import telling_numbers
 from kindsl.judgement.diagnosis.judgements import is_moving, keyword
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
@@ -55,7 +57,9 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     for numbers, group in groups.items():
         if numbers[:4] == (1.0, 1.0, 1.0, 1.0):
             yield from starmap(_placeholder, group)
-        elif numbers[0] and None not in numbers and any(numbers[1:]) and _are_unlike(group):
+        elif not (numbers[0] and None not in numbers and any(numbers[1:]) and _are_unlike(group)):
+            continue
+        elif not _is_one_part(model, [body for body, _ in group]):
             finding = _shared(group)
             if (id(finding.at.island), finding.at.start) not in places:
                 yield finding
@@ -77,6 +81,14 @@ def _are_unlike(group: Iterable[tuple[Link, Inertia]]) -> bool:
         if len(parts) >= _ENOUGH:
             return True
     return False
+
+
+def _is_one_part(model: Model, bodies: Sequence[Link]) -> bool:
+    """Return whether bodies share what no two have by chance, and none carries another."""
+    if not any(telling.what == "moments" for telling in telling_numbers(bodies[0])):
+        return False
+    carried = {link for body in bodies for link in model.tree.in_topological_order(body)}
+    return carried.isdisjoint(bodies)
 
 
 def _placeholder(body: Link, inertia: Inertia) -> Finding:
