@@ -6,6 +6,7 @@ import re
 import pytest
 from tests.support.amount import usually
 from tests.support.bodies import significant
+from tests.support.examples import placed_joint
 from tests.support.legged import COPIED, REFLECTED, Legs, Walker
 
 from kindsl.judgement.analysis.analysis import Analysis, analyse
@@ -63,6 +64,33 @@ def test_two_slips_in_two_limbs_are_meant(seed: int) -> None:
         first, rest = old.split(", ", 1)
         text = text.replace(f"({old})", f"({float(first) + 0.1:.9f}, {rest})")
     assert told(analyse(text)) == []
+
+
+SUSPENDED = {"LF": (1.0, 0.4), "RF": (1.0, -0.4), "LH": (-1.0, 0.4), "RH": (-1.0, -0.4)}
+CAR_LINK = """link %s { id = %d inertia_params { mass = 2.0 CoM = (0.0, 0.0, %s)
+    Ix=0.12 Iy=0.12 Iz=0.02 Ixy=0.0 Ixz=0.0 Iyz=0.0 } children { %s } }\n"""
+
+
+def car(com: str) -> str:
+    """Return a car whose front wheels are carried by knuckles; its left one has this CoM."""
+    links, joints, heads = [], [], []
+    for corner, place in SUSPENDED.items():
+        parts = ("arm", "knuckle", "wheel") if corner[1] == "F" else ("arm", "wheel")
+        names = [f"{corner}_{part}" for part in parts]
+        heads.append(f"{names[0]} via {names[0]}_joint")
+        for name, below in zip(names, [*names[1:], ""], strict=True):
+            height = com if name == "LF_wheel" else "0.1"
+            children = f"{below} via {below}_joint" if below else ""
+            links.append(CAR_LINK % (name, len(links) + 1, height, children))
+            at = (*place, 0.0) if name == names[0] else (0.0, 0.3, 0.0)
+            joints.append(placed_joint(f"{name}_joint", "{}, {}, {}".format(*at), "0.0, 0.0, 0.0"))
+    head = f"Robot Car {{\nRobotBase body {{ children {{ {' '.join(heads)} }} }}\n"
+    return f"{head}{''.join(links)}{''.join(joints)}}}\n"
+
+
+@pytest.mark.parametrize(("com", "codes"), [("0.1", []), ("-0.1", ["KD510"])])
+def test_limbs_may_have_other_links_in_front_than_behind(com: str, codes: list[str]) -> None:
+    assert [f.code for f in told(analyse(car(com)))] == codes
 
 
 # Like fingers, mounted anyhow, and a thumb, which is none of them.

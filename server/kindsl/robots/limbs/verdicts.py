@@ -79,7 +79,7 @@ def verdicts(limbs: ComparedLimbs, masses: Masses) -> list[LimbVerdict]:
     weighed = _in_one_way({p: WeighedComparison(c, masses) for p, c in limbs.pairs.items()})
     weighed = _without_strangers(weighed)
     if all(c.n_slips == 0 for c in weighed.values()):
-        return [*_odd_masses(weighed)] if weighed else []
+        return [verdict for alike in _connected(weighed) for verdict in _odd_masses(alike)]
     return _convicted(weighed) or [v for c in weighed.values() for v in _of_pair(c)]
 
 
@@ -115,6 +115,17 @@ def _without_strangers(pairs: _Weighed) -> _Weighed:
     """Return the pairs without limbs that differ from every other by more than a slip: a thumb."""
     kin = {label for pair, c in pairs.items() if c.n_slips <= 1 for label in pair}
     return {pair: c for pair, c in pairs.items() if kin.issuperset(pair)}
+
+
+def _connected(pairs: _Weighed) -> Iterator[_Weighed]:
+    """Yield the pairs of limbs that match each other: front and rear ones may have other links."""
+    rest = dict(pairs)
+    while rest:
+        sides, together = set(next(iter(rest))), dict[_Pair, WeighedComparison]()
+        while found := [pair for pair in rest if not sides.isdisjoint(pair)]:
+            together |= {pair: rest.pop(pair) for pair in found}
+            sides.update(chain.from_iterable(found))
+        yield together
 
 
 def _convicted(pairs: _Weighed) -> list[LimbVerdict]:
