@@ -21,6 +21,13 @@ from kindsl.robots.limbs.names import label_of, other_side
         ("LeftFoot", "RightFoot"),
         ("lfoot", "rfoot"),
         ("base_Ltoes", "base_Rtoes"),
+        ("RadVorneLinks", "RadVorneRechts"),
+        ("linkerArm", "rechterArm"),
+        ("VL_Rad", "VR_Rad"),
+        ("anca_ant_sx", "anca_ant_dx"),
+        ("brazo_izquierdo", "brazo_derecho"),
+        ("bras_gauche", "bras_droite"),
+        ("port_elbow", "starboard_elbow"),
         ("lhandle", None),
         ("ballfoot", None),
         ("RF_hip", None),
@@ -35,7 +42,14 @@ def test_left_parts_have_right_twins(left: str, right: str | None) -> None:
 
 @pytest.mark.parametrize(
     "names",
-    [("LF_hip", "RH_hip"), ("segment1", "segment_2"), ("rightUpperLeg", "left_upper_leg")],
+    [
+        ("LF_hip", "RH_hip"),
+        ("segment1", "segment_2"),
+        ("rightUpperLeg", "left_upper_leg"),
+        ("RadVorneLinks", "HR_Rad"),
+        ("tibia_ant_sx", "tibia_post_dx"),
+        ("stbd_fwd_prop", "prop_aft_port"),
+    ],
 )
 def test_sides_and_numbers_do_not_make_another_part(names: tuple[str, str]) -> None:
     assert label_of(names[0]).part == label_of(names[1]).part

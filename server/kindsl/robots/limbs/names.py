@@ -17,17 +17,27 @@ _TOKEN = re.compile(rf"{_WORD.pattern}|\d+")
 _SIDES = {
     "l": "r", "lf": "rf", "lh": "rh", "lr": "rr", "lb": "rb", "lm": "rm",
     "fl": "fr", "hl": "hr", "rl": "rr", "bl": "br", "ml": "mr", "left": "right",
+    # German, with vorne and hinten; Italian, Spanish, French; of ships.
+    "vl": "vr", "links": "rechts", "linke": "rechte", "linker": "rechter", "linkes": "rechtes",
+    "sx": "dx", "sinistra": "destra", "sinistro": "destro",
+    "izq": "der", "izquierda": "derecha", "izquierdo": "derecho", "gauche": "droite",
+    "port": "starboard",
 }  # fmt: skip
-_LEFT_OF = {right: left for left, right in reversed(_SIDES.items())}
+_LEFT_OF = {right: left for left, right in reversed(_SIDES.items())} | {"stbd": "port"}
 _EITHER = frozenset(_SIDES) | frozenset(_LEFT_OF)
 _ROWS = {
     "front": "F", "fore": "F", "hind": "H", "rear": "H", "back": "H", "middle": "M", "mid": "M",
+    "vorne": "F", "vorn": "F", "hinten": "H", "mitte": "M", "fwd": "F", "aft": "H",
+    "anteriore": "F", "posteriore": "H", "ant": "F", "med": "M", "post": "H",
+    "delantera": "F", "delantero": "F", "trasera": "H", "trasero": "H", "avant": "F",
+    "arriere": "H",
 }  # fmt: skip
-_ROW_LETTERS = {"f": "F", "h": "H", "r": "H", "b": "H", "m": "M"}
+_ROW_LETTERS = {"f": "F", "v": "F", "h": "H", "r": "H", "b": "H", "m": "M"}
 # What a limb holds is mounted in any way, often as like copies on both sides.
 _HELD = frozenset((
     "gripper", "tool", "hand", "finger", "fingertip", "thumb", "index", "middle", "ring", "pinky",
-    "palm", "claw", "flange", "ee", "mf", "th", "ff",
+    "palm", "claw", "flange", "ee", "mf", "th", "ff", "greifer", "werkzeug", "daumen", "pinza",
+    "mano", "dito", "pince", "doigt", "dedo",
 ))  # fmt: skip
 
 
@@ -84,11 +94,10 @@ def other_side(name: str) -> str | None:
 
 def _side_and_row(word: str, row: str) -> tuple[str, str]:
     """Return what a word of a side tells: `lf`, `rh`, `fl`, `left`."""
-    if word in ("left", "right", "l", "r"):
-        return word[0].upper(), row
-    is_side_first = word[0] in "lr" and word != "rl"
-    ordered = word if is_side_first else word[::-1]
-    return ordered[0].upper(), _ROW_LETTERS[ordered[1]]
+    side = "L" if word in _SIDES else "R"
+    first, last = word[0], word[-1]
+    letter = last if first == side.lower() else first
+    return side, _ROW_LETTERS[letter] if len(word) == 2 and last != "x" else row
 
 
 def _with_side(name: str, sides: Mapping[str, str]) -> str | None:
