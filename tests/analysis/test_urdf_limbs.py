@@ -53,3 +53,33 @@ def test_links_attached_unlike_their_twins_are_told_at_the_name(
 
 def test_legs_that_are_alike_have_no_such_finding() -> None:
     assert [each.code for each in analyse(legs()).findings] == []
+
+
+SEGMENT = 'ixx="5.44698e-05" ixy="-1.6668e-06" ixz="0" iyy="0.00010235" iyz="0" izz="9.79711e-05"'
+PLACE = '<origin xyz="-0.0437798 0.000863947 0"/>'
+
+
+def snake(tensor: str = SEGMENT, place: str = PLACE) -> str:
+    """Return a row of links of which the third one is otherwise."""
+    others = {3: (tensor, "0.140009", place)}
+    usual = SEGMENT, "0.140009", PLACE
+    links = (link(f"segment{n}", *others.get(n, usual)) for n in range(1, 6))
+    above = ("base", *(f"segment{n}" for n in range(1, 6)))
+    return robot(*links, *(joint(f"j{n}", above[n - 1], above[n]) for n in range(1, 6)))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ("-1.6668e-06", "1.6668e-06", ["moments of 'segment3' differ from its twins"]),
+        ("-0.0437798", "0.0437798", ["CoM of 'segment3' differs from its twins"]),
+        ("0.000863947 0", "0 0.000863947", ["CoM of 'segment3' differs from its twins"]),
+        ("-0.0437798", "-0.0437798", []),
+    ],
+)
+def test_a_part_is_compared_with_its_like_in_a_row(old: str, new: str, told: list[str]) -> None:
+    text = snake(SEGMENT.replace(old, new), PLACE.replace(old, new))
+    found = analyse(text).findings
+    assert [each.message for each in found] == told
+    assert [(each.code, len(each.related)) for each in found] == [("KD509", 4)] * len(told)
+    assert all("segment3" in text[: each.start].splitlines()[-2] for each in found)

@@ -1,5 +1,6 @@
 """Links that agree with others of the robot in two of mass, CoM and moments, not in the third."""
 
+from collections.abc import Callable
 from functools import partial
 from typing import NamedTuple
 
@@ -51,16 +52,26 @@ class Unlike(NamedTuple):
 
 @kept
 def unlike_links(model: Model) -> list[Unlike]:
-    """Return the links whose numbers are plain and differ from those of their counterparts.
+    """Return the links whose numbers are plain and differ from those of their counterparts."""
+    return unlike_among(model, _body)
+
+
+def unlike_among(model: Model, body_of: Callable[[Link], MassDistribution | None]) -> list[Unlike]:
+    """Return the links whose numbers differ from those of their counterparts.
 
     Of a pair the first one is returned. Frames that lie otherwise explain a difference, and where
     more pairs differ than agree they are meant to.
+
+    Args:
+        model: The robot.
+        body_of: Returns the numbers of a link as they are written, None of one that is left out.
     """
     found: dict[Link, Unlike] = {}
     n_alike = 0
     for link in model.bodies:
         others = counterparts(model, link)
-        is_alike, unlike = link.facts.made_of(_COMPARED, others, partial(_compared, link, others))
+        compared = partial(_compared, link, others, body_of)
+        is_alike, unlike = link.facts.made_of(_COMPARED, others, compared)
         n_alike += is_alike
         if unlike is not None and (unlike.is_outvoted or unlike.twins[0][0] not in found):
             found[link] = unlike
@@ -69,12 +80,16 @@ def unlike_links(model: Model) -> list[Unlike]:
     return [each for each in found.values() if each.is_outvoted or not is_usual]
 
 
-def _compared(link: Link, counterparts: list[Link]) -> _Compared:
+def _compared(
+    link: Link,
+    counterparts: list[Link],
+    body_of: Callable[[Link], MassDistribution | None],
+) -> _Compared:
     """Return whether a link is the image of another one, and of which it is nearly."""
-    body = _body(link)
+    body = body_of(link)
     if body is None:
         return False, None
-    others = [(o, b) for o in counterparts if (b := _body(o)) is not None]
+    others = [(o, b) for o in counterparts if (b := body_of(o)) is not None]
     named = [(o, b) for o, b in others if str(o.name) == other_side(str(link.name))]
     is_alike, unlike = _unlike(link, body, others, EXACTLY, EXACTLY)
     if is_alike or unlike is not None or not named:

@@ -1,11 +1,13 @@
 """Doubts about the shape of bodies in XML, and parts of two sides that differ, in XML's words."""
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Container, Iterable, Iterator, Sequence
 from math import hypot
 
+from kindsl.judgement.diagnosis.counterparts import are_near
 from kindsl.judgement.diagnosis.judgements import IMPOSSIBLE, Verdict, judgements
 from kindsl.judgement.diagnosis.suspects import suspects_of
+from kindsl.judgement.diagnosis.unlike import unlike_among
 from kindsl.judgement.rules.base import Finding, Fix, Related, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.inertia.mirror_images import mirror_difference
@@ -30,6 +32,8 @@ _SHAPES = ("KD309", "KD313", "KD511")
 _CAUSES = ("KD307", "KD308", "KD314")
 # From which probability on a cause is told, signs of an impossible body apart: as a fix is.
 _SURE = 0.9
+# Of two parts either may be wrong.
+_ENOUGH = 2
 
 Found = Iterator[tuple[str, Finding]]
 LimbsFound = Iterator[tuple[str, Finding, tuple[Link, ...]]]
@@ -59,7 +63,11 @@ def body_findings(model: Model, bodies: Sequence[XmlBody], context: Context) -> 
             told_of |= links
     limbs = list(_limb_findings(bodies, odd))
     yield from ((code, finding) for code, finding, _ in limbs)
-    yield from _mirrored(model, told_of.union(*(links for *_, links in limbs)))
+    told_of.update(*(links for *_, links in limbs))
+    for link, finding in _unlike(model, told_of):
+        told_of.add(link)
+        yield "KD509", finding
+    yield from _mirrored(model, told_of)
 
 
 def in_words_of_xml(message: str) -> str:
@@ -175,6 +183,26 @@ def _mirrored(model: Model, told_of: set[Link]) -> Found:
         if difference and right.inertia is not None and left.inertia is not None:
             related = Related(left.inertia, f"inertia of '{name}'")
             yield "KD312", Finding(right.inertia, in_words_of_xml(difference), (related,))
+
+
+def _unlike(model: Model, told_of: Container[Link]) -> Iterator[tuple[Link, Finding]]:
+    """Yield the parts that differ in one way from two others or more, which are all alike."""
+    for link, body, twins, within in unlike_among(model, _as_written):
+        inertia = link.inertia
+        if link in told_of or inertia is None or len(twins) < _ENOUGH:
+            continue
+        images = (seen_by(twins[0][1], C) for C in REFLECTIONS)
+        odd = min((_odd_numbers(body, image, within) for image in images), key=len)
+        others = [Related(t.inertia, f"inertia of '{t.name}'") for t, _ in twins if t.inertia]
+        verb = "differ" if odd[-1] == "moments" else "differs"
+        message = f"{' and '.join(odd)} of '{link.name}' {verb} from its twins"
+        yield link, Finding(inertia, message, tuple(others))
+
+
+def _odd_numbers(one: MassDistribution, other: MassDistribution, within: float) -> list[str]:
+    pairs = ([one.mass], [other.mass]), (one.com, other.com), (one.moments, other.moments)
+    named = zip(("mass", "CoM", "moments"), pairs, strict=True)
+    return [name for name, (here, there) in named if not are_near(here, there, within)]
 
 
 def _as_written(link: Link) -> MassDistribution | None:
