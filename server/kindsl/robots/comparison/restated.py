@@ -28,8 +28,9 @@ def restated(ours: Linkage, theirs: Linkage, found: MechanicalComparison) -> Lin
     for its, body in enumerate(bodies):
         if body.parent is not None:
             pose = frames[body.parent].then(body.placement)
-            placement = _at_our_zero(ours, found, our_body.get(its), pose)
-            bodies[its] = body._replace(placement=placement)
+            if its in our_body:
+                pose = pose.then(around(ours, found.alignment, our_body[its])[1])
+            bodies[its] = body._replace(placement=pose)
     for frame in theirs.frames:
         pose = frames[frame.body].then(frame.pose)
         part = BodyPart(_free(frame.name, taken), pose, is_link=False)
@@ -46,13 +47,6 @@ def _in_frame(body: RigidBody, name: str, frame: RigidPose) -> RigidBody:
 def body_frame(found: MechanicalComparison, body: int | None) -> RigidPose:
     """Return where the other's link frame is in ours; one of a body without a match stays."""
     return IDENTITY if body is None else found.alignment.frames.get(body, IDENTITY)
-
-
-def _at_our_zero(
-    ours: Linkage, found: MechanicalComparison, body: int | None, pose: RigidPose
-) -> RigidPose:
-    """Return a joint frame in its predecessor at our zero, of one at the other's."""
-    return pose if body is None else pose.then(around(ours, found.alignment, body)[1])
 
 
 def _names(
