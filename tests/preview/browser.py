@@ -2,7 +2,7 @@
 
 import asyncio
 from collections.abc import AsyncIterator, Callable
-from contextlib import asynccontextmanager
+from contextlib import asynccontextmanager, suppress
 from weakref import WeakKeyDictionary
 
 from playwright.async_api import Browser, Error, Page, async_playwright
@@ -10,6 +10,8 @@ from tests.delays import injected
 from tests.preview.robots import require
 from tests.vscode.browser import ARGUMENTS
 
+from kindsl.frontends.preview.assets import PreviewUnavailableError
+from kindsl.frontends.preview.documents import OnReveal
 from kindsl.frontends.preview.server import PreviewServer
 from kindsl.robots.scene.encoding import as_json
 
@@ -110,6 +112,24 @@ async def chromium() -> AsyncIterator[Browser]:
         await browser.close()
 
 
+class Address:
+    """Where servers listen one after another: a browser keeps what it compiled of their page."""
+
+    def __init__(self) -> None:
+        self._last: PreviewServer | None = None
+
+    async def start(self, *callbacks: OnReveal) -> PreviewServer:
+        """Return a new server that listens where the last one did, unless somebody else does."""
+        if self._last is not None:
+            server = PreviewServer(*callbacks, port=self._last.port, token=self._last.token)
+            with suppress(PreviewUnavailableError):
+                await server.start()
+                return server
+        self._last = server = PreviewServer(*callbacks)
+        await server.start()
+        return server
+
+
 @asynccontextmanager
 async def opened(browser: Browser, url: str) -> AsyncIterator[Page]:
     """Open a page; any error in it fails the test."""
@@ -122,7 +142,11 @@ async def opened(browser: Browser, url: str) -> AsyncIterator[Page]:
     page.on("pageerror", keep)
     await page.goto(url)
     await until(page, "typeof kindsl !== 'undefined'")
-    yield page
+    try:
+        yield page
+    except BaseException:
+        await page.close()  # else it would find the next server of its address
+        raise
     await page.goto("about:blank")
     page.remove_listener("pageerror", keep)
     _spare.setdefault(browser, []).append(page)

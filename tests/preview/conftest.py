@@ -1,9 +1,7 @@
-"""One Chromium for each file of tests, and a preview server for each test."""
+"""One Chromium for each file of tests, and a preview server for each test, all at one address."""
 
 import pytest
-from tests.preview.browser import chromium
-
-from kindsl.frontends.preview.server import PreviewServer
+from tests.preview.browser import Address, chromium
 
 
 @pytest.fixture(scope="module")
@@ -12,9 +10,13 @@ async def browser():
         yield running
 
 
+@pytest.fixture(scope="module")
+def address():
+    return Address()
+
+
 @pytest.fixture
-async def server():
-    running = PreviewServer()
-    await running.start()
+async def server(address):
+    running = await address.start()
     yield running
     await running.stop()

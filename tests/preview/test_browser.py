@@ -44,9 +44,8 @@ async def revealed():
 
 
 @pytest.fixture
-async def server(revealed):
-    running = PreviewServer(lambda key, span, chosen: revealed.append((key, span, chosen)))
-    await running.start()
+async def server(address, revealed):
+    running = await address.start(lambda key, span, chosen: revealed.append((key, span, chosen)))
     yield running
     await running.stop()
 
