@@ -6,6 +6,7 @@ A fix fixes its finding and brings no error. Unless it says otherwise, it keeps 
 
 import re
 from collections import Counter
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -49,17 +50,22 @@ MISTAKES = {
 }
 
 
+@cache
+def errors_of(path: Path) -> frozenset[str]:
+    """Return the codes of the errors that a document has without a mistake."""
+    return frozenset(errors(analyse(path.read_text(encoding="utf-8"), ALL)))
+
+
 @pytest.mark.parametrize("mistake", MISTAKES)
 @pytest.mark.parametrize("path", sound_documents())
 def test_a_fix_does_what_it_promises(path: Path, mistake: str) -> None:
-    sound = path.read_text(encoding="utf-8")
-    before = analyse(MISTAKES[mistake](sound), ALL)
-    known = errors(before).keys() | errors(analyse(sound, ALL)).keys()
+    before = analyse(MISTAKES[mistake](path.read_text(encoding="utf-8")), ALL)
+    known = errors(before).keys() | errors_of(path)
     tried: Counter[str] = Counter()
     for finding in before.findings:
         tried[finding.code] += 1
         if finding.fix is not None and tried[finding.code] <= OF_EACH:
-            after = analyse(apply_edits(before.text, finding.fix.edits), ALL)
+            after = before.edited(finding.fix.edits)
             assert codes(after)[finding.code] <= codes(before)[finding.code]
             told = [(f.code, f.start, f.message) for f in after.findings]
             assert (finding.code, finding.start, finding.message) not in told
@@ -72,7 +78,7 @@ def test_a_fix_does_what_it_promises(path: Path, mistake: str) -> None:
 def test_all_safe_fixes_together_do_what_they_promise(path: Path, mistake: str) -> None:
     before = analyse(MISTAKES[mistake](path.read_text(encoding="utf-8")), ALL)
     edits = fix_all(before)
-    after = analyse(apply_edits(before.text, edits), ALL)
+    after = analyse(apply_edits(before.text, edits), ALL) if edits else before
     fixed = {finding.code for finding in before.findings if finding.fix and finding.fix.is_safe}
     assert bool(edits) == bool(fixed)
     assert_promised(before, after, fixed)
