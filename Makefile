@@ -38,8 +38,9 @@ demo: $(TOOLS)
 	@echo; echo "Now the live preview: edit $(EXAMPLE) and save, and the picture follows. Ctrl-C stops."; echo
 	@$(BIN)/kindsl preview $(EXAMPLE) $(DEMO_OPTIONS)
 
-# Everything that the CI runs.
-test: $(STAMP) lint types layers docs-check page-tests vsix
+# Everything that the CI runs; what takes one core only goes side by side.
+test: $(STAMP)
+	@$(MAKE) --jobs 2 --output-sync --no-print-directory vsix types page-tests lint layers docs-check
 	$(RUN_TESTS)
 
 # The tests with every random case; `make test` tries a part of them.
