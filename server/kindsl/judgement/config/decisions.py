@@ -10,18 +10,7 @@ from kindsl.robots.comparison.twins import TwinFile
 
 
 class Decisions(NamedTuple):
-    """One table of decisions; None or empty for keys that the table does not have.
-
-    Attributes:
-        targets: The generators that must accept the document.
-        select: Codes or prefixes to run.
-        ignore: Codes or prefixes to leave out.
-        severity: Severity by code or prefix.
-        bindings: Values of parameters.
-        joints: Limits of joints.
-        version: The robot's version.
-        poses: Positions of joints by the names of poses, radians or metres.
-    """
+    """One table of decisions, named as in `Settings`; None or empty for keys that it lacks."""
 
     targets: frozenset[str] | None = None
     select: tuple[str, ...] | None = None

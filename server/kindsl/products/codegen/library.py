@@ -224,16 +224,9 @@ def library_of(
     *,
     has_loops: bool = False,
 ) -> Library:
-    """Record all functions that are asked for.
+    """Record all functions that are asked for; the arguments are what `Library` holds.
 
-    Args:
-        robot: The robot.
-        robot_name: As in the document.
-        defaults: The values of the parameters that stay inputs.
-        options: Choice of the functions.
-        stamp: Where it comes from.
-        wanted: Pairs of frames whose poses and Jacobians are asked for besides.
-        has_loops: Whether long functions are loops over bodies.
+    Where a language has loops, long functions are recorded as loops over bodies.
 
     Raises:
         GenerationError: A quantity is not defined for this robot.
