@@ -2,7 +2,6 @@
 
 from functools import cache
 from importlib import import_module
-from types import ModuleType
 
 from kindsl.judgement.rules import checks
 from kindsl.judgement.rules.base import Rule
@@ -19,7 +18,7 @@ OF_BOTH = OF_PARTS | {
 }  # fmt: skip
 CONCERN_XML = OF_PARTS | OF_XML | {"KD501"}
 # Rules that parsers, the configuration or comments report.
-_WITHOUT_CHECK = ("kd0", "kd404", "kd527", "kd704", "kd706", "kd8", "kd902")
+_WITHOUT_CHECK = ("KD0", "KD404", "KD527", "KD704", "KD706", "KD8", "KD902")
 _IN_XML = """
 
 ## In a URDF
@@ -33,22 +32,21 @@ comment `<!-- kindsl: ignore[CODE] why -->` in an element, or before it, silence
 @cache
 def all_rules() -> tuple[Rule, ...]:
     """Return the rules in the order of their codes."""
-    return tuple(rule_module(name).RULE for name in _module_names())
+    return rules_with(frozenset(all_codes()))
 
 
 @cache
 def checking_rules() -> tuple[Rule, ...]:
     """Return the rules that look at a document's model, loading no others."""
-    others = (*_WITHOUT_CHECK, *map(str.lower, OF_XML))
-    names = (name for name in _module_names() if not name.startswith(others))
-    return tuple(rule_module(name).RULE for name in names)
+    others = (*_WITHOUT_CHECK, *OF_XML)
+    return rules_with(frozenset(code for code in all_codes() if not code.startswith(others)))
 
 
 @cache
 def rules_with(codes: frozenset[str]) -> tuple[Rule, ...]:
     """Return the rules with some codes, without loading any other."""
     names = (n for n in _module_names() if n.partition("_")[0].upper() in codes)
-    return tuple(rule_module(name).RULE for name in names)
+    return tuple(import_module(f"{checks.__name__}.{name}").RULE for name in names)
 
 
 @cache
@@ -67,11 +65,6 @@ def page_of(rule: Rule) -> str:
     """Return the docs page of a rule: its module docstring and the section on XML."""
     page = (import_module(rule.module).__doc__ or "").strip()
     return page + _IN_XML.replace("CODE", rule.code) if rule.code in OF_BOTH else page
-
-
-def rule_module(name: str) -> ModuleType:
-    """Import a rule's module by its file's stem."""
-    return import_module(f"kindsl.judgement.rules.checks.{name}")
 
 
 def _module_names() -> list[str]:
