@@ -12,8 +12,9 @@ from lsprotocol import types
 from kindsl.frontends.lsp.session.analyses import Analyses
 from kindsl.frontends.lsp.session.worker import Urgency, Worker
 from kindsl.frontends.lsp.session.workspace import Workspace
-from kindsl.frontends.lsp.text.document import document
+from kindsl.frontends.lsp.text.document import Document, document
 from kindsl.judgement.analysis import analysis
+from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.registry import checking_rules
 from kindsl.language.semantics.aspects import Aspect
@@ -36,13 +37,17 @@ def analyses(worker: Worker, workspace: Workspace) -> Analyses:
     return Analyses(worker, workspace)
 
 
+async def findings_of(analyses: Analyses, shown: Document) -> tuple[Diagnostic, ...]:
+    return await (await analyses.version(shown)).findings()
+
+
 async def test_all_who_ask_share_one_analysis(analyses: Analyses) -> None:
     shown = document("untitled:r", 1, TEXT, "utf-16")
     one, other = await asyncio.gather(analyses.of(shown), analyses.of(shown))
     assert one is other
-    findings = await analyses.findings(shown)
+    findings = await findings_of(analyses, shown)
     assert [found.code for found in findings] == ["KD008"]
-    assert await analyses.findings(shown) is findings
+    assert await findings_of(analyses, shown) is findings
     assert await analyses.of(shown) is one
 
 
@@ -50,9 +55,9 @@ async def test_what_is_known_is_no_job_again(
     analyses: Analyses, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     shown = document("untitled:r", 1, TEXT, "utf-16")
-    findings = await analyses.findings(shown)
+    findings = await findings_of(analyses, shown)
     monkeypatch.setattr(Worker, "submit", None)
-    assert await analyses.findings(shown) is findings
+    assert await findings_of(analyses, shown) is findings
 
 
 async def test_other_settings_make_another_analysis(
@@ -87,7 +92,7 @@ async def test_what_a_check_has_made_is_there_while_the_worker_is_busy(
     analyses: Analyses, worker: Worker
 ) -> None:
     shown = document("untitled:r", 1, TEXT, "utf-16")
-    await analyses.findings(shown)
+    await findings_of(analyses, shown)
     release = busy(worker)
     try:
         known = await asyncio.wait_for(analyses.of(shown), 20)
@@ -165,7 +170,7 @@ async def test_findings_under_way_are_abandoned_and_those_that_are_left_made_lat
     later = Rule("kd999_later", Severity.ERROR, check_document=slow)
     monkeypatch.setattr(analysis, "checking_rules", lambda: (rule, later))
     monkeypatch.setattr(analysis, "running_rules", analysis.running_rules.__wrapped__)
-    waiting = asyncio.ensure_future(analyses.findings(shown))
+    waiting = asyncio.ensure_future(findings_of(analyses, shown))
     await asyncio.to_thread(begun.wait)
     waiting.cancel()
     with pytest.raises(asyncio.CancelledError):
@@ -174,7 +179,7 @@ async def test_findings_under_way_are_abandoned_and_those_that_are_left_made_lat
     gate.set()
     await worker.run(lambda: None)
     assert ended == [True]
-    assert [each.code for each in await analyses.findings(shown)] == ["KD008"]
+    assert [each.code for each in await findings_of(analyses, shown)] == ["KD008"]
     assert ended == [True] * 2  # What the first one found had been kept.
 
 
@@ -191,7 +196,7 @@ async def test_a_rule_that_fails_is_logged(
     monkeypatch.setattr(analysis, "checking_rules", lambda: (rule, *checking_rules()))
     monkeypatch.setattr(analysis, "running_rules", analysis.running_rules.__wrapped__)
     again = document("untitled:r", 2, TEXT, "utf-16")
-    assert await analyses.findings(again) == expected != ()
+    assert await findings_of(analyses, again) == expected != ()
     assert "KD999 failed: KeyError: 'oh'" in caplog.text
 
 
@@ -213,13 +218,13 @@ def busy(worker: Worker) -> Callable[[], None]:
 
 async def test_a_version_is_freed_without_the_collector(analyses: Analyses) -> None:
     first = document("untitled:r", 1, TEXT, "utf-16")
-    await analyses.findings(first)
+    await findings_of(analyses, first)
     known = weakref.ref(await analyses.of(first)), weakref.ref((await analyses.of(first)).model)
     gc.disable()
     try:
         second = first.changed([types.TextDocumentContentChangeWholeDocument(TEXT + " ")], 2)
         del first
-        await analyses.findings(second)
+        await findings_of(analyses, second)
         assert [each() for each in known] == [None, None]
     finally:
         gc.enable()

@@ -550,11 +550,11 @@ async def test_a_session_answers_about_robots_only_and_counts_its_questions() ->
         opened(session, "untitled:kindsl.toml", "")
 
         def handler(view: Any, params: Any) -> Any:
-            return view.document.uri, params, session.is_quiet
+            return view.document.uri, params, session.quiet.is_set()
 
         for ask in (session.ask_at_once, session.ask, session.ask_judged):
             assert await ask(handler, URI, 3) == (URI, 3, False)
-            assert session.is_quiet
+            assert session.quiet.is_set()
             assert await ask(handler, "untitled:kindsl.toml", 3) is None
             assert await ask(handler, "untitled:absent", 3) is None
 
@@ -575,8 +575,8 @@ async def test_quiet_comes_with_the_last_answer_or_after_a_moment(
         await asyncio.wait_for(session.until_quiet(), 5)
         with session.question():
             with session.question():
-                assert not session.is_quiet
-            assert not session.is_quiet
+                assert not session.quiet.is_set()
+            assert not session.quiet.is_set()
             monkeypatch.setattr("kindsl.frontends.lsp.session.state.PATIENCE", 0.01)
             await asyncio.wait_for(session.until_quiet(), 5)
             monkeypatch.setattr("kindsl.frontends.lsp.session.state.PATIENCE", 60.0)

@@ -74,7 +74,7 @@ def prepare_hierarchy(
     return [_item(view, item) for item in found]
 
 
-@handlers.item(types.CALL_HIERARCHY_INCOMING_CALLS)
+@handlers.document(types.CALL_HIERARCHY_INCOMING_CALLS)
 def incoming(
     view: View, params: types.CallHierarchyIncomingCallsParams
 ) -> list[types.CallHierarchyIncomingCall]:
@@ -87,7 +87,7 @@ def incoming(
     ]
 
 
-@handlers.item(types.CALL_HIERARCHY_OUTGOING_CALLS)
+@handlers.document(types.CALL_HIERARCHY_OUTGOING_CALLS)
 def outgoing(
     view: View, params: types.CallHierarchyOutgoingCallsParams
 ) -> list[types.CallHierarchyOutgoingCall]:

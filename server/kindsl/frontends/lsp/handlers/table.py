@@ -4,139 +4,101 @@ A handler of a document sees one version of it from the beginning to the end, th
 there when the request came, however the editor goes on typing meanwhile.
 """
 
-from collections.abc import Callable
-from typing import Any, NamedTuple, TypeVar
+from collections.abc import Awaitable, Callable
+from typing import Any, TypeAlias, TypeVar
 
 from kindsl.frontends.lsp.session.companions import transforms_view
 from kindsl.frontends.lsp.session.session import Session
-from kindsl.frontends.lsp.text.document import Document
+from kindsl.frontends.lsp.session.view import Sight
 
 F = TypeVar("F", bound=Callable[..., Any])
-Bind = Callable[[Session, Callable[..., Any]], Callable[..., Any]]
-
-
-class _Entry(NamedTuple):
-    method: str
-    options: Any
-    bind: Callable[[Session], Callable[..., Any]]
+_Handler: TypeAlias = Callable[..., Any]
+_Ask: TypeAlias = Callable[[Session, _Handler, str, Any], Awaitable[Any]]
 
 
 class Handlers:
     """The handlers of one module."""
 
-    __slots__ = ("_commands", "_entries", "_of_transforms", "_of_xml")
-
     def __init__(self) -> None:
-        self._entries: list[_Entry] = []
-        self._commands: list[_Entry] = []
-        self._of_transforms: dict[str, Callable[..., Any]] = {}
-        self._of_xml: dict[str, Callable[..., Any]] = {}
+        self._methods: dict[str, tuple[Any, _Ask | None]] = {}
+        self._handlers: dict[str, _Handler] = {}
+        self._commands: dict[str, _Handler] = {}
+        self._of_transforms: dict[str, _Handler] = {}
+        self._of_xml: dict[str, _Handler] = {}
 
     def place(self, method: str, options: Any = None) -> Callable[[F], F]:
         """Register a handler `(view, params) -> result` of a place, answered at once."""
-        return self._add(method, options, _on_place)
+        return self._add(method, options, Session.ask_at_once)
 
     def document(self, method: str, options: Any = None) -> Callable[[F], F]:
         """Register a handler `(view, params) -> result` that looks at the whole document."""
-        return self._add(method, options, _on_document)
+        return self._add(method, options, Session.ask)
 
     def judged(self, method: str, options: Any = None) -> Callable[[F], F]:
         """Register a handler `(view, params) -> result` that needs to know what is wrong."""
-        return self._add(method, options, _on_judged)
-
-    def item(self, method: str, options: Any = None) -> Callable[[F], F]:
-        """Register a handler `(view, params) -> result` of the document of `params.item`."""
-        return self._add(method, options, _on_item)
+        return self._add(method, options, Session.ask_judged)
 
     def session(self, method: str, options: Any = None) -> Callable[[F], F]:
         """Register a handler `(session, params) -> result`, which may be awaitable."""
-        return self._add(method, options, _on_session)
+        return self._add(method, options, None)
 
     def transforms(self, method: str) -> Callable[[F], F]:
         """Register `(view, params) -> result` besides the method's handler, for transforms."""
-
-        def register(handler: F) -> F:
-            self._of_transforms[method] = handler
-            return handler
-
-        return register
+        return _kept_in(self._of_transforms, method)
 
     def xml(self, method: str) -> Callable[[F], F]:
         """Register `(view, params) -> result` besides the method's handler, for robots in XML."""
-
-        def register(handler: F) -> F:
-            self._of_xml[method] = handler
-            return handler
-
-        return register
+        return _kept_in(self._of_xml, method)
 
     def command(self, name: str) -> Callable[[F], F]:
         """Register a command `(session, *arguments) -> result`, which may be awaitable."""
-
-        def register(handler: F) -> F:
-            self._commands.append(_Entry(name, None, lambda session: _on_session(session, handler)))
-            return handler
-
-        return register
+        return _kept_in(self._commands, name)
 
     def register(self, session: Session) -> None:
         """Announce everything to the editor."""
-        for method, options, bind in self._entries:
-            answer = bind(session)
+        for method, (options, ask) in self._methods.items():
+            answer = _bound(session, self._handlers[method], ask)
             others = self._of_transforms.get(method), self._of_xml.get(method)
             chosen = _by_kind(session, answer, *others) if any(others) else answer
             session.editor.feature(method, options)(chosen)
-        for name, _, bind in self._commands:
-            session.editor.command(name)(bind(session))
+        for name, handler in self._commands.items():
+            session.editor.command(name)(_bound(session, handler))
 
-    def _add(self, method: str, options: Any, bind: Bind) -> Callable[[F], F]:
-        def register(handler: F) -> F:
-            self._entries.append(_Entry(method, options, lambda session: bind(session, handler)))
-            return handler
+    def _add(self, method: str, options: Any, ask: _Ask | None) -> Callable[[F], F]:
+        self._methods[method] = options, ask
+        return _kept_in(self._handlers, method)
 
-        return register
+
+def _kept_in(table: dict[str, _Handler], name: str) -> Callable[[F], F]:
+    def keep(handler: F) -> F:
+        table[name] = handler
+        return handler
+
+    return keep
+
+
+def _bound(session: Session, handler: _Handler, ask: _Ask | None = None) -> _Handler:
+    if ask is None:
+        return lambda *arguments: handler(session, *arguments)
+    return lambda params: ask(session, handler, _uri(params), params)
+
+
+def _uri(params: Any) -> str:
+    return str((params.item if hasattr(params, "item") else params.text_document).uri)
 
 
 def _by_kind(
-    session: Session,
-    of_robot: Callable[..., Any],
-    of_transforms: Callable[..., Any] | None,
-    of_xml: Callable[..., Any] | None,
-) -> Callable[..., Any]:
-    async def ask_of_transforms(document: Document, params: Any) -> Any:
-        assert of_transforms is not None, "else it is not asked"
-        return of_transforms(await transforms_view(session, document), params)
-
-    async def ask_of_xml(document: Document, params: Any) -> Any:
-        assert of_xml is not None, "else it is not asked"
-        return of_xml(await session.view(document), params)
+    session: Session, of_robot: _Handler, of_transforms: _Handler | None, of_xml: _Handler | None
+) -> _Handler:
+    async def asked(handler: _Handler, view: Awaitable[Sight], params: Any) -> Any:
+        return handler(await view, params)
 
     def answer(params: Any) -> Any:
-        document = session.documents.get(params.text_document.uri)
+        document = session.documents.get(_uri(params))
         if document is not None and document.is_transforms and of_transforms is not None:
-            return ask_of_transforms(document, params)
+            return asked(of_transforms, transforms_view(session, document), params)
         if document is not None and document.is_xml and of_xml is not None:
-            return ask_of_xml(document, params)
+            return asked(of_xml, session.view(document), params)
         return of_robot(params)
 
     return answer
-
-
-def _on_session(session: Session, handler: Callable[..., Any]) -> Callable[..., Any]:
-    return lambda *arguments: handler(session, *arguments)
-
-
-def _on_place(session: Session, handler: Callable[..., Any]) -> Callable[..., Any]:
-    return lambda params: session.ask_at_once(handler, params.text_document.uri, params)
-
-
-def _on_document(session: Session, handler: Callable[..., Any]) -> Callable[..., Any]:
-    return lambda params: session.ask(handler, params.text_document.uri, params)
-
-
-def _on_judged(session: Session, handler: Callable[..., Any]) -> Callable[..., Any]:
-    return lambda params: session.ask_judged(handler, params.text_document.uri, params)
-
-
-def _on_item(session: Session, handler: Callable[..., Any]) -> Callable[..., Any]:
-    return lambda params: session.ask(handler, params.item.uri, params)

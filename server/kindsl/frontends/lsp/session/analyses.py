@@ -46,18 +46,6 @@ class Analyses:
         """Return the analysis of a version under the present settings, its model made."""
         return await (await self.version(document)).analysis()
 
-    async def shown(self, document: Document) -> "Analysis":
-        """Return the analysis to draw and compute: of XML the document that it would become.
-
-        Raises:
-            UnreadableRobotError: It is XML without a robot that can be shown.
-        """
-        return await (await self.version(document)).shown()
-
-    async def findings(self, document: Document) -> "tuple[Diagnostic, ...]":
-        """Return what is wrong with a version under the present settings."""
-        return await (await self.version(document)).findings()
-
 
 class Version(NamedTuple):
     """A document under the settings that hold for it.
@@ -80,7 +68,11 @@ class Version(NamedTuple):
         return await self._shared("analysis", self._made, Urgency.ANSWER)
 
     async def shown(self) -> "Analysis":
-        """Return the analysis to draw and compute; see `Analyses.shown`."""
+        """Return the analysis to draw and compute: of XML the document that it would become.
+
+        Raises:
+            UnreadableRobotError: It is XML without a robot that can be shown.
+        """
         if not self.document.is_xml:
             return await self.analysis()
         return await self._shared("translation", self._translated, Urgency.ANSWER)

@@ -133,7 +133,7 @@ class Previews:
 
         document, findings = version
         try:
-            analysis = await self._state.analyses.shown(document)
+            analysis = await (await self._state.analyses.version(document)).shown()
         except UnreadableRobotError as error:
             if (shown := self._shown(document.uri)) is None:
                 raise RequestFailed(str(error)) from None

@@ -1,6 +1,7 @@
 """A session with an editor: what it knows, what it offers unasked, and how it is asked."""
 
 from collections.abc import Awaitable, Callable
+from math import inf
 from typing import Any
 
 from kindsl.frontends.lsp.session.closed_configurations import ClosedConfigurations
@@ -14,7 +15,6 @@ from kindsl.frontends.lsp.wire.editor import Editor
 from kindsl.frontends.lsp.wire.protocol import Encoded
 
 Handler = Callable[[View, Any], Any]
-Look = Callable[[View, Callable[[], Any]], Awaitable[Any]]
 
 _LONG = 200_000
 
@@ -36,15 +36,15 @@ class Session(State):
 
     def ask_at_once(self, handler: Handler, uri: str, params: Any) -> Awaitable[Any]:
         """Ask a handler about a place of the document as it is now; None without a robot."""
-        return self._answer(handler, self.documents.get(uri), params, self._look)
+        return self._answer(handler, self.documents.get(uri), params, inf)
 
     def ask(self, handler: Handler, uri: str, params: Any) -> Awaitable[Any]:
         """Ask a handler about the whole document as it is now, a long one in the worker."""
-        return self._answer(handler, self.documents.get(uri), params, self._read)
+        return self._answer(handler, self.documents.get(uri), params)
 
     def ask_judged(self, handler: Handler, uri: str, params: Any) -> Awaitable[Any]:
         """Ask a handler that needs to know what is wrong with the document as it is now."""
-        return self._judged(handler, self.documents.get(uri), params)
+        return self._answer(handler, self.documents.get(uri), params, is_judged=True)
 
     async def view(self, document: Document) -> View:
         """Return a version of a document with its analysis."""
@@ -56,30 +56,28 @@ class Session(State):
         self.helper.stop()
 
     async def _answer(
-        self, handler: Handler, document: Document | None, params: Any, look: Look
+        self,
+        handler: Handler,
+        document: Document | None,
+        params: Any,
+        long: float = _LONG,
+        *,
+        is_judged: bool = False,
     ) -> Any:
+        """Return an answer, made in the worker where a document is long; once it is judged first.
+
+        Until it is judged, the question holds up nothing.
+        """
         if document is None or not document.is_robot:
             return None
+        if is_judged:
+            await (await self.analyses.version(document)).findings()
         with self.question():
             view = await self.view(document)
-            return await look(view, lambda: handler(view, params))
+            if document.lines.length < long:
+                return handler(view, params)
+            return await self.worker.run(lambda: self._encoded(handler(view, params)))
 
-    async def _look(self, _: View, ask: Callable[[], Any]) -> Any:
-        return ask()
-
-    async def _read(self, view: View, ask: Callable[[], Any]) -> Any:
-        if view.document.lines.length < _LONG:
-            return ask()
-        return await self.worker.run(lambda: self._encoded(ask))
-
-    async def _judged(self, handler: Handler, document: Document | None, params: Any) -> Any:
-        """Answer once the findings are known; until then the question holds up nothing."""
-        if document is not None and document.is_robot:
-            await self.analyses.findings(document)
-        return await self._answer(handler, document, params, self._read)
-
-    def _encoded(self, ask: Callable[[], Any]) -> Encoded:
-        """Answer in the worker as long as somebody waits."""
-        result = ask()
+    def _encoded(self, answer: Any) -> Encoded:
         self.worker.checkpoint()
-        return self.editor.protocol.encoded(result)
+        return self.editor.protocol.encoded(answer)

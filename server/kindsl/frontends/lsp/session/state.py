@@ -10,6 +10,7 @@ from lsprotocol import types
 from kindsl.frontends.lsp.session import memory
 from kindsl.frontends.lsp.session.analyses import Analyses
 from kindsl.frontends.lsp.session.calm import Calm
+from kindsl.frontends.lsp.session.helper import Helper
 from kindsl.frontends.lsp.session.surroundings import Surroundings
 from kindsl.frontends.lsp.session.tokens import TokenMemory
 from kindsl.frontends.lsp.session.worker import Urgency
@@ -39,6 +40,7 @@ class State:
         analyses: The analysis of each version of a document.
         calm: Holds back findings while someone types.
         tokens: The semantic tokens that the client knows.
+        quiet: Set while no question is open.
         news: Set when files or settings may have changed.
         refused: Documents of which the user was told that they are too broken to format.
         until_told: Done when the editor knows the latest preview's address.
@@ -53,7 +55,7 @@ class State:
         self.editor = editor
         self.surroundings = surroundings
         self.client = Client(types.ClientCapabilities(), {})
-        self.helper = surroundings.new_helper(surroundings.worker)
+        self.helper = Helper(surroundings.worker, surroundings.n_helpers)
         self.documents = editor.protocol.documents
         self.worker = surroundings.worker
         self.workspace = Workspace()
@@ -69,8 +71,8 @@ class State:
         self.on_findings: list[Callable[[Document, Sequence[Diagnostic]], None]] = []
         self.on_parent_known: Callable[[int | None], None] = lambda _: None
         self._questions = 0
-        self._quiet = asyncio.Event()
-        self._quiet.set()
+        self.quiet = asyncio.Event()
+        self.quiet.set()
         self.documents.on_close += [
             self.tokens.forget,
             lambda document: self.refused.discard(document.uri),
@@ -82,24 +84,19 @@ class State:
     def question(self) -> Iterator[None]:
         """Count a question as open while it is answered."""
         self._questions += 1
-        self._quiet.clear()
+        self.quiet.clear()
         try:
             yield
         finally:
             self._questions -= 1
             if not self._questions:
-                self._quiet.set()
-
-    @property
-    def is_quiet(self) -> bool:
-        """True if no question is open."""
-        return not self._questions
+                self.quiet.set()
 
     async def until_quiet(self) -> None:
         """Wait until no question is open, but not for long: answers go before what is unasked."""
-        if not self._quiet.is_set():
+        if not self.quiet.is_set():
             with contextlib.suppress(TimeoutError):
-                await asyncio.wait_for(self._quiet.wait(), PATIENCE)
+                await asyncio.wait_for(self.quiet.wait(), PATIENCE)
 
     def show_warning(self, message: str) -> None:
         """Tell the user why something that they asked for was not done; from any thread."""
