@@ -1,7 +1,6 @@
 from tests.features.samples import ARM, BROKEN, COMMENTED
 from tests.support.cursor import at_cursor
 
-from kindsl.frontends.features.document_links import document_links, links_in_text
 from kindsl.frontends.features.navigation import hierarchy_items, predecessors, successors
 from kindsl.frontends.features.outline import document_symbols, kinematic_outline, workspace_symbols
 from kindsl.frontends.features.ranges import folds, selection_ranges
@@ -95,13 +94,6 @@ def test_a_comment_that_begins_a_document_folds():
     text = "// a robot\n// of ours\n" + ARM.replace("{", "{ // later", 1)
     comments = [text[f.start : f.end] for f in folds(analyse(text)) if f.kind == "comment"]
     assert comments[0] == "// a robot\n// of ours"
-
-
-def test_addresses_in_comments_are_links():
-    assert [link.target for link in document_links(analyse(COMMENTED))] == [
-        "https://example.org/robot"
-    ]
-    assert links_in_text("# (http://a.org/b).")[0].target == "http://a.org/b"
 
 
 def test_selections_grow_from_number_to_document():

@@ -14,7 +14,6 @@ from tests.support.recorded import Teller, assert_as_recorded
 from kindsl.frontends.features.actions.code_actions import code_actions, fix_all_action
 from kindsl.frontends.features.code_lenses import code_lenses
 from kindsl.frontends.features.completion.completion import completions, narrowed, suggestions
-from kindsl.frontends.features.document_links import document_links
 from kindsl.frontends.features.hover.hover import hover
 from kindsl.frontends.features.inlay_hints import InlayHintOptions, inlay_hints
 from kindsl.frontends.features.navigation import (
@@ -96,7 +95,6 @@ FEATURES = (
     of_all("symbols that match", lambda a: workspace_symbols(a, "E")),
     of_all("folds", folds),
     of_all("colours", semantic_tokens),
-    of_all("links", document_links),
     of_all("lenses", code_lenses),
     of_all("hints", lambda a: inlay_hints(a, 0, a.syntax.length, InlayHintOptions(units=True))),
     of_all("hints unless asked for more", lambda a: inlay_hints(a, 0, a.syntax.length)),

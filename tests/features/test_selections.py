@@ -3,7 +3,6 @@
 import pytest
 from tests.support.cursor import at_cursor
 
-from kindsl.frontends.features.document_links import document_links, links_in_text
 from kindsl.frontends.features.ranges import selection_ranges
 from kindsl.frontends.features.tree_path import is_word, token_at
 from kindsl.judgement.analysis.analysis import analyse
@@ -124,29 +123,3 @@ def test_a_token_that_fits_nowhere_lies_in_no_construct() -> None:
         assert found is not None and found.path == ()
     found = token_at(*(lambda a: (a[0].syntax, a[1]))(at_cursor("link l { $0id = 1 }")))
     assert found is not None and [node.kind for node in found.path] == ["link", "id"]
-
-
-@pytest.mark.parametrize(
-    ("text", "targets"),
-    [
-        ("// https://a.org/b, http://c.org/d.", ["https://a.org/b", "http://c.org/d"]),
-        ("/* (see https://a.org/b?c=d#e) */", ["https://a.org/b?c=d#e"]),
-        ("// <https://a.org>", ["https://a.org"]),
-        ("link l { } // ftp://a.org https:/a.org", []),
-        ("link l { id = 1 } // https://a.org", ["https://a.org"]),
-        ('// "https://a.org/b" `http://c.org`', ["https://a.org/b", "http://c.org"]),
-    ],
-)
-def test_addresses_in_comments_can_be_opened(text: str, targets: list[str]) -> None:
-    for before in ("", "Robot R {\nRobotBase b {}\n"):
-        analysis = analyse(before + text)
-        found = document_links(analysis)
-        assert [link.target for link in found] == targets
-        assert [analysis.text[link.start : link.end] for link in found] == targets
-        assert [link.target for link in links_in_text(text)] == targets
-
-
-def test_what_is_no_comment_is_no_address() -> None:
-    assert document_links(analyse("link https { }")) == ()
-    assert [link.start for link in links_in_text("http://a.org")] == [0]
-    assert [link.start for link in links_in_text('url = "http://a.org"')] == [7]

@@ -10,7 +10,6 @@ from tests.features.samples import ALL
 from kindsl.frontends.features.actions.code_actions import code_actions, fix_all_action
 from kindsl.frontends.features.code_lenses import code_lenses
 from kindsl.frontends.features.completion.completion import completions
-from kindsl.frontends.features.document_links import document_links
 from kindsl.frontends.features.hover.hover import hover
 from kindsl.frontends.features.inlay_hints import InlayHintOptions, inlay_hints
 from kindsl.frontends.features.navigation import (
@@ -48,7 +47,7 @@ AT_OFFSET = (
     symbol_at, definitions, bound_parameter, references, highlights, rename_range,
     selection_ranges, linked_ranges, hierarchy_items, hover, signature_help, completions,
 )  # fmt: skip
-WHOLE = (document_symbols, kinematic_outline, folds, semantic_tokens, document_links, code_lenses)
+WHOLE = (document_symbols, kinematic_outline, folds, semantic_tokens, code_lenses)
 
 
 def visit(text, offsets):

@@ -246,13 +246,6 @@ async def test_linked_editing(client: LanguageClient, folder: Path) -> None:
     assert len(found.ranges) == 2
 
 
-async def test_links(client: LanguageClient, folder: Path) -> None:
-    links = await client.text_document_document_link_async(
-        types.DocumentLinkParams(identifier(folder))
-    )
-    assert [link.target for link in links or ()] == ["https://example.org/arm"]
-
-
 async def test_semantic_tokens(client: LanguageClient, folder: Path) -> None:
     whole = await client.text_document_semantic_tokens_full_async(
         types.SemanticTokensParams(identifier(folder))

@@ -127,21 +127,12 @@ def linked_editing(
 
 
 @handlers.session(types.TEXT_DOCUMENT_DOCUMENT_LINK, types.DocumentLinkOptions())
-def links(session: Session, params: types.DocumentLinkParams) -> Any:
-    """Find addresses in comments, and documents that a configuration file names."""
+def links(session: Session, params: types.DocumentLinkParams) -> list[types.DocumentLink]:
+    """Find documents that a configuration file names."""
     document = session.documents.get(params.text_document.uri)
-    if document is not None and document.is_toml:
-        return configuration_links(document)
-    return session.ask(_links, params.text_document.uri, params)
-
-
-def _links(view: View, _: types.DocumentLinkParams) -> list[types.DocumentLink]:
-    from kindsl.frontends.features.document_links import document_links
-
-    return [
-        types.DocumentLink(view.range(link.start, link.end), link.target)
-        for link in document_links(view.analysis)
-    ]
+    if document is None or not document.is_toml:
+        return []
+    return list(configuration_links(document))
 
 
 def _symbol(view: View, symbol: "DocumentSymbol") -> types.DocumentSymbol:

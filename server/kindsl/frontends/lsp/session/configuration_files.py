@@ -54,15 +54,26 @@ def configuration_of(document: Document) -> "Configuration | None":
     return configuration_reading.configuration_of(name, document.text) if is_ours else None
 
 
-def configuration_links(document: Document) -> list[types.DocumentLink]:
-    """Return links to addresses in the comments, and to the documents that tables are for."""
-    from kindsl.frontends.features.document_links import links_in_text
+def configuration_links(document: Document) -> Iterator[types.DocumentLink]:
+    """Yield links to the documents that tables are for."""
+    from kindsl.judgement.config.configuration import ConfigurationError
 
-    links = [
-        types.DocumentLink(document.range(link.start, link.end), link.target)
-        for link in links_in_text(document.text)
-    ]
-    return [*links, *_document_links(document)]
+    path = uris.path(document.uri)
+    try:
+        configuration = configuration_of(document)
+    except ConfigurationError:
+        return
+    if configuration is None or path is None:
+        return
+    for number, table in enumerate(configuration.documents):
+        place = configuration.places.get((*configuration.root, "document", number, "path"))
+        target = path.parent / table.pattern
+        if place and not _GLOB & set(table.pattern) and target.is_file():
+            before, found, _ = document.text[place[1] :].partition(table.pattern)
+            start = place[1] + len(before)
+            if found:
+                span = document.range(start, start + len(found))
+                yield types.DocumentLink(span, uris.uri(target))
 
 
 def bound_places(view: "View", parameter: str) -> Iterator[BoundPlace]:
@@ -144,27 +155,6 @@ def names_in(analysis: "Analysis") -> "Names":
     model = analysis.model
     parameters = frozenset(str(parameter.name) for parameter in model.parameters)
     return Names(parameters, frozenset(str(joint.name) for joint in model.joints))
-
-
-def _document_links(document: Document) -> Iterator[types.DocumentLink]:
-    from kindsl.judgement.config.configuration import ConfigurationError
-
-    path = uris.path(document.uri)
-    try:
-        configuration = configuration_of(document)
-    except ConfigurationError:
-        return
-    if configuration is None or path is None:
-        return
-    for number, table in enumerate(configuration.documents):
-        place = configuration.places.get((*configuration.root, "document", number, "path"))
-        target = path.parent / table.pattern
-        if place and not _GLOB & set(table.pattern) and target.is_file():
-            before, found, _ = document.text[place[1] :].partition(table.pattern)
-            start = place[1] + len(before)
-            if found:
-                span = document.range(start, start + len(found))
-                yield types.DocumentLink(span, uris.uri(target))
 
 
 async def _unused_bindings(state: State, document: Document) -> "list[Diagnostic]":
