@@ -217,7 +217,7 @@ def test_a_bound_parameter_tells_its_value():
         snippets.base("floating"),
         snippets.link("l", 1),
         snippets.joint("r_joint", "j"),
-        snippets.inertia(),
+        snippets.section("inertia"),
         snippets.frames(),
         snippets.section("joint_frame"),
         snippets.children(),

@@ -1,12 +1,12 @@
 """Lines above blocks: open the preview, what a link carries, how often a joint is used."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from kindsl.frontends.features.subtree import Subtree, subtree_of
 from kindsl.frontends.features.wording import KILOGRAMS, number
 from kindsl.judgement.analysis.analysis import Analysis
-from kindsl.language.semantics.declarations import Joint, Link
+from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.places import Name
 from kindsl.language.text.phrases import counted
 from kindsl.language.text.span import Span
@@ -37,7 +37,7 @@ def code_lenses(analysis: Analysis) -> tuple[CodeLens, ...]:
 
 
 def _lenses(analysis: Analysis) -> Iterator[CodeLens]:
-    model = analysis.model
+    model, tree = analysis.model, analysis.model.tree
     for declared in model.declared:
         if declared.robot:
             yield CodeLens(*analysis.resolver.span(declared.robot), "▶ Preview", "preview")
@@ -46,9 +46,12 @@ def _lenses(analysis: Analysis) -> Iterator[CodeLens]:
         if title:
             yield CodeLens(*analysis.resolver.span(body.name), title, "subtree")
         if not body.is_base:
-            yield _references(analysis, body.name, _places_of_link(analysis, body))
+            yield _references(
+                analysis, body.name, [edge.child.link for edge in tree.above.get(body, ())]
+            )
     for joint in model.joints:
-        yield _references(analysis, joint.name, _places_of_joint(analysis, joint))
+        uses = [edge.child.joint for edge in tree.joint_uses.get(joint, ())]
+        yield _references(analysis, joint.name, uses)
 
 
 def _subtree_title(subtree: Subtree, body: Link) -> str:
@@ -62,16 +65,7 @@ def _subtree_title(subtree: Subtree, body: Link) -> str:
     return f"carries {joints}, {mass}" + (" with itself" if counts else "")
 
 
-def _places_of_link(analysis: Analysis, body: Link) -> tuple[Span, ...]:
-    edges = analysis.model.tree.above.get(body, ())
-    return tuple(Span(*analysis.resolver.span(edge.child.link)) for edge in edges)
-
-
-def _places_of_joint(analysis: Analysis, joint: Joint) -> tuple[Span, ...]:
-    edges = analysis.model.tree.joint_uses.get(joint, ())
-    return tuple(Span(*analysis.resolver.span(edge.child.joint)) for edge in edges)
-
-
-def _references(analysis: Analysis, name: Name, places: tuple[Span, ...]) -> CodeLens:
+def _references(analysis: Analysis, name: Name, uses: Sequence[Name]) -> CodeLens:
+    places = tuple(Span(*analysis.resolver.span(use)) for use in uses)
     title = counted(len(places), "reference")
     return CodeLens(*analysis.resolver.span(name), title, "references", places)

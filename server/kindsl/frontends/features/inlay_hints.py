@@ -108,13 +108,10 @@ def _inertia_hints(analysis: Analysis, body: Link) -> Iterator[InlayHint]:
     if 0 < len(text) <= _LONGEST:
         tooltip = f"The uniform box with this mass and inertia. {tooltip}"
     else:
-        texts = (_moments_text(principal, digits) for digits in (3, 2, 1))
+        rows = (", ".join(number(each, digits) for each in principal) for digits in (3, 2, 1))
+        texts = (f"about CoM {row} {INERTIA}" for row in rows)
         text = next(text for text in texts if len(text) <= _LONGEST)
     yield InlayHint(opening.end, text, "inertia", tooltip)
-
-
-def _moments_text(principal: Sequence[float], digits: int) -> str:
-    return f"about CoM {', '.join(number(moment, digits) for moment in principal)} {INERTIA}"
 
 
 def _box_text(sides: Sequence[float], density: float) -> str:

@@ -36,7 +36,10 @@ def symbols_in_text(text: str) -> Iterator[WorkspaceSymbol]:
             yield WorkspaceSymbol(name, kind, robot, *block.span(2))
             robot = robot or (name if kind == "robot" else "")
         elif (opened := _OPENED.match(text, start)) is not None:
-            yield from _groups(text, opened.end(), robot)
+            position = opened.end()
+            while (group := _GROUP.match(text, position)) is not None:
+                yield WorkspaceSymbol(group[1].removeprefix("^"), "frame", robot, *group.span(1))
+                position = group.end()
 
 
 def _marks(text: str) -> Iterator[int]:
@@ -47,9 +50,3 @@ def _marks(text: str) -> Iterator[int]:
         is_commented = bisect_right(comments, start) % 2
         if not (is_commented or before == "^" or before == "_" or before.isalnum()):
             yield start
-
-
-def _groups(text: str, position: int, robot: str) -> Iterator[WorkspaceSymbol]:
-    while (group := _GROUP.match(text, position)) is not None:
-        yield WorkspaceSymbol(group[1].removeprefix("^"), "frame", robot, *group.span(1))
-        position = group.end()

@@ -108,13 +108,10 @@ def highlights(analysis: Analysis, offset: int) -> tuple[Highlight, ...]:
     symbol = symbol_at(analysis, offset)
     if symbol is not None:
         places = occurrences(analysis, symbol.entity)
-        return tuple(Highlight(p.start, p.end, _kind(p.role)) for p in places)
+        kinds = {Role.READ: "read"}
+        return tuple(Highlight(p.start, p.end, kinds.get(p.role, "write")) for p in places)
     found = token_at(analysis.syntax, offset)
     return () if found is None else _brackets(found)
-
-
-def _kind(role: Role) -> str:
-    return "read" if role is Role.READ else "write"
 
 
 def _brackets(found: TokenAt) -> tuple[Highlight, ...]:

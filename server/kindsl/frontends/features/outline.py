@@ -115,18 +115,14 @@ def kinematic_outline(analysis: Analysis) -> tuple[DocumentSymbol, ...]:
     """Return the tree, its entries in the order of the tree rather than of the text."""
     model = analysis.model
     seen: set[Link | Joint] = set()
+    roots = (link for link in model.links if link not in model.tree.above)
     tree = [
         _body(analysis, body, None, seen, _DEPTH)
-        for body in (*model.bases, *_roots(analysis), *model.links)
+        for body in (*model.bases, *roots, *model.links)
         if body not in seen
     ]
     rest = [joint_symbol(analysis, joint) for joint in model.joints if joint not in seen]
     return (*tree, *rest)
-
-
-def _roots(analysis: Analysis) -> Iterator[Link]:
-    above = analysis.model.tree.above
-    return (link for link in analysis.model.links if link not in above)
 
 
 def _body(

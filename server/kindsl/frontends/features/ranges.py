@@ -58,7 +58,8 @@ def _blocks(node: Node) -> Iterator[Fold]:
 def _comments(island: Island) -> Iterator[Fold]:
     runs: list[tuple[int, int]] = []
     for start, end in island.comments:
-        if runs and _is_blank(island.text[runs[-1][1] : start]):
+        between = island.text[runs[-1][1] : start] if runs else ""
+        if _is_tall(between) and not between.strip():
             start, _ = runs.pop()
         runs.append((start, end))
     return (Fold(start, end, "comment") for start, end in runs)
@@ -79,10 +80,6 @@ def _of(island: Island, kind: str) -> Iterator[Token]:
     for node in island.nodes:
         if node.kind == kind:
             yield from (t for t in node.tokens() if not t.is_missing)
-
-
-def _is_blank(text: str) -> bool:
-    return not text.strip() and _is_tall(text)
 
 
 def _is_tall(text: str) -> bool:

@@ -73,7 +73,7 @@ def symbol_at(analysis: Analysis, offset: int) -> Symbol | None:
     place = analysis.syntax.island_at(offset)
     local = offset - place.start
     symbols = named_places(place.island).symbols
-    index = bisect_right(symbols, local, key=_start)
+    index = bisect_right(symbols, local, key=lambda symbol: symbol.start)
     if index and local <= symbols[index - 1].end:
         return _moved(symbols[index - 1], place.start)
     return None
@@ -144,10 +144,6 @@ def _in_value(value: Expression) -> Iterator[Symbol]:
 def _named(name: Name, entity: Entity, role: Role) -> Iterator[Symbol]:
     if name.start < name.end:
         yield Symbol(name.start, name.end, entity, role)
-
-
-def _start(symbol: Symbol) -> int:
-    return symbol.start
 
 
 def _moved(symbol: Symbol, origin: int) -> Symbol:

@@ -59,14 +59,17 @@ def _items(text: str, start: int, model: Model | None) -> Iterator[CompletionIte
     before = read_transforms(text[:start])
     if not before.expected:
         sections = [name for name in SECTIONS if not re.search(rf"\b{name}\b", text)]
-        yield from (_block(name) for name in sections)
+        for name in sections:
+            block = f"{name} {{\n\t$0\n}}"
+            yield CompletionItem(name, "snippet", block, "section", is_snippet=True)
     for expected in before.expected:
         if expected == "a frame":
             yield from _frames(text, start, model)
         elif expected == "'<-'":
             yield CompletionItem("<-", "keyword", "<- ", "the base first")
         elif expected == "a robot name":
-            yield from (CompletionItem(n, "link", n, "the robot") for n in _robot(model))
+            if model is not None and model.name:
+                yield CompletionItem(str(model.name), "link", str(model.name), "the robot")
         elif expected == "'base'" and "'target'" in before.expected:
             yield CompletionItem(
                 "base, target", "snippet", _PAIR, "a pair of frames", is_snippet=True
@@ -89,14 +92,6 @@ def _frames(text: str, start: int, model: Model | None) -> Iterator[CompletionIt
         yield CompletionItem(name, "frame", name, "" if of == name else f"frame of {of}")
 
 
-def _robot(model: Model | None) -> list[str]:
-    return [str(model.name)] if model is not None and model.name else []
-
-
-def _block(name: str) -> CompletionItem:
-    return CompletionItem(name, "snippet", f"{name} {{\n\t$0\n}}", "section", is_snippet=True)
-
-
 def transforms_actions(text: str, model: Model | None, start: int, end: int) -> list[CodeAction]:
     """Return what can be done about a stretch of a transforms document.
 
@@ -108,17 +103,15 @@ def transforms_actions(text: str, model: Model | None, start: int, end: int) -> 
     """
     document = read_transforms(text)
     if not text.strip():
-        return [_whole(text, model)] if model is not None and model.name and model.bodies else []
+        if model is None or not model.name or not model.bodies:
+            return []
+        edit = TextEdit(0, len(text), transforms_document(model))
+        return [CodeAction(f"Write the transforms of '{model.name}'", _REWRITE, (edit,))]
     found = [*_listings(text, document, start, end)]
     if model is not None:
         found += [*_replacements(text, document, model, start, end)]
         found += [*_all_frames(document, model)]
     return found
-
-
-def _whole(text: str, model: Model) -> CodeAction:
-    edit = TextEdit(0, len(text), transforms_document(model))
-    return CodeAction(f"Write the transforms of '{model.name}'", _REWRITE, (edit,))
 
 
 def _listings(

@@ -3,7 +3,7 @@
 from kindsl.frontends.features.wording import Hover, code
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.transforms import frame_names, joint_frame_names
-from kindsl.language.syntax.transforms_text import FramePair, TransformsDocument, read_transforms
+from kindsl.language.syntax.transforms_text import FramePair, read_transforms
 
 
 def transforms_hover(text: str, offset: int, model: Model | None) -> Hover | None:
@@ -18,23 +18,19 @@ def transforms_hover(text: str, offset: int, model: Model | None) -> Hover | Non
     for name in document.frames:
         if name.start <= offset <= name.end:
             return Hover(name.start, name.end, _frame(name.text, model))
-    for pair, markdown in _pairs(document, model):
-        start, end = pair.span
-        if start <= offset <= end:
-            return Hover(start, end, markdown)
+    for pairs, letter in ((document.transforms, "X"), (document.jacobians, "J")):
+        for pair in pairs:
+            start, end = pair.span
+            if start <= offset <= end:
+                return Hover(start, end, _pair(pair, letter, model))
     return None
 
 
-def _pairs(document: TransformsDocument, model: Model | None) -> list[tuple[FramePair, str]]:
-    poses = [(pair, _pair(pair, "X", "pose", model)) for pair in document.transforms]
-    return poses + [(pair, _pair(pair, "J", "Jacobian", model)) for pair in document.jacobians]
-
-
-def _pair(pair: FramePair, letter: str, what: str, model: Model | None) -> str:
+def _pair(pair: FramePair, letter: str, model: Model | None) -> str:
     base, target = (name.text for name in pair)
     frames = dict.fromkeys((base, target))
     described = "".join(f"\n\n{_frame(name, model)}" for name in frames)
-    seen = "in" if letter == "X" else "relative to"
+    what, seen = ("pose", "in") if letter == "X" else ("Jacobian", "relative to")
     name = code(f"{base}_{letter}_{target}")
     return f"{name}: the {what} of {code(target)} {seen} {code(base)}.{described}"
 

@@ -54,7 +54,7 @@ def tokens_touching(island: Island, local: int) -> list[Token]:
 
 def index_after(island: Island, local: int) -> int:
     """Return the index of the first token that begins behind an offset of the island."""
-    return bisect_right(island.tokens, local, key=_start)
+    return bisect_right(island.tokens, local, key=lambda token: token.start)
 
 
 def path_to(island: Island, token: Token) -> tuple[Node, ...]:
@@ -64,7 +64,8 @@ def path_to(island: Island, token: Token) -> tuple[Node, ...]:
     while True:
         holder = next((c for c in row if isinstance(c, Node) and _holds(c, token)), None)
         if holder is None:
-            return tuple(path) if path and _has(path[-1], token) else ()
+            is_own = bool(path) and any(child is token for child in path[-1].children)
+            return tuple(path) if is_own else ()
         path.append(holder)
         row = holder.children
 
@@ -92,13 +93,5 @@ def is_word(token: Token) -> bool:
     return first.isalnum() or first in ("_", "^") or token.text[-1:].isdigit()
 
 
-def _start(token: Token) -> int:
-    return token.start
-
-
 def _holds(node: Node, token: Token) -> bool:
     return bool(node.children) and node.start <= token.start and token.end <= node.end
-
-
-def _has(node: Node, token: Token) -> bool:
-    return any(child is token for child in node.children)

@@ -3,8 +3,10 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from kindsl.frontends.features.tree_path import path_at
 from kindsl.frontends.features.wording import code
 from kindsl.language.semantics.expressions import Expression
+from kindsl.language.semantics.places import Name
 from kindsl.language.syntax.arithmetic import name_of
 from kindsl.language.syntax.tables import DECLARES, FORMS, VALUES, ValueKind
 from kindsl.language.syntax.tree import Island, Node
@@ -57,15 +59,17 @@ def value_place(path: Sequence[Node], local: int) -> ValuePlace | None:
         return None
     owner = next(node for node in reversed(path) if node.kind in DECLARES)
     of_section = meanings(section)
-    meaning = of_section[min(_commas_before(section, local), len(of_section) - 1)]
+    before = (t for t in section.tokens() if t.kind == "," and t.start < t.end <= local)
+    meaning = of_section[min(sum(1 for _ in before), len(of_section) - 1)]
     return ValuePlace(meaning, owner.kind, name_of(owner))
+
+
+def place_of_name(name: Name) -> ValuePlace | None:
+    """Return the place of the value that a parameter or constant stands in."""
+    return value_place(path_at(name.island, name.start), name.start)
 
 
 def expression_at(island: Island, path: Sequence[Node]) -> Expression | None:
     """Return the whole value on a path, not a part of it."""
     node = next((node for node in path if node.kind in VALUE_NODES), None)
     return Expression(node, island) if node is not None else None
-
-
-def _commas_before(section: Node, local: int) -> int:
-    return sum(token.kind == "," and token.start < token.end <= local for token in section.tokens())

@@ -48,7 +48,8 @@ def vector(values: Iterable[float]) -> str:
     """Return numbers in parentheses, 0 for those that are only rounding errors of the largest."""
     components = tuple(values)
     largest = max(map(abs, components))
-    return f"({', '.join(number(_without_dust(v, largest)) for v in components)})"
+    dust = 1e-12 * max(largest, 1e-3)
+    return f"({', '.join(number(0.0 if abs(v) < dust else v) for v in components)})"
 
 
 def angle(value: float) -> str:
@@ -73,7 +74,3 @@ def quantity(value: float, kind: ValueKind, unit: str = "") -> str:
             return f"{number(value)} {unit}".rstrip()
         case _:
             assert_never(kind)
-
-
-def _without_dust(value: float, largest: float) -> float:
-    return 0.0 if abs(value) < 1e-12 * max(largest, 1e-3) else value

@@ -47,7 +47,7 @@ def add_missing(analysis: Analysis, start: int) -> Iterator[CodeAction]:
         return
     needed = [s for s in _missing(analysis, block) if ORDER[block.kind][s.kind].is_needed]
     if needed:
-        words = listed(dict.fromkeys(_called(s.lines) for s in needed))
+        words = listed(dict.fromkeys(f"'{s.lines[0].split(' ')[0]}'" for s in needed))
         yield from _action(f"Add the missing {words}", place, block, needed)
 
 
@@ -102,7 +102,3 @@ def _section_before(block: Node, kind: str) -> Node | None:
         if isinstance(child, Node) and child.kind in order and order[child.kind].rank <= rank:
             return child
     return None
-
-
-def _called(lines: Sequence[str]) -> str:
-    return f"'{lines[0].split(' ')[0]}'"

@@ -43,10 +43,9 @@ def move_inertia(analysis: Analysis, start: int, _end: int) -> Iterator[CodeActi
     """Offer the link's own frames, the link frame, and a new frame at the CoM."""
     place = analysis.syntax.island_at(start)
     path = path_at(place.island, start - place.start)
-    link = _link_of_inertia(path, declarations(place.island).bodies())
-    if link is None or link.inertia is None or not _is_movable(link.inertia):
-        return
-    if not link.name:
+    bodies = declarations(place.island).bodies()
+    link = next((b for b in bodies if b.inertia is not None and b.inertia.node in path), None)
+    if link is None or link.inertia is None or not _is_movable(link.inertia) or not link.name:
         return
     body = link_inertia(link, {})
     if isinstance(body, Unknown):
@@ -86,8 +85,10 @@ def _sound_actions(analysis: Analysis, moving: _Moving) -> Iterator[CodeAction]:
     sound: dict[str, CodeAction] = {}
     for decimals in _decimals(moving.inertia, sum(found.moments)):
         for action in _actions(analysis, moving._replace(decimals=decimals)):
-            if action.title not in sound and not _is_harmful(analysis, action):
-                sound[action.title] = action
+            if action.title not in sound:
+                after = analysis.edited(action.edits).check_without_twins()
+                if _n_errors(after) <= _n_errors(analysis.check_without_twins()):
+                    sound[action.title] = action
     yield from sound.values()
 
 
@@ -101,23 +102,37 @@ def _decimals(inertia: Inertia, trace: float) -> Iterable[int]:
 
 
 def _actions(analysis: Analysis, moving: _Moving) -> Iterator[CodeAction]:
-    yield from _to_link_frame(moving)
-    if ROBCOGEN2 not in analysis.settings.targets:
-        yield from _to_frames(moving)
-        yield from _to_com(analysis, moving)
+    link, inertia, com = moving.link, moving.inertia, moving.body.com
+    title = f"Give the inertia of '{link.name}'"
+    if inertia.frame is not None:
+        yield from _action(f"{title} in its link frame", moving, IDENTITY, _without_frame(inertia))
+    if ROBCOGEN2 in analysis.settings.targets:
+        return
+    names = [str(frame.name) for frame in link.frames]
+    for frame in link.frames:
+        pose = _literal_pose(frame, {})
+        if pose is not None and frame.name != inertia.frame and names.count(str(frame.name)) == 1:
+            reference = _with_frame(inertia, str(frame.name))
+            yield from _action(f"{title} in '{frame.name}'", moving, pose, reference)
+    if any(com):
+        name = free_name(f"{link.name}_com", names_taken(analysis.model))
+        both = _with_frame(inertia, name), new_frame(link, name, com)
+        title += f" about its CoM, in a new frame '{name}'"
+        yield from _action(title, moving, IDENTITY._replace(translation=com), *both)
 
 
-def _is_harmful(analysis: Analysis, action: CodeAction) -> bool:
-    after = analysis.edited(action.edits).check_without_twins()
-    return _n_errors(after) > _n_errors(analysis.check_without_twins())
+def _action(
+    title: str, moving: _Moving, pose: RigidPose, *others: TextEdit | None
+) -> Iterator[CodeAction]:
+    edits = [*_numbers(moving, pose), *others]
+    by = moving.origin
+    moved = [TextEdit(by + e.start, by + e.end, e.text) for e in edits if e is not None]
+    if len(moved) == len(edits):
+        yield CodeAction(title, _KIND, tuple(sorted(moved)))
 
 
 def _n_errors(findings: Sequence[Diagnostic]) -> int:
     return sum(finding.severity is Severity.ERROR for finding in findings)
-
-
-def _link_of_inertia(path: Sequence[Node], bodies: Iterator[Link]) -> Link | None:
-    return next((b for b in bodies if b.inertia is not None and b.inertia.node in path), None)
 
 
 def _is_movable(inertia: Inertia) -> bool:
@@ -126,39 +141,6 @@ def _is_movable(inertia: Inertia) -> bool:
     wanted = [kind for kind, place in ORDER["inertia"].items() if place.is_needed]
     is_once = all(kinds.count(kind) == len(WORDS[kind]) for kind in wanted)
     return is_once and is_plain(inertia)
-
-
-def _to_link_frame(moving: _Moving) -> Iterator[CodeAction]:
-    if moving.inertia.frame is not None:
-        edits = (*_numbers(moving, IDENTITY), _without_frame(moving.inertia))
-        title = f"Give the inertia of '{moving.link.name}' in its link frame"
-        yield _action(title, edits, moving.origin)
-
-
-def _to_frames(moving: _Moving) -> Iterator[CodeAction]:
-    link, inertia = moving.link, moving.inertia
-    names = [str(frame.name) for frame in link.frames]
-    for frame in link.frames:
-        pose = _literal_pose(frame, {})
-        if pose is None or frame.name == inertia.frame or names.count(str(frame.name)) > 1:
-            continue
-        reference = _with_frame(inertia, str(frame.name))
-        if reference is not None:
-            edits = (*_numbers(moving, pose), reference)
-            title = f"Give the inertia of '{link.name}' in '{frame.name}'"
-            yield _action(title, edits, moving.origin)
-
-
-def _to_com(analysis: Analysis, moving: _Moving) -> Iterator[CodeAction]:
-    link, inertia, com = moving.link, moving.inertia, moving.body.com
-    name = free_name(f"{link.name}_com", names_taken(analysis.model))
-    pose = IDENTITY._replace(translation=com)
-    frame = new_frame(link, name, com)
-    reference = _with_frame(inertia, name)
-    if frame is not None and reference is not None and any(com):
-        edits = (*_numbers(moving, pose), reference, frame)
-        title = f"Give the inertia of '{link.name}' about its CoM, in a new frame '{name}'"
-        yield _action(title, edits, moving.origin)
 
 
 def _literal_pose(frame: Frame, values: Mapping[str, float]) -> RigidPose | None:
@@ -195,8 +177,3 @@ def _without_frame(inertia: Inertia) -> TextEdit:
     node = next(inertia.node.nodes("inertia_frame"))
     before = _BLANKS_BEFORE.sub("", inertia.island.text[: node.start])
     return TextEdit(len(before), node.end, "")
-
-
-def _action(title: str, edits: Sequence[TextEdit], origin: int) -> CodeAction:
-    moved = (TextEdit(origin + e.start, origin + e.end, e.text) for e in edits)
-    return CodeAction(title, _KIND, tuple(sorted(moved)))

@@ -27,7 +27,10 @@ def sort_links(analysis: Analysis, start: int, _end: int) -> Iterator[CodeAction
         return
     pieces = _pieces(analysis, links)
     text, newline = analysis.text, newline_of(analysis.text)
-    texts = {link: _apart(text[s:e], newline) for link, (s, e) in zip(links, pieces, strict=True)}
+    # A piece may follow one that ends in a comment.
+    apart = ("" if text[s : s + 1] in ("\n", "\r") else newline for s, _ in pieces)
+    whole = (start + text[s:e] for start, (s, e) in zip(apart, pieces, strict=True))
+    texts = dict(zip(links, whole, strict=True))
     edits = [
         TextEdit(s, e, texts[link])
         for (s, e), link in zip(pieces, order, strict=True)
@@ -61,11 +64,6 @@ def _end_of_line(text: str, offset: int) -> int:
     rest = _REST_OF_LINE.match(text, offset)
     assert rest is not None
     return rest.end()
-
-
-def _apart(piece: str, newline: str) -> str:
-    """Return a piece that may follow one that ends in a comment."""
-    return piece if piece[:1] in ("\n", "\r") else newline + piece
 
 
 def renumber_links(analysis: Analysis, start: int, _end: int) -> Iterator[CodeAction]:

@@ -5,8 +5,6 @@ from collections.abc import Iterator
 from kindsl.frontends.features.actions.action import CodeAction, OtherEdit
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.rules.twin_findings import place_of
-from kindsl.robots.comparison.number_differences import NumberDifference
-from kindsl.robots.comparison.twins import TwinFile
 from kindsl.robots.comparison.written import TextPlace
 
 _CODE = "KD901"
@@ -24,20 +22,16 @@ def write_into_twin(analysis: Analysis, start: int, end: int) -> Iterator[CodeAc
             at = place_of(analysis.model, number)
             span = None if at is None else analysis.resolver.span(at)
             fixed = tuple(d for d in touched if (d.start, d.end) == span)
-            edits = tuple(_edits(number))
+            edits = tuple(
+                OtherEdit(written.at.start, written.at.end, written.text, _text(value))
+                for written, value in number.their_changes
+                if isinstance(written.at, TextPlace)
+            )
             if fixed and edits:
-                yield _action(each.twin, number, edits)._replace(diagnostics=fixed)
-
-
-def _action(twin: TwinFile, number: NumberDifference, edits: tuple[OtherEdit, ...]) -> CodeAction:
-    title = f"Write {_text(number.here)} into {twin.label}"
-    return CodeAction(title, "quickfix", (), other_file=twin.path, other_edits=edits)
-
-
-def _edits(number: NumberDifference) -> Iterator[OtherEdit]:
-    for written, value in number.their_changes:
-        if isinstance(written.at, TextPlace):
-            yield OtherEdit(written.at.start, written.at.end, written.text, _text(value))
+                title = f"Write {_text(number.here)} into {each.twin.label}"
+                yield CodeAction(
+                    title, "quickfix", (), fixed, other_file=each.twin.path, other_edits=edits
+                )
 
 
 def _text(value: float) -> str:

@@ -153,7 +153,9 @@ def child_items(analysis: Analysis, context: CompletionContext) -> Iterator[Comp
         yield CompletionItem(label, "snippet", text, "not yet attached", is_snippet=True)
     for name in loose:
         yield CompletionItem(name, "link", name, "not yet attached")
-    yield _new_child(analysis, free)
+    link, new = fresh_link(analysis), free or fresh_joint(analysis)
+    text, label = f"${{1:{link}}} via ${{2:{new}}}", f"{link} via {new}"
+    yield CompletionItem(label, "snippet", text, "new child", is_snippet=True, is_asked_for=True)
     for name in fitting:
         if name in uses.parents:
             detail = f"child of {uses.parents[name]} already"
@@ -168,7 +170,9 @@ def joint_items(analysis: Analysis, context: CompletionContext) -> Iterator[Comp
         if name not in moved:
             yield CompletionItem(name, "joint", name, f"{kind}, free")
     if moved.keys() >= joints.keys():
-        name = fresh_joint(analysis, _child_before(context))
+        local = context.start - context.place.start
+        before = [t for t in context.place.island.tokens if t.end <= local and not t.is_missing]
+        name = fresh_joint(analysis, before[-2].text)
         yield CompletionItem(name, "joint", name, "new joint", is_asked_for=True)
     for name, kind in joints.items():
         if name in moved:
@@ -186,12 +190,6 @@ def first_child(analysis: Analysis, context: CompletionContext) -> tuple[str, st
     link = next((name for name in fitting if name not in uses.parents), "")
     joint = _free_joint(analysis, uses) or fresh_joint(analysis, link)
     return link or fresh_link(analysis), joint
-
-
-def _new_child(analysis: Analysis, free_joint: str) -> CompletionItem:
-    link, joint = fresh_link(analysis), free_joint or fresh_joint(analysis)
-    text, label = f"${{1:{link}}} via ${{2:{joint}}}", f"{link} via {joint}"
-    return CompletionItem(label, "snippet", text, "new child", is_snippet=True, is_asked_for=True)
 
 
 def _uses(analysis: Analysis, context: CompletionContext) -> _Uses:
@@ -221,9 +219,3 @@ def _fitting(analysis: Analysis, context: CompletionContext, uses: _Uses) -> Ite
 def _free_joint(analysis: Analysis, uses: _Uses) -> str:
     names = (joint.name for joint in analysis.model.joints)
     return str(next((name for name in names if name and name not in uses.moved), ""))
-
-
-def _child_before(context: CompletionContext) -> str:
-    local = context.start - context.place.start
-    tokens = [t for t in context.place.island.tokens if t.end <= local and not t.is_missing]
-    return tokens[-2].text

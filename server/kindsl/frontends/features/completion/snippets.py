@@ -21,7 +21,7 @@ _USUAL = {"scalar": "0.0", "moments": "0.0", "whole": "1", "name": "name"}
 
 def link(name: str, number: int) -> str:
     """Return a link with inertia."""
-    body = f"id = ${{2:{number}}}\n{inertia(3)}\nchildren {{$0}}"
+    body = f"id = ${{2:{number}}}\n{section('inertia', 3)}\nchildren {{$0}}"
     return _in_braces(f"link ${{1:{name}}}", body)
 
 
@@ -34,7 +34,7 @@ def base(keyword_behind_name: str) -> str:
     """Return a base, with `floating` or nothing after its name."""
     head = f"RobotBase ${{1:base}} {keyword_behind_name}".rstrip()
     children = _in_braces("children", "${12:link1} via ${13:joint1}")
-    return _in_braces(head, f"{inertia(2)}\n{children}")
+    return _in_braces(head, f"{section('inertia', 2)}\n{children}")
 
 
 def robot() -> str:
@@ -48,11 +48,6 @@ def robot() -> str:
         _in_braces("r_joint ${4:joint1}", _in_braces("ref_frame", joint_frame)) + "\n}\n",
     )
     return "\n\n".join(blocks)
-
-
-def inertia(first: int = 1) -> str:
-    """Return an inertia section, its placeholders counted from `first`."""
-    return section("inertia", first)
 
 
 def pose(first: int = 1) -> str:

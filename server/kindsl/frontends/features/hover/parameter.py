@@ -4,8 +4,7 @@ from collections.abc import Iterator, Sequence
 from typing import assert_never
 
 from kindsl.frontends.features.symbol_at import parameter_named
-from kindsl.frontends.features.tree_path import path_at
-from kindsl.frontends.features.value_place import ValuePlace, value_place
+from kindsl.frontends.features.value_place import place_of_name
 from kindsl.frontends.features.wording import number, paragraph, quantity
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.parameters import Constant, Parameter
@@ -76,16 +75,8 @@ def _binding(analysis: Analysis, parameter: Parameter) -> Iterator[str]:
 
 
 def _uses(names: Sequence[Name]) -> Iterator[str]:
-    places = dict.fromkeys(_place_text(name) for name in names)
+    found = map(place_of_name, names)
+    places = dict.fromkeys("somewhere" if place is None else place.title for place in found)
     more = f" and {len(places) - _SHOWN} more" if len(places) > _SHOWN else ""
     shown = list(places)[:_SHOWN]
     yield f"{counted(len(names), 'use')}: {'; '.join(shown)}{more}"
-
-
-def _place_text(name: Name) -> str:
-    place = _place(name)
-    return place.title if place is not None else "somewhere"
-
-
-def _place(name: Name) -> ValuePlace | None:
-    return value_place(path_at(name.island, name.start), name.start)

@@ -47,15 +47,12 @@ def _robot_lines(analysis: Analysis) -> Iterator[str]:
     base = "floating base" if model.floating else "fixed base"
     yield f"{base}, {counted(len(model.links), 'link')}" + (f", {listed(parts)}" if parts else "")
     if model.links or model.floating:
-        yield _robot_mass(total_mass(model, analysis.context.values))
+        weight = total_mass(model, analysis.context.values)
+        mass = weight.in_words(f"{number(weight.known)} {KILOGRAMS}")
+        yield f"total mass {mass}" + ("" if weight.is_whole else f" ({weight.reason_text})")
     names = [f"`{parameter.name}`" for parameter in model.parameters]
     if names:
         yield f"parameters {listed(names)}"
-
-
-def _robot_mass(weight: Weight) -> str:
-    mass = weight.in_words(f"{number(weight.known)} {KILOGRAMS}")
-    return f"total mass {mass}" + ("" if weight.is_whole else f" ({weight.reason_text})")
 
 
 def link_hover(analysis: Analysis, body: Link) -> str:

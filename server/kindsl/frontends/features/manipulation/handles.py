@@ -10,11 +10,9 @@ from kindsl.frontends.features.manipulation.things import (
     components,
     declared,
 )
-from kindsl.frontends.features.tree_path import path_at
-from kindsl.frontends.features.value_place import value_place
+from kindsl.frontends.features.value_place import place_of_name
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.places import Name
 from kindsl.robots.scene.messages import Handle
 
 _NO_VALUES: Mapping[str, float] = {}
@@ -51,14 +49,9 @@ def _places_moved_by(model: Model, carrier: Carrier, own: Component) -> tuple[st
     names = [use.name for use in declared(model, carrier.use).uses]
     own_value = own.expression
     elsewhere = (
-        name
+        place_of_name(name)
         for name in names
         if name.island is not own_value.island or not own_value.start <= name.start < own_value.end
     )
-    return tuple(dict.fromkeys(map(_place_of, elsewhere)))
-
-
-def _place_of(name: Name) -> str:
-    place = value_place(path_at(name.island, name.start), name.start)
-    assert place is not None
-    return f"{place.owner} '{place.owner_name}' {place.label}"
+    told = (f"{at.owner} '{at.owner_name}' {at.label}" for at in elsewhere if at is not None)
+    return tuple(dict.fromkeys(told))

@@ -12,7 +12,7 @@ from kindsl.frontends.features.manipulation.gesture import Gesture, Refusal
 from kindsl.frontends.features.manipulation.new_blocks import behind_last, next_id, with_child
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.rules.number_writing import opposite
-from kindsl.language.semantics.declarations import Child, Joint, Link, Pose, Vector
+from kindsl.language.semantics.declarations import Child, Link, Pose, Vector
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.kinematic_tree import Edge
 from kindsl.language.semantics.model import Model
@@ -50,7 +50,10 @@ def mirror_leg(analysis: Analysis, link: str) -> Gesture | Refusal:
     listed = with_child(analysis, edge.predecessor, *head)
     ids = enumerate(leg.links, next_id(model))
     new_links = [_mirrored_link(body, names, number) for number, body in ids]
-    new_joints = [_mirrored_joint(joint, names) for joint in joints]
+    new_joints = [
+        _rewritten(joint, [_renamed(joint.name, names), *_mirrored_pose(joint.pose)])
+        for joint in joints
+    ]
     linked = behind_last(analysis, model.links, new_links)
     jointed = behind_last(analysis, model.joints, new_joints)
     if listed is None:
@@ -114,10 +117,6 @@ def _mirrored_link(link: Link, names: Mapping[str, str], number: int) -> str:
         changes += [_negative(product) for product in products]
         changes += [_renamed(inertia.frame, names)] if inertia.frame is not None else []
     return _rewritten(link, changes)
-
-
-def _mirrored_joint(joint: Joint, names: Mapping[str, str]) -> str:
-    return _rewritten(joint, [_renamed(joint.name, names), *_mirrored_pose(joint.pose)])
 
 
 def _mirrored_pose(pose: Pose) -> Iterator[TextEdit]:

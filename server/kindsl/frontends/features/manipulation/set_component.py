@@ -15,7 +15,7 @@ from kindsl.frontends.features.manipulation.things import (
 from kindsl.frontends.features.manipulation.value_text import ValueText, angle_text, number_text
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.expressions import Expression, ParameterUse
-from kindsl.language.semantics.parameters import Binding, Parameter
+from kindsl.language.semantics.parameters import Parameter
 from kindsl.language.text.edits import TextEdit
 
 _NO_VALUES: Mapping[str, float] = {}
@@ -92,7 +92,9 @@ def _of_symbol(
     new = number_text(value, given[0].text if given else "")
     change = ComponentChange(label, new.text, new.value * carrier.factor)
     if is_bound and binding is not None:
-        if not _is_within(binding, new.value):
+        least = -inf if binding.minimum is None else binding.minimum
+        most = inf if binding.maximum is None else binding.maximum
+        if not least <= new.value <= most:
             return Refusal(f"parameter '{name}' would be out of bounds at {new.text}")
         return change._replace(bindings=((name, new.value),))
     if given:
@@ -113,12 +115,6 @@ def _given(analysis: Analysis, carrier: Carrier) -> list[Expression]:
     given = [each for each in found if each is not None]
     value = (own or given[0]).value({}) if given else None
     return [each for each in given if each.value({}) == value]
-
-
-def _is_within(binding: Binding, value: float) -> bool:
-    least = -inf if binding.minimum is None else binding.minimum
-    most = inf if binding.maximum is None else binding.maximum
-    return least <= value <= most
 
 
 def _edits(

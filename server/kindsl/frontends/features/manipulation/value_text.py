@@ -53,14 +53,10 @@ def number_text(value: float, old: str) -> ValueText:
     whole, _, decimals = f"{value:.{MOST_DECIMALS}f}".partition(".")
     if not float(f"{whole}.{decimals}"):
         return ValueText("0.0", 0.0)
-    least = min(_decimals(old), MOST_DECIMALS)
+    written = old.partition(".")[2]
+    least = min(len(written) if written.isdecimal() else 1, MOST_DECIMALS)
     text = f"{whole}.{decimals.rstrip('0').ljust(least, '0')}"
     return ValueText(text, float(text))
-
-
-def _decimals(text: str) -> int:
-    decimals = text.partition(".")[2]
-    return len(decimals) if decimals.isdecimal() else 1
 
 
 def _has_pi(node: Node) -> bool:
