@@ -37,7 +37,9 @@ async def test_findings_of_an_older_version_do_not_bring_it_back(monkeypatch, tm
     monkeypatch.setattr(Analysis, "findings", property(findings))
     monkeypatch.setattr(command, "PreviewServer", Recorder)
     follower = command._Follower(
-        command.Command(file, lambda: new, old, None, 0, False, (file,), fingerprint([file]), str)
+        command.Command(
+            file, lambda: new, old, lambda _: None, 0, False, (file,), fingerprint([file]), str
+        )
     )
     showing = asyncio.ensure_future(follower.show(old))
     while not follower.server.shown:

@@ -22,7 +22,7 @@ from kindsl.frontends.cli.documents.document_reading import (
 )
 from kindsl.frontends.cli.documents.sources import STDIN
 from kindsl.frontends.cli.documents.writing import write_output
-from kindsl.frontends.cli.options import add_floating_argument, add_parameter_arguments
+from kindsl.frontends.cli.options import add_robot_arguments
 from kindsl.frontends.cli.outcome import Failure
 
 SUMMARY = "write a page about a document: picture, tables, transforms"
@@ -32,9 +32,6 @@ _PANDOC = "pandoc card.md --from gfm --standalone --output card.tex"
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
-    parser.add_argument(
-        "file", metavar="FILE", help="a document, URDF, SDF or MJCF, or '-' for stdin"
-    )
     parser.add_argument("--output-format", type=_output_format, choices=FORMATS, default="markdown")
     parser.add_argument(
         "-o", "--output", metavar="OUT", help="write to this file instead of stdout"
@@ -42,8 +39,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--pose", metavar="NAME", help="picture a pose of kindsl.toml: [poses.NAME]"
     )
-    add_floating_argument(parser)
-    add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
+    add_robot_arguments(parser)
 
 
 def _output_format(text: str) -> str:

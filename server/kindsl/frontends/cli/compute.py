@@ -30,12 +30,12 @@ from kindsl.frontends.cli.documents.document_reading import (
 from kindsl.frontends.cli.documents.sources import STDIN
 from kindsl.frontends.cli.documents.writing import write_output
 from kindsl.frontends.cli.motion_options import motions_of
-from kindsl.frontends.cli.options import add_floating_argument, add_parameter_arguments
+from kindsl.frontends.cli.options import add_robot_arguments
 from kindsl.frontends.cli.outcome import Failure
+from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.products.reports.motions import ConfigurationSpace, Motion, MotionError
 
 if TYPE_CHECKING:
-    from kindsl.judgement.analysis.analysis import Analysis
     from kindsl.robots.mechanism.build import Mechanism
 
 SUMMARY = "compute poses, inertia and forces"
@@ -46,7 +46,6 @@ FORMATS = ("json", "text", "npz")
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     add = parser.add_argument
-    add("file", metavar="FILE", help="a document, URDF, SDF or MJCF, or '-' for stdin")
     add("--q", metavar="LIST", help="joint positions (default: zero)")
     add("--pose", metavar="NAME", help="joint positions of a pose in kindsl.toml: [poses.NAME]")
     add("--qd", metavar="LIST", help="joint velocities")
@@ -63,8 +62,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--tau", metavar="LIST", help="with --forward: joint forces")
     add("--output-format", choices=FORMATS, help="default: text on a terminal, json elsewhere")
     add("-o", "--output", metavar="FILE", help="write to this file instead of stdout")
-    add_floating_argument(parser)
-    add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
+    add_robot_arguments(parser)
 
 
 def run(args: argparse.Namespace) -> int:
@@ -95,7 +93,7 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _show(
-    args: argparse.Namespace, analysis: "Analysis", mechanism: "Mechanism", motions: list[Motion]
+    args: argparse.Namespace, analysis: Analysis, mechanism: "Mechanism", motions: list[Motion]
 ) -> int:
     from kindsl.products.reports.computation import ComputationRequest, compute
 

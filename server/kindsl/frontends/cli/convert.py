@@ -33,6 +33,7 @@ from kindsl.frontends.cli.documents.writing import write_output
 from kindsl.frontends.cli.options import add_parameter_arguments
 from kindsl.frontends.cli.outcome import Failure
 from kindsl.frontends.cli.output.notes import rendered_notes
+from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.language.text.phrases import counted
 from kindsl.language.text.regular import require_regular
 from kindsl.robots.interchange.format import (
@@ -50,7 +51,6 @@ from kindsl.robots.interchange.repairing import repaired
 from kindsl.robots.mechanism.total_mass import fixed_base_mass
 
 if TYPE_CHECKING:
-    from kindsl.judgement.analysis.analysis import Analysis
     from kindsl.robots.interchange.format import Joints
 
 SUMMARY = "convert from and to URDF, MJCF and SDF"
@@ -142,7 +142,6 @@ def _converted(args: argparse.Namespace) -> WrittenRobot:
         note_errors(args.input, analysis)
         return converted
     read = _document(args, source)
-    from kindsl.judgement.analysis.analysis import analyse
     from kindsl.judgement.analysis.settings import Settings
 
     written = _written(args, target, analyse(read.text, Settings(joints=read.joints)))
@@ -252,7 +251,7 @@ def _argument(text: str) -> tuple[str, str]:
     return name, value
 
 
-def _written(args: argparse.Namespace, target: Format, analysis: "Analysis") -> WrittenRobot:
+def _written(args: argparse.Namespace, target: Format, analysis: Analysis) -> WrittenRobot:
     assert target.write is not None
     skeleton = skeleton_of_document(args.input, analysis)
     mass = fixed_base_mass(analysis.model, analysis.context.values)

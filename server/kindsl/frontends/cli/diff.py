@@ -36,7 +36,8 @@ from kindsl.judgement.rules.base import Severity
 from kindsl.language.text.printable import printable
 
 if TYPE_CHECKING:
-    from kindsl.judgement.analysis.analysis import Analysis
+    from kindsl.products.reports.difference_text import ChangeRow
+    from kindsl.products.reports.mechanics import MechanicsReport
     from kindsl.robots.comparison.difference import Difference
 
 SUMMARY = "report mechanical differences of two robots"
@@ -132,13 +133,13 @@ def _difference(args: argparse.Namespace) -> "tuple[Difference, tuple[str, ...]]
         raise CommandError([Failure(shown_name(path), "does not describe a tree of links")])
     if found.is_of_whole:
         return found.difference, found.notes
-    broken = [path for path, analysis in both if analysis is not None and _is_broken(analysis)]
+    broken = [
+        path
+        for path, analysis in both
+        if analysis is not None and any(f.severity is Severity.ERROR for f in analysis.findings)
+    ]
     notes = [f"{shown_name(path)} has errors: showing the rest" for path in broken]
     return found.difference, (*notes, *found.notes)
-
-
-def _is_broken(analysis: "Analysis") -> bool:
-    return any(finding.severity is Severity.ERROR for finding in analysis.findings)
 
 
 def _rendered(
@@ -169,8 +170,3 @@ def _markdown(rows: "list[ChangeRow]", names: tuple[str, str]) -> Iterator[str]:
     yield "| what | name | change |\n|---|---|---|\n"
     for row in rows:
         yield f"| {row.kind} | `{row.name}` | {row.change} |\n"
-
-
-if TYPE_CHECKING:
-    from kindsl.products.reports.difference_text import ChangeRow
-    from kindsl.products.reports.mechanics import MechanicsReport

@@ -81,11 +81,14 @@ def run(args: argparse.Namespace) -> int:
     _check(args)
     link = _link(args)
     found = _found(args)
-    frame = _frame(found, link)
+    names = [str(frame.name) for frame in link.frames] if link is not None else []
+    frame = found.system if found.system in names else ""
+    inertia = None if link is None else link.inertia
+    keyword = "inertia_params" if inertia is None else next(inertia.node.tokens()).text
     for note in found.notes:
         if not frame or "coordinate system" not in note:
             write(sys.stderr, f"{_name(args)}: note: {printable(note)}\n")
-    write(sys.stdout, found.block(_keyword(link), frame=frame) + "\n")
+    write(sys.stdout, found.block(keyword, frame=frame) + "\n")
     return 0
 
 
@@ -181,18 +184,6 @@ def _link(args: argparse.Namespace) -> "Link | None":
         message = f"there is no link '{args.link}'{meant}"
         raise CommandError([Failure(shown_name(args.document), message)])
     return found
-
-
-def _frame(found: "MassProperties", link: "Link | None") -> str:
-    """Return the link's frame that the report is given in, empty for the link frame."""
-    names = [str(frame.name) for frame in link.frames] if link is not None else []
-    return found.system if found.system in names else ""
-
-
-def _keyword(link: "Link | None") -> str:
-    if link is None or link.inertia is None:
-        return "inertia_params"
-    return next(link.inertia.node.tokens()).text
 
 
 def _number(text: str) -> Decimal:

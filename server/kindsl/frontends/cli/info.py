@@ -16,7 +16,7 @@ from kindsl.frontends.cli.documents.document_reading import (
     require_parameters,
     shown_name,
 )
-from kindsl.frontends.cli.options import add_floating_argument, add_parameter_arguments
+from kindsl.frontends.cli.options import add_robot_arguments
 from kindsl.products.reports.robot_facts import robot_facts
 
 SUMMARY = "show the tree, masses and parameters of a document"
@@ -24,12 +24,8 @@ SUMMARY = "show the tree, masses and parameters of a document"
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
-    parser.add_argument(
-        "file", metavar="FILE", help="a document, URDF, SDF or MJCF, or '-' for stdin"
-    )
     parser.add_argument("--output-format", choices=("text", "json"), default="text")
-    add_floating_argument(parser)
-    add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
+    add_robot_arguments(parser)
 
 
 def run(args: argparse.Namespace) -> int:

@@ -2,29 +2,11 @@
 
 import argparse
 import math
-import sys
-from collections.abc import Sequence
 from typing import Any
 
 from kindsl import __version__
-from kindsl.frontends.cli.console import write
 from kindsl.frontends.cli.output import FORMATS
 from kindsl.judgement.rules.context import TARGETS
-
-
-class VersionAction(argparse.Action):
-    """`--version`; asks for the version only when it is wanted, because that takes time."""
-
-    def __call__(
-        self,
-        parser: argparse.ArgumentParser,
-        namespace: argparse.Namespace,  # noqa: ARG002
-        values: str | Sequence[Any] | None,  # noqa: ARG002
-        option_string: str | None = None,  # noqa: ARG002
-    ) -> None:
-        """Print the version and leave."""
-        write(sys.stdout, f"{parser.prog.partition(' ')[0]} {__version__}\n")
-        parser.exit(0)
 
 
 def add_lint_arguments(parser: argparse.ArgumentParser) -> None:
@@ -37,9 +19,8 @@ def add_lint_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--stdin-filename", metavar="NAME", help="file name to report for stdin")
     add_exclusion_argument(parser)
-    parser.add_argument(
-        "--version", action=VersionAction, nargs=0, dest=argparse.SUPPRESS, help="print the version"
-    )
+    version = f"{parser.prog.partition(' ')[0]} {__version__}"
+    parser.add_argument("--version", action="version", version=version, help="print the version")
     _add_decisions(parser.add_argument_group("what is reported"))
     add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
     _add_fixes(parser.add_argument_group("fixes"))
@@ -81,6 +62,15 @@ def add_floating_argument(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="let the root link of a URDF or SDF float, whatever the file says",
     )
+
+
+def add_robot_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the file of a robot in any format, and the options that decide what it says."""
+    parser.add_argument(
+        "file", metavar="FILE", help="a document, URDF, SDF or MJCF, or '-' for stdin"
+    )
+    add_floating_argument(parser)
+    add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
 
 
 def _add_decisions(group: Any) -> None:

@@ -47,11 +47,6 @@ class LintedFile:
         original: The text before fixes.
     """
 
-    __slots__ = (
-        "__dict__", "findings", "joints", "n_fixed", "n_known", "n_stale",
-        "original", "parameters", "path", "text",
-    )  # fmt: skip
-
     def __init__(
         self,
         path: str,

@@ -10,6 +10,7 @@ examples:
 import argparse
 import os
 import sys
+from collections.abc import Callable
 from functools import partial
 from itertools import chain
 from pathlib import Path
@@ -125,21 +126,16 @@ def _other(args: argparse.Namespace) -> "OtherRobot":
 
 
 def _write(args: argparse.Namespace, other: "OtherRobot | None") -> None:
+    from kindsl.frontends.preview.document_preview import DocumentPreview
     from kindsl.frontends.preview.export import exported_page
     from kindsl.frontends.preview.meshes import mesh_data
     from kindsl.robots.scene.formulas import formula_messages
     from kindsl.robots.scene.messages import MeshesMessage
 
     analysis = read_document(args.file, choices_of(args))
-    document = _document(args.file, analysis, other)
-    meshes = _meshes(args)
-    if meshes is not None:
-        document.draw_meshes(meshes)
-    if args.pose is not None:
-        document.take_pose(args.pose)
-    motion = _motion(args)
-    if motion is not None:
-        document.play(*motion)
+    document = DocumentPreview(args.file)
+    document.show(analysis, analysis.findings)
+    _extras(args, other)(document)
     state = document.channel.state
     lost = (each.problems for each in state if isinstance(each, MeshesMessage))
     for problem in chain.from_iterable(lost):
@@ -171,14 +167,23 @@ def _motion(args: argparse.Namespace) -> tuple[str, str] | None:
     return os.path.basename(args.trajectory), read_whole(args.trajectory)
 
 
-def _document(file: str, analysis: "Analysis", other: "OtherRobot | None") -> "DocumentPreview":
-    from kindsl.frontends.preview.document_preview import DocumentPreview
+def _extras(
+    args: argparse.Namespace, other: "OtherRobot | None"
+) -> "Callable[[DocumentPreview], None]":
+    """Return what lets a preview show all that the options ask for beside the document."""
+    meshes, motion = _meshes(args), _motion(args)
 
-    preview = DocumentPreview(file)
-    preview.show(analysis, analysis.findings)
-    if other is not None:
-        preview.compare(other)
-    return preview
+    def add(shown: "DocumentPreview") -> None:
+        if other is not None:
+            shown.compare(other)
+        if meshes is not None:
+            shown.draw_meshes(meshes)
+        if args.pose is not None:
+            shown.take_pose(args.pose)
+        if motion is not None:
+            shown.play(*motion)
+
+    return add
 
 
 def _serve(args: argparse.Namespace, other: "OtherRobot | None") -> None:
@@ -198,9 +203,9 @@ def _serve(args: argparse.Namespace, other: "OtherRobot | None") -> None:
     paths = (args.file, *others, *watched_files(first.settings.twins))
     read = partial(_reread, args, args.file)
     write = partial(_write_dragged, args) if args.edit else None
-    shown = args.file, read, first, other, args.port, not args.no_open, paths, fingerprint(paths)
-    asked = partial(_keep, args), write, args.pose, _motion(args), _meshes(args)
-    asyncio.run(serve(Command(*shown, *asked)))
+    shown = args.file, read, first, _extras(args, other)
+    served = args.port, not args.no_open, paths, fingerprint(paths)
+    asyncio.run(serve(Command(*shown, *served, partial(_keep, args), write)))
 
 
 def _write_dragged(args: argparse.Namespace, writing: "Writing") -> str:

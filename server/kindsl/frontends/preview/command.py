@@ -11,9 +11,7 @@ from contextlib import suppress
 from functools import partial
 from typing import NamedTuple
 
-from kindsl.frontends.preview.comparing import OtherRobot
 from kindsl.frontends.preview.document_preview import DocumentPreview
-from kindsl.frontends.preview.meshes import MeshSource
 from kindsl.frontends.preview.requests import KeepPose, Reveal, WriteParameters
 from kindsl.frontends.preview.server import PreviewServer
 from kindsl.frontends.preview.steps import Writing
@@ -30,7 +28,7 @@ class Command(NamedTuple):
         file: The document.
         read: Reads it; returns why not if it cannot be read.
         first: The document as it is at the start.
-        other: Another description to compare it with, if any.
+        add: Adds to its preview what else is asked for.
         port: To listen on; 0 for a free one.
         opens_browser: Whether to open the page.
         paths: The document and what else it is shown with: a configuration file, twins.
@@ -38,24 +36,18 @@ class Command(NamedTuple):
         keep: Keeps values of parameters or a pose in the configuration file; returns the lines to
             be written by hand if it may not.
         write: Writes what was dragged; returns why not, or an empty text. None if nothing may be.
-        pose: Name of the pose in the configuration to begin with.
-        motion: A file's name and text, to be played.
-        meshes: What to take meshes from.
     """
 
     file: str
     read: Callable[[], Analysis | str]
     first: Analysis
-    other: OtherRobot | None
+    add: Callable[[DocumentPreview], None]
     port: int
     opens_browser: bool
     paths: tuple[str, ...]
     fingerprint: Fingerprint
     keep: Callable[[WriteParameters | KeepPose], str]
     write: Callable[[Writing], str] | None = None
-    pose: str | None = None
-    motion: tuple[str, str] | None = None
-    meshes: MeshSource | None = None
 
 
 async def serve(command: Command) -> None:
@@ -70,15 +62,7 @@ async def serve(command: Command) -> None:
     server.on_write = follower.keep
     address = await server.start()
     await follower.show(command.first)
-    shown = follower.shown
-    if command.other is not None:
-        shown.compare(command.other)
-    if command.meshes is not None:
-        shown.draw_meshes(command.meshes)
-    if command.pose is not None:
-        shown.take_pose(command.pose)
-    if command.motion is not None:
-        shown.play(*command.motion)
+    command.add(follower.shown)
     print(address, flush=True)
     if command.opens_browser:
         _open_browser(address)

@@ -42,7 +42,8 @@ def stale_remarks(
 
 def with_baseline_written(outcome: RunOutcome, path: str) -> RunOutcome:
     """Write what was found as known; return the outcome with it known, or with a failure."""
-    known = {file.path: [*_identities(file)] for file in outcome.files if _has_blocks(file)}
+    decoded = (f for f in outcome.files if is_decodable(f.text) and not f.path.endswith(".toml"))
+    known = {file.path: [*_identities(file)] for file in decoded}
     files = [file.with_all_known() if file.path in known else file for file in outcome.files]
     try:
         write_output(path, baseline_text({path_in(path, name): known[name] for name in known}))
@@ -50,10 +51,6 @@ def with_baseline_written(outcome: RunOutcome, path: str) -> RunOutcome:
         return outcome._replace(failures=[*outcome.failures, *error.failures])
     remark = f"{counted(sum(map(len, known.values())), 'known finding')} written to {path}"
     return outcome._replace(files=files, remarks=[remark])
-
-
-def _has_blocks(file: LintedFile) -> bool:
-    return is_decodable(file.text) and not file.path.endswith(".toml")
 
 
 def _identities(file: LintedFile) -> Iterator[str]:

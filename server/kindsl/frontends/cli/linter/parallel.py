@@ -19,45 +19,27 @@ def check_all(tasks: Sequence[Task], jobs: int) -> Iterator[Checked]:
         tasks: The documents.
         jobs: How many processes to use, 0 for as many as pay.
     """
-    jobs = min(jobs or _paying_jobs(len(tasks)), len(tasks)) if _has_processes() else 1
-    if jobs < 2:
+    has_affinity = hasattr(os, "sched_getaffinity")
+    n_processors = len(os.sched_getaffinity(0)) if has_affinity else os.cpu_count() or 1
+    jobs = min(jobs or min(n_processors, len(tasks) // _FILES_PER_JOB), len(tasks))
+    if jobs < 2 or sys.platform == "emscripten":
         yield from map(check, tasks)
     else:
         yield from _in_processes(tasks, jobs)
 
 
-def _paying_jobs(n_tasks: int) -> int:
-    if n_tasks < 2 * _FILES_PER_JOB:
-        return 1
-    return min(_n_processors(), n_tasks // _FILES_PER_JOB)
-
-
-def _has_processes() -> bool:
-    return sys.platform != "emscripten"
-
-
-def _n_processors() -> int:
-    if hasattr(os, "sched_getaffinity"):
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1
-
-
-def _leave_interrupts_to_parent() -> None:
-    """Let Ctrl-C end the parent, which ends the others without a traceback of each."""
-    import signal
-
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-
-
 def _in_processes(tasks: Sequence[Task], jobs: int) -> Iterator[Checked]:
     import multiprocessing
+    import signal
     from concurrent.futures import ProcessPoolExecutor
     from concurrent.futures.process import BrokenProcessPool
 
     method = "fork" if "fork" in multiprocessing.get_all_start_methods() else "spawn"
     context = multiprocessing.get_context(method)
     done = 0
-    with ProcessPoolExecutor(jobs, context, initializer=_leave_interrupts_to_parent) as pool:
+    # Ctrl-C ends the parent, which ends the others without a traceback of each.
+    ignored = signal.SIGINT, signal.SIG_IGN
+    with ProcessPoolExecutor(jobs, context, signal.signal, ignored) as pool:
         try:
             for checked in pool.map(check, tasks, chunksize=_BATCH):
                 done += 1

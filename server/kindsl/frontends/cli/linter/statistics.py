@@ -1,61 +1,44 @@
 """`--statistics`: the number of findings of each rule."""
 
-from typing import NamedTuple
+from typing import Any
 
 from kindsl.frontends.cli.outcome import RunOutcome
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.rules.base import Severity
 
 
-class RuleCount(NamedTuple):
-    """A rule's findings: the worst severity, their number, and how many have a safe fix."""
+def rule_counts(outcome: RunOutcome) -> list[dict[str, Any]]:
+    """Return rules with their worst severity and how many findings they have, most first.
 
-    code: str
-    name: str
-    severity: str
-    n_found: int
-    n_fixable: int
-
-
-def rule_counts(outcome: RunOutcome) -> list[RuleCount]:
-    """Return the rules with findings, the most frequent first."""
+    Of the findings `count` are told and `fixable` have a safe fix.
+    """
     by_rule: dict[str, list[Diagnostic]] = {}
     for file in outcome.files:
         for finding in file.findings:
             by_rule.setdefault(finding.code, []).append(finding)
-    rows = (_rule_count(code, findings) for code, findings in by_rule.items())
-    return sorted(rows, key=lambda row: (-row.n_found, row.code))
-
-
-def _rule_count(code: str, findings: list[Diagnostic]) -> RuleCount:
-    levels = list(Severity)
-    worst = min((finding.severity for finding in findings), key=levels.index)
-    n_fixable = sum(bool(finding.fix and finding.fix.is_safe) for finding in findings)
-    return RuleCount(code, findings[0].name, worst.value, len(findings), n_fixable)
+    rows = [
+        {
+            "code": code,
+            "name": findings[0].name,
+            "severity": min((f.severity for f in findings), key=list(Severity).index).value,
+            "count": len(findings),
+            "fixable": sum(bool(f.fix and f.fix.is_safe) for f in findings),
+        }
+        for code, findings in by_rule.items()
+    ]
+    return sorted(rows, key=lambda row: (-row["count"], row["code"]))
 
 
 def render_text(outcome: RunOutcome) -> str:
     """Return a table; a star marks rules that `--fix` can fix."""
     rows = rule_counts(outcome)
-    width = max((len(str(row.n_found)) for row in rows), default=0)
-    return "".join(
-        f"{row.n_found:{width}}  {row.code}  {'[*]' if row.n_fixable else '[ ]'} {row.name}\n"
-        for row in rows
-    )
+    width = max((len(str(row["count"])) for row in rows), default=0)
+    form = f"{{count:{width}}}  {{code}}  [{{star}}] {{name}}\n"
+    return "".join(form.format(star="*" if row["fixable"] else " ", **row) for row in rows)
 
 
 def render_json(outcome: RunOutcome) -> str:
     """Return a JSON array."""
     import json
 
-    rows = [
-        {
-            "code": row.code,
-            "name": row.name,
-            "severity": row.severity,
-            "count": row.n_found,
-            "fixable": row.n_fixable,
-        }
-        for row in rule_counts(outcome)
-    ]
-    return json.dumps(rows, indent=2) + "\n"
+    return json.dumps(rule_counts(outcome), indent=2) + "\n"

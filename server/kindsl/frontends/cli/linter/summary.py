@@ -14,7 +14,9 @@ def summary(outcome: RunOutcome) -> str:
     n_files = len(outcome.files)
     if not n_files and not outcome.failures:
         return "no documents (*.kindsl) found\n"
-    line = f"{_counts(outcome) or 'no findings'} in {counted(n_files, 'document')}"
+    numbers = ((severity, outcome.count(severity)) for severity in Severity)
+    counts = ", ".join(counted(number, severity) for severity, number in numbers if number)
+    line = f"{counts or 'no findings'} in {counted(n_files, 'document')}"
     if outcome.failures:
         line += f", {counted(len(outcome.failures), 'failure')}"
     n_known = sum(file.n_known for file in outcome.files)
@@ -31,17 +33,16 @@ def summary(outcome: RunOutcome) -> str:
 
 def verdict_lines(files: Sequence[LintedFile]) -> str:
     """Return a line for each generator, with the document's name where there are several."""
-    documents = [file for file in files if _is_robot(file)]
+    documents = [
+        file
+        for file in files
+        if file.path.endswith(SUFFIX) or "." not in file.path.rpartition("/")[2]
+    ]
     return "".join(
         f"{printable(f'{file.path}: ' if len(documents) > 1 else '')}{line}\n"
         for file in documents
         for line in _verdicts(file)
     )
-
-
-def _counts(outcome: RunOutcome) -> str:
-    counts = ((severity, outcome.count(severity)) for severity in Severity)
-    return ", ".join(counted(number, severity) for severity, number in counts if number)
 
 
 def _verdicts(file: LintedFile) -> Iterator[str]:
@@ -51,7 +52,3 @@ def _verdicts(file: LintedFile) -> Iterator[str]:
 
     syntax = syntax_of(file.path, file.text)
     return iter(()) if syntax.is_xml else map(str, verdicts(Analysis(syntax)))
-
-
-def _is_robot(file: LintedFile) -> bool:
-    return file.path.endswith(SUFFIX) or "." not in file.path.rpartition("/")[2]

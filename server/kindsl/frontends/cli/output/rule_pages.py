@@ -16,7 +16,7 @@ def pages(name: str | None, output_format: str) -> str:
         UnknownRuleError: No rule has that code or name.
     """
     if name is None:
-        return _list_as_json() if output_format == "json" else _list()
+        return _json([_entry(each) for each in all_rules()]) if output_format == "json" else _list()
     known = {word.upper(): rule for rule in all_rules() for word in (rule.code, rule.name)}
     rule = known.get(name.upper())
     if rule is None:
@@ -25,10 +25,10 @@ def pages(name: str | None, output_format: str) -> str:
         raise UnknownRuleError(f"no rule '{name}'{near}; see --list-rules")
     page = page_of(rule)
     if output_format != "json":
-        return f"# {rule.name} ({rule.code})\n\n{_facts(rule)}\n\n{page}\n"
-    import json
-
-    return json.dumps({**_entry(rule), "explanation": page}, indent=2) + "\n"
+        when = "" if rule.is_default else ", off unless selected or needed by a target"
+        facts = f"Severity: {rule.severity.value}{when}"
+        return f"# {rule.name} ({rule.code})\n\n{facts}\n\n{page}\n"
+    return _json({**_entry(rule), "explanation": page})
 
 
 def summary_of(rule: Rule) -> str:
@@ -44,15 +44,10 @@ def _list() -> str:
     )
 
 
-def _list_as_json() -> str:
+def _json(data: Any) -> str:
     import json
 
-    return json.dumps([_entry(rule) for rule in all_rules()], indent=2) + "\n"
-
-
-def _facts(rule: Rule) -> str:
-    when = "" if rule.is_default else ", off unless selected or needed by a target"
-    return f"Severity: {rule.severity.value}{when}"
+    return json.dumps(data, indent=2) + "\n"
 
 
 def _entry(rule: Rule) -> dict[str, Any]:

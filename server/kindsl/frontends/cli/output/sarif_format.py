@@ -28,7 +28,7 @@ _LEVELS = {
     Severity.HINT: "note",
 }
 _ROOT = "SRCROOT"
-_ORDER = (Severity.ERROR, Severity.WARNING, Severity.INFORMATION, Severity.HINT)
+_ORDER = list(_LEVELS)
 # GitHub refuses a run with more results than this, shows so many places of one result, and takes
 # names and descriptions of that length.
 MOST_RESULTS = 25_000
@@ -42,8 +42,9 @@ def render(outcome: RunOutcome) -> str:
     n_found = len(found)
     if len(found) > MOST_RESULTS:
         found = sorted(found, key=lambda f: _ORDER.index(f[1].severity))[:MOST_RESULTS]
+    rules = [_rule(rule) for rule in all_rules()]
     run = {
-        "tool": {"driver": _driver()},
+        "tool": {"driver": {"name": "kdsl-lint", "version": __version__, "rules": rules}},
         "columnKind": "unicodeCodePoints",
         "originalUriBaseIds": {_ROOT: {"uri": f"file://{quote(os.getcwd())}/"}},
         "invocations": [_invocation(outcome, n_found - len(found))],
@@ -52,30 +53,17 @@ def render(outcome: RunOutcome) -> str:
     return json.dumps({"$schema": _SCHEMA, "version": "2.1.0", "runs": [run]}, indent=2) + "\n"
 
 
-def _driver() -> dict[str, Any]:
-    return {
-        "name": "kdsl-lint",
-        "version": __version__,
-        "rules": [_rule(rule) for rule in all_rules()],
-    }
-
-
 def _rule(rule: Rule) -> dict[str, Any]:
     page = page_of(rule)
+    purpose = page.partition("## What it does")[2].partition("\n## ")[0]
     return {
         "id": rule.code,
         "name": "".join(word.capitalize() for word in rule.name.split("-")),
         "shortDescription": {"text": _shortened(summary_of(rule))},
-        "fullDescription": {"text": _shortened(_purpose_of(page))},
+        "fullDescription": {"text": _shortened(" ".join(purpose.split()))},
         "help": {"text": page, "markdown": page},
         "defaultConfiguration": {"level": _LEVELS[rule.severity], "enabled": rule.is_default},
     }
-
-
-def _purpose_of(page: str) -> str:
-    """Return the first section of a rule's page, on one line."""
-    _, _, rest = page.partition("## What it does")
-    return " ".join(rest.partition("\n## ")[0].split())
 
 
 def _shortened(text: str) -> str:
