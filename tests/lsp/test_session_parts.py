@@ -416,19 +416,21 @@ class TestWorkspace:
         shown = document((tmp_path / "arm.kindsl").as_uri(), 1, UNBOUND, "utf-16")
         workspace = Workspace()
         workspace.add_folders([folder_of(tmp_path)])
-        assert workspace.known_settings(shown) is None and not workspace.is_outdated()
+        assert workspace.known_settings(shown) is None and not workspace.project.is_outdated()
         settings = workspace.read_settings(shown)
         assert settings.bindings == {} and workspace.known_settings(shown) is settings
-        assert workspace.read_settings(shown) is settings and not workspace.is_outdated()
+        assert workspace.read_settings(shown) is settings and not workspace.project.is_outdated()
         file.write_text("[parameters]\nlength = 2.0\n")
-        assert workspace.is_outdated()
+        assert workspace.project.is_outdated()
         workspace.forget()
         assert workspace.read_settings(shown).bindings["length"].value == 2.0
-        assert workspace.configuration_file(shown) == file and workspace.broken == {}
+        assert workspace.configuration_file(shown) == file and workspace.project.broken == {}
         file.write_text("x = [")
         workspace.forget()
         assert workspace.read_settings(shown).bindings == {}
-        assert workspace.configuration_file(shown) is None and list(workspace.broken) == [file]
+        assert workspace.configuration_file(shown) is None and list(workspace.project.broken) == [
+            file
+        ]
 
     def test_a_document_without_a_file_has_the_first_folder_s_settings(
         self, tmp_path: Path

@@ -53,22 +53,14 @@ class Access(NamedTuple):
         A browser always tells the origin of a websocket and of a request from another page; what
         tells none is a navigation or no browser at all, and needs the token all the same.
         """
-        if host not in self._hosts():
+        own = {f"{name}:{self.port}" for name in _NAMES}
+        if host not in own | {urlsplit(each).netloc for each in self.outside}:
             return "this server answers to its loopback address only"
-        if origin is not None and origin not in self._origins():
+        if origin is not None and origin not in {f"http://{each}" for each in own} | self.outside:
             return "requests from other pages are refused"
         if token is None or not secrets.compare_digest(token.encode(), self.token.encode()):
             return "the address lacks the token that the preview was started with"
         return None
-
-    def _hosts(self) -> set[str]:
-        return self._own_hosts() | {urlsplit(origin).netloc for origin in self.outside}
-
-    def _origins(self) -> set[str]:
-        return {f"http://{host}" for host in self._own_hosts()} | self.outside
-
-    def _own_hosts(self) -> set[str]:
-        return {f"{name}:{self.port}" for name in _NAMES}
 
 
 def new_token() -> str:

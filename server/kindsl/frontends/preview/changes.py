@@ -45,14 +45,9 @@ def changes(old: Messages, new: Messages) -> list[Part]:
         known = old.get(key)
         # Most are the same object, which comparing would only find out field by field.
         is_new = known is not message and known != message
-        if is_new or (deleted and _is_below(key.path, deleted)):
+        if is_new or (deleted and not deleted.isdisjoint(_with_ancestors((key.path,)))):
             parts.append(message)
     return parts
-
-
-def _is_below(path: str, deleted: set[str]) -> bool:
-    """Return whether a path or one of its ancestors is deleted."""
-    return not deleted.isdisjoint(_with_ancestors((path,)))
 
 
 def _with_ancestors(paths: Iterable[str]) -> set[str]:

@@ -29,7 +29,9 @@ class Tab:
         """Let the page have a message as soon as it takes it."""
         key = key_of(message)
         if key.type == "delete":
-            self._drop_below(key.path)
+            below = f"{key.path}/"
+            for each in [k for k in self._waiting if f"{k.path}/".startswith(below)]:
+                del self._waiting[each]
         # A later place in the queue, so that what follows a deletion stays after it.
         self._waiting.pop(key, None)
         self._waiting[key] = message
@@ -43,11 +45,6 @@ class Tab:
             change = Change(self._is_whole, tuple(self._waiting.values()))
             self._waiting, self._is_whole = {}, False
             await self._write(change)
-
-    def _drop_below(self, path: str) -> None:
-        below = path + "/"
-        for key in [k for k in self._waiting if k.path == path or k.path.startswith(below)]:
-            del self._waiting[key]
 
 
 class Channel:

@@ -12,7 +12,6 @@ from kindsl.robots.comparison.number_differences import NumberDifference
 from kindsl.robots.comparison.restated import restated
 from kindsl.robots.comparison.sentences import sentence_of, verdict
 from kindsl.robots.comparison.side import ComparedSide
-from kindsl.robots.comparison.twins import TwinFile
 from kindsl.robots.mechanism.errors import ModelError, UnboundParameterError
 from kindsl.robots.mechanism.linkage import Linkage
 from kindsl.robots.mechanism.reading import partial_linkage, reachable_linkage
@@ -84,12 +83,10 @@ def file_robot(name: str, path: str) -> OtherRobot:
 
 def twin_robots(analysis: Analysis) -> list[OtherRobot]:
     """Return the twins that the configuration names for a document."""
-    return [_twin_robot(twin) for twin in analysis.settings.twins]
-
-
-def _twin_robot(twin: TwinFile) -> OtherRobot:
-    read = partial(_of_file, partial(read_twin, twin))
-    return OtherRobot(twin.label, read, twin.joints, twin.tolerance)
+    return [
+        OtherRobot(t.label, partial(_of_file, partial(read_twin, t)), t.joints, t.tolerance)
+        for t in analysis.settings.twins
+    ]
 
 
 def _of_file(read: Callable[[bool], ComparedSide | str], floating: bool) -> ComparedSide | str:

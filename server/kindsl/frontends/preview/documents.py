@@ -55,7 +55,6 @@ class DocumentPreviews(ABC):
     def __init__(
         self,
         on_reveal: OnReveal | None,
-        on_write: OnWrite | None = None,
         on_edit: OnEdit | None = None,
         *,
         beside: Beside,
@@ -65,12 +64,11 @@ class DocumentPreviews(ABC):
         Args:
             on_reveal: Called with the document's key, the place in its text (code points) and
                 what was clicked.
-            on_write: Called with the document's key and what is to be kept.
             on_edit: Awaited with the document's key and what was dragged; else nothing can.
             beside: Awaits a function's result and lets the loop go on meanwhile, if it can.
         """
         self._on_reveal = on_reveal
-        self.on_write = on_write
+        self.on_write: OnWrite | None = None
         self._on_edit = on_edit
         self._beside = beside
         self._documents: dict[str, DocumentPreview] = {}

@@ -13,7 +13,6 @@ from kindsl.frontends.preview.documents import (
     DocumentPreviews,
     OnEdit,
     OnReveal,
-    OnWrite,
     identifier,
 )
 from kindsl.frontends.preview.handlers import LiveHandler, Serving, application
@@ -30,7 +29,6 @@ class PreviewServer(DocumentPreviews):
         self,
         on_reveal: OnReveal | None = None,
         *,
-        on_write: OnWrite | None = None,
         on_edit: OnEdit | None = None,
         port: int = 0,
         token: str | None = None,
@@ -41,14 +39,13 @@ class PreviewServer(DocumentPreviews):
         Args:
             on_reveal: Called with the document's key, the place in its text (code points) and
                 what was clicked.
-            on_write: Called with the document's key and what is to be kept.
             on_edit: Awaited with the document's key and what was dragged; else nothing can.
             port: To listen on; 0 for a free one.
             token: To ask for; None for a new one.
             session: A name (of a document, a workspace). A server of the same name listens where
                 the last one did, if it can, so that pages which are still open find it.
         """
-        super().__init__(on_reveal, on_write, on_edit, beside=asyncio.to_thread)
+        super().__init__(on_reveal, on_edit, beside=asyncio.to_thread)
         self._session = session
         self._access = Access(token or new_token(), port)
         self._lines: set[LiveHandler] = set()
@@ -96,16 +93,14 @@ class PreviewServer(DocumentPreviews):
             for line in list(self._lines):
                 line.close(GOING_AWAY)
             with suppress(TimeoutError):
-                await asyncio.wait_for(self._all_gone(), PATIENCE)
+                async with asyncio.timeout(PATIENCE):
+                    while self._lines:
+                        await asyncio.sleep(0.01)
             await http.close_all_connections()
 
     def url(self, key: str) -> str:
         """Return the address of a document's page."""
         return f"{self._address()}&document={identifier(key)}"
-
-    async def _all_gone(self) -> None:
-        while self._lines:
-            await asyncio.sleep(0.01)
 
     def _listen(self, access: Access) -> str:
         listening = _listening_socket(access.port)

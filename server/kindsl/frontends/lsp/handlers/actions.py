@@ -70,18 +70,15 @@ def offer_for_xml(view: View, params: types.CodeActionParams) -> list[types.Code
 def _wanted(
     view: Sight, found: "Iterable[CodeAction | None]", only: object
 ) -> list[types.CodeAction]:
-    wanted = (_action(view, each) for each in found if each and _is_wanted(each.kind, only))
+    kinds = None
+    if isinstance(only, list | tuple):
+        kinds = tuple(f"{kind}.".lstrip(".") for kind in (getattr(k, "value", k) for k in only))
+    wanted = (
+        _action(view, each)
+        for each in found
+        if each and (kinds is None or f"{each.kind}.".startswith(kinds))
+    )
     return [action for action in wanted if action is not None]
-
-
-def _is_wanted(kind: str, only: object) -> bool:
-    if not isinstance(only, list | tuple):
-        return True
-    return any(f"{kind}.".startswith(f"{wanted}.") or not wanted for wanted in map(_text, only))
-
-
-def _text(kind: object) -> str:
-    return str(getattr(kind, "value", kind))
 
 
 def _action(view: Sight, action: "CodeAction") -> types.CodeAction | None:

@@ -26,8 +26,9 @@ def initialize(session: Session, params: types.InitializeParams) -> None:
     capabilities = params.capabilities
     session.client = Client(capabilities, params.initialization_options)
     session.documents.encoding = ServerCapabilitiesBuilder.choose_position_encoding(capabilities)
-    folders = params.workspace_folders or _root(params)
-    session.workspace.add_folders(folders)
+    # A client that does not know workspace folders has one.
+    root = [types.WorkspaceFolder(params.root_uri, "")] if params.root_uri else []
+    session.workspace.add_folders(params.workspace_folders or root)
     options = params.initialization_options
     session.workspace.is_trusted = not isinstance(options, dict) or options.get(_TRUST) is not False
     session.workspace.set_editor_settings(params.initialization_options)
@@ -147,8 +148,3 @@ def _registrations(client: Client) -> Iterator[types.Registration]:
         section = {"section": _SECTION}
         method = types.WORKSPACE_DID_CHANGE_CONFIGURATION
         yield types.Registration("kindsl-settings", method, section)
-
-
-def _root(params: types.InitializeParams) -> list[types.WorkspaceFolder]:
-    """Return the one folder of a client that does not know workspace folders."""
-    return [types.WorkspaceFolder(params.root_uri, "")] if params.root_uri else []

@@ -10,7 +10,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from kindsl.frontends.lsp.session.configuration_files import shown_problems
+from kindsl.frontends.lsp.session.configuration_files import configuration_problems, shown_problems
 from kindsl.frontends.lsp.session.state import State
 from kindsl.frontends.lsp.session.worker import Urgency, start_task
 from kindsl.frontends.lsp.session.workspace import CONFIGURATION_FILES
@@ -46,7 +46,9 @@ class ClosedConfigurations:
         """
         while True:
             await asyncio.sleep(INTERVAL)
-            if await self._state.worker.run(self._state.workspace.is_outdated, Urgency.BACKGROUND):
+            if await self._state.worker.run(
+                self._state.workspace.project.is_outdated, Urgency.BACKGROUND
+            ):
                 self._state.workspace.forget()
                 on_change()
             else:
@@ -63,7 +65,7 @@ class ClosedConfigurations:
         Args:
             changed: URIs of files that are to be read even if nobody has asked for them.
         """
-        broken = map(uris.uri, tuple(self._state.workspace.broken))
+        broken = map(uris.uri, tuple(self._state.workspace.project.broken))
         reported = (uri for uri, _ in self._reported.values())
         candidates = {uris.key(uri): uri for uri in (*broken, *changed, *reported)}
         for key, uri in candidates.items():
@@ -84,7 +86,7 @@ class ClosedConfigurations:
         start_task(self.look([document.uri]))
 
     def _found(self, *_: object) -> None:
-        if self._state.workspace.broken:
+        if self._state.workspace.project.broken:
             start_task(self.look())
 
     def _report(self, key: str, uri: str, problems: Problems) -> None:
@@ -96,20 +98,15 @@ class ClosedConfigurations:
             self._reported.pop(key, None)
 
     def _on_disk(self, uri: str, path: Path) -> Problems:
-        from kindsl.judgement.config.baseline import read_baseline
         from kindsl.judgement.config.configuration import ConfigurationError
-        from kindsl.judgement.config.configuration_reading import configuration_of, text_of
+        from kindsl.judgement.config.configuration_reading import text_of
         from kindsl.judgement.config.discovery import is_configuration
 
-        if not is_configuration(str(path)):
-            return []
-        text = ""
+        file, encoding = str(path), self._state.documents.encoding
         try:
-            text = text_of(str(path))
-            read_baseline(configuration_of(str(path), text))
+            text = text_of(file) if is_configuration(file) else None
         except ConfigurationError as error:
-            if not is_configuration(str(path)):
-                return []  # It went away while it was being read.
-            shown = document(uri, None, text, self._state.documents.encoding)
-            return shown_problems(shown, error.problems)
-        return []
+            shown = document(uri, None, "", encoding)
+            # It may have gone away while it was being read.
+            return shown_problems(shown, error.problems) if is_configuration(file) else []
+        return [] if text is None else configuration_problems(document(uri, None, text, encoding))

@@ -1,7 +1,7 @@
 """Documents beside robots: transforms with the robot that they are about, configuration."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from kindsl.frontends.lsp.session.configuration_files import configuration_diagnostics, names_in
 from kindsl.frontends.lsp.session.findings import diagnostics
@@ -16,7 +16,6 @@ if TYPE_CHECKING:
 
     from kindsl.judgement.analysis.analysis import Analysis
     from kindsl.judgement.analysis.diagnostics import Diagnostic
-    from kindsl.judgement.config.unused_bindings import Names
     from kindsl.language.semantics.model import Model
 
 
@@ -42,20 +41,12 @@ async def transforms_view(state: State, document: Document) -> TransformsView:
     return TransformsView(document, (await state.analyses.of(robot)).model, state)
 
 
-class Mentioned(NamedTuple):
-    """The names of a robot that a companion may mention."""
-
-    robot: str
-    names: "Names"
-    frames: frozenset[str]
-
-
-def mentioned(analysis: "Analysis") -> Mentioned:
-    """Return what a companion may mention of a robot."""
+def mentioned(analysis: "Analysis") -> object:
+    """Return what a companion may mention of a robot, to compare it."""
     from kindsl.language.semantics.transforms import frame_names
 
     model = analysis.model
-    return Mentioned(str(model.name), names_in(analysis), frozenset(frame_names(model)))
+    return str(model.name), names_in(analysis), frozenset(frame_names(model))
 
 
 async def companion_diagnostics(state: State, document: Document) -> list[dict[str, Any]]:

@@ -18,9 +18,7 @@ _SEVERITIES = {
     "info": types.DiagnosticSeverity.Information.value,
     "hint": types.DiagnosticSeverity.Hint.value,
 }
-_TAGS = {
-    "unnecessary": types.DiagnosticTag.Unnecessary.value,
-}
+_TAGS = {"unnecessary": types.DiagnosticTag.Unnecessary.value}
 
 
 def diagnostics(

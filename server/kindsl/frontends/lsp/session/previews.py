@@ -52,9 +52,9 @@ class Previews:
         self._starting = asyncio.Lock()
         self._newest: dict[str, _Version] = {}
         self._drawing: set[str] = set()
-        state.documents.on_open.append(self._changed)
-        state.documents.on_change.append(self._changed)
-        state.on_findings.append(self._found)
+        state.documents.on_open.append(self._follow)
+        state.documents.on_change.append(self._follow)
+        state.on_findings.append(self._follow)
         state.on_cursor.append(self._highlight)
 
     async def open(self, uri: str, origin: object = None) -> str:
@@ -83,7 +83,7 @@ class Previews:
     def refresh(self) -> None:
         """Show all open documents again, for the settings have changed."""
         for document in self._state.documents:
-            self._changed(document)
+            self._follow(document)
 
     def saved(self, uri: str) -> None:
         """Let the version that was saved stand as a ghost behind later ones."""
@@ -103,18 +103,12 @@ class Previews:
     def _shown(self, uri: str) -> "DocumentPreview | None":
         return None if self._preview is None else self._preview.at(uris.key(uri))
 
-    def _changed(self, document: Document) -> None:
-        self._follow(_Version(document))
-
-    def _found(self, document: Document, findings: "Sequence[Diagnostic]") -> None:
-        self._follow(_Version(document, findings))
-
-    def _follow(self, version: _Version) -> None:
+    def _follow(self, document: Document, findings: "Sequence[Diagnostic] | None" = None) -> None:
         """Show a version of a document that has a page, unless a newer one comes first."""
-        key = uris.key(version.document.uri)
+        key = uris.key(document.uri)
         if self._preview is None or self._preview.at(key) is None:
             return
-        self._newest[key] = version
+        self._newest[key] = _Version(document, findings)
         if key not in self._drawing:
             self._drawing.add(key)
             start_task(self._draw(self._preview, key))
@@ -149,7 +143,7 @@ class Previews:
             version = await self._state.analyses.version(document)
             findings = await version.findings(Urgency.DIAGNOSTICS)
             if self._state.documents.get(uri) is document:
-                self._found(document, findings)
+                self._follow(document, findings)
 
     async def _started(self) -> "DocumentPreviews":
         async with self._starting:

@@ -7,7 +7,7 @@ from lsprotocol import types
 
 from kindsl.frontends.lsp.session import calm, memory
 from kindsl.frontends.lsp.session.analyses import Version
-from kindsl.frontends.lsp.session.companions import Mentioned, companion_diagnostics, mentioned
+from kindsl.frontends.lsp.session.companions import companion_diagnostics, mentioned
 from kindsl.frontends.lsp.session.findings import diagnostics
 from kindsl.frontends.lsp.session.state import State
 from kindsl.frontends.lsp.session.status import STATUS, status_of
@@ -38,7 +38,7 @@ class Publisher:
         self._pulled: set[str] = set()
         self._checked: set[str] = set()
         self._shown: set[str] = set()
-        self._names: dict[str, Mentioned] = {}
+        self._names: dict[str, object] = {}
         state.documents.on_open.append(lambda document: self.schedule(document, 0.0))
         state.documents.on_change.append(self._changed)
         state.documents.on_close.append(self._close)

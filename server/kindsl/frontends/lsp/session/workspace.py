@@ -31,6 +31,7 @@ class Workspace:
 
     Attributes:
         folders: Their URIs.
+        project: What the configuration files said when they were read.
         is_trusted: Whether the user trusts what lies in them, as editors ask.
     """
 
@@ -38,7 +39,7 @@ class Workspace:
         self.folders: dict[str, str] = {}
         self._raw: dict[str | None, object] = {}
         self._understood: dict[str | None, EditorSettings] = {}
-        self._project = _Project()
+        self.project = _Project()
         self.is_trusted = True
 
     def may_read(self, path: str) -> bool:
@@ -79,13 +80,13 @@ class Workspace:
 
     def known_settings(self, document: "Document") -> "Settings | None":
         """Return the decisions for a document if they have been read already."""
-        return self._project.merged.get(uris.key(document.uri))
+        return self.project.merged.get(uris.key(document.uri))
 
     def read_settings(self, document: "Document") -> "Settings":
         """Return the decisions for a document; reads files, so not for the message loop."""
         from kindsl.judgement.config.editor_settings import merged
 
-        project, key = self._project, uris.key(document.uri)
+        project, key = self.project, uris.key(document.uri)
         if key not in project.merged:
             path = uris.path(document.uri)
             place = path or next((f / "untitled.kindsl" for f in self.paths()), None)
@@ -97,21 +98,12 @@ class Workspace:
 
     def configuration_file(self, document: "Document") -> Path | None:
         """Return the file that decides for a document besides the editor, if it is valid."""
-        return self._project.file(uris.path(document.uri))
-
-    @property
-    def broken(self) -> "dict[Path, tuple[ConfigurationProblem, ...]]":
-        """Problems of configuration files that were read."""
-        return self._project.broken
-
-    def is_outdated(self) -> bool:
-        """True if a configuration file has changed since; looks at files, as `read_settings`."""
-        return self._project.is_outdated()
+        return self.project.file(uris.path(document.uri))
 
     def forget(self) -> None:
         """Read and merge settings again when they are next asked for."""
         self._understood = {}
-        self._project = _Project()
+        self.project = _Project()
 
     def paths(self) -> Iterator[Path]:
         """Yield the paths of the folders."""

@@ -8,6 +8,8 @@ from kindsl.frontends.lsp.text.document import Document
 from kindsl.frontends.lsp.wire.client import Client
 from kindsl.language.text.edits import TextEdit
 
+_ANEW = types.CreateFileOptions(ignore_if_exists=True)
+
 
 def text_edits(document: Document, edits: Iterable[TextEdit]) -> list[types.TextEdit]:
     """Return edits with the client's ranges."""
@@ -33,7 +35,7 @@ def workspace_edit(
         return types.WorkspaceEdit(changes={uri: each for uri, (_, each) in merged.items()})
     return types.WorkspaceEdit(
         document_changes=[
-            *(_creation(document) for document in new),
+            *(types.CreateFile(document.uri, options=_ANEW) for document in new),
             *(
                 types.TextDocumentEdit(
                     types.OptionalVersionedTextDocumentIdentifier(document.uri, document.version),
@@ -54,7 +56,3 @@ def makes_files(client: Client) -> bool:
         return True
     operations = client.values("workspace.workspace_edit.resource_operations")
     return types.ResourceOperationKind.Create in operations
-
-
-def _creation(document: Document) -> types.CreateFile:
-    return types.CreateFile(document.uri, options=types.CreateFileOptions(ignore_if_exists=True))

@@ -10,26 +10,12 @@ import os
 import stat
 import sys
 import threading
-from typing import Protocol
 
 _BUFFER = 1 << 24
 _READ = 1 << 16
 
 
-class MessageWriter(Protocol):
-    """The way out for framed messages."""
-
-    def write(self, data: bytes) -> None:
-        """Send, or keep until the other side reads; never waits."""
-
-    def close(self) -> None:
-        """Send no more."""
-
-    async def flush(self) -> None:
-        """Wait until all is sent."""
-
-
-async def open_stdio() -> tuple[asyncio.StreamReader, MessageWriter]:
+async def open_stdio() -> "tuple[asyncio.StreamReader, MessageWriter]":
     """Take over stdin and stdout; from now on `print` writes to stderr."""
     incoming, outgoing = os.dup(0), os.dup(1)
     sys.stdout.flush()
@@ -81,6 +67,10 @@ class BlockingMessageWriter:
 
     async def flush(self) -> None:
         """Everything has been sent already."""
+
+
+# Writes framed messages out: `write` never waits for the other side, `flush` does.
+MessageWriter = TransportWriter | BlockingMessageWriter
 
 
 async def _open_reader(descriptor: int) -> asyncio.StreamReader:
