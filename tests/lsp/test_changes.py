@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from lsprotocol import types
 
 from kindsl.frontends.lsp.text.lines import ContentChange, Lines, changed
-from kindsl.frontends.lsp.text.row import PlainPiece, Row
+from kindsl.frontends.lsp.text.row import PlainPiece
 from kindsl.language.text.lines import LineIndex
 
 steady = settings(deadline=None, derandomize=True)
@@ -81,7 +81,7 @@ def test_other_separators_do_not_end_a_line(separator: str) -> None:
 
 
 def lines_of(text: str) -> Lines:
-    return Lines(Row([PlainPiece(text)]))
+    return Lines([PlainPiece(text)])
 
 
 def naively_changed(text: str, changes: Sequence[ContentChange], encoding: str) -> str:

@@ -5,7 +5,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kindsl.frontends.lsp.text.lines import Lines
-from kindsl.frontends.lsp.text.row import PlainPiece, Row
+from kindsl.frontends.lsp.text.row import PlainPiece
 from kindsl.language.text.lines import LineIndex
 
 steady = settings(deadline=None, derandomize=True)
@@ -65,4 +65,4 @@ def cut(text: str, cuts: list[int]) -> Lines:
     """The lines of a text held in pieces, no CR LF cut in two."""
     places = sorted({0, *(c for c in cuts if c < len(text) and text[c - 1 : c + 1] != "\r\n")})
     pieces = [text[a:b] for a, b in zip(places, [*places[1:], len(text)], strict=True)]
-    return Lines(Row([PlainPiece(piece) for piece in pieces]))
+    return Lines([PlainPiece(piece) for piece in pieces])

@@ -165,7 +165,7 @@ def check(row: Row, text: str) -> None:
     assert all(piece.text for piece in row.pieces) or len(row.pieces) == 1
     pairs = zip(row.pieces, row.pieces[1:], strict=False)
     assert not any(a.text[-1] == "\r" and b.text[0] == "\n" for a, b in pairs)
-    lines, index = Lines(row), LineIndex(text)
+    lines, index = Lines(row.pieces), LineIndex(text)
     assert lines.last == len(index.starts) - 1
     assert [lines.start(line) for line in range(lines.last + 1)] == index.starts
     for offset in range(len(text) + 1):

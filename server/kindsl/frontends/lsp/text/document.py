@@ -7,7 +7,7 @@ from lsprotocol import types
 
 from kindsl.frontends.lsp.text import uris
 from kindsl.frontends.lsp.text.lines import ContentChange, Lines, changed
-from kindsl.frontends.lsp.text.row import PlainPiece, Row, edits_between
+from kindsl.frontends.lsp.text.row import PlainPiece, edits_between
 from kindsl.judgement.config.file_names import TRANSFORMS_SUFFIX
 from kindsl.language.text.facts import Facts
 from kindsl.language.text.span import Span
@@ -91,7 +91,7 @@ class Document:
         """Its syntax; only the blocks are parsed that differ from an earlier version's."""
         if self._tree is None:
             tree = self._parsed()
-            self.lines = Lines(self.lines.row.held_in(tree.islands))
+            self.lines = self.lines.held_in(tree.islands)
             self._tree = tree
             self._basis = None
         return self._tree
@@ -131,13 +131,13 @@ class Document:
         return types.Range(self.position(start), self.position(end))
 
     def _parsed(self) -> "SyntaxDocument":
-        basis, row = self._basis, self.lines.row
+        basis = self._basis
         if basis is None:
             return syntax_of(self.uri if self.is_xml else OWN_SUFFIX, self.text)
         starts = (*basis.starts, basis.length)
-        return basis.edited(tuple(edits_between(basis.islands, starts, row)))
+        return basis.edited(tuple(edits_between(basis.islands, starts, self.lines)))
 
 
 def document(uri: str, version: int | None, text: str, encoding: str) -> Document:
     """Return a document that has just been opened or read."""
-    return Document(uri, version, Lines(Row([PlainPiece(text)])), encoding)
+    return Document(uri, version, Lines([PlainPiece(text)]), encoding)

@@ -21,32 +21,19 @@ UTF8 = types.PositionEncodingKind.Utf8
 UTF32 = types.PositionEncodingKind.Utf32
 
 
-class Lines:
-    """The starts of a text's lines; only CR LF, LF and CR end a line.
+class Lines(Row):
+    """A text with the starts of its lines; only CR LF, LF and CR end a line."""
 
-    Attributes:
-        row: The text.
-    """
+    __slots__ = ("_recent",)
 
-    __slots__ = ("_recent", "row")
-
-    def __init__(self, row: Row) -> None:
-        self.row = row
+    def __init__(self, pieces: Sequence[Piece]) -> None:
+        super().__init__(pieces)
         self._recent = (-1, 0, 0)
-
-    @property
-    def length(self) -> int:
-        """Of the text, in code points."""
-        return self.row.length
 
     @property
     def last(self) -> int:
         """Number of the last line."""
-        return self.row.ends.total
-
-    def text(self, start: int, end: int) -> str:
-        """Return the text between two offsets."""
-        return self.row.text(start, end)
+        return self.ends.total
 
     def start(self, line: int) -> int:
         """Return the offset at which a line begins; the text's end for a line past it."""
@@ -54,10 +41,9 @@ class Lines:
             return 0
         if line > self.last:
             return self.length
-        row = self.row
-        number = row.ends.first_from(line) - 1
-        within = _starts(row.pieces[number])[line - row.ends[number]]
-        return row.lengths[number] + within
+        number = self.ends.first_from(line) - 1
+        within = _starts(self.pieces[number])[line - self.ends[number]]
+        return self.lengths[number] + within
 
     def line(self, offset: int) -> int:
         """Return the number of the line that an offset is in."""
@@ -65,7 +51,7 @@ class Lines:
 
     def line_text(self, line: int) -> str:
         """Return the text of a line without its end."""
-        text = self.row.text(self.start(line), self.start(line + 1))
+        text = self.text(self.start(line), self.start(line + 1))
         if text.endswith("\r\n"):
             return text[:-2]
         return text[:-1] if text.endswith(("\n", "\r")) else text
@@ -85,21 +71,20 @@ class Lines:
 
     def units(self, start: int, offset: int, encoding: str) -> int:
         """Return the width of a stretch, measured on from the last offset with the same start."""
-        if self.row.is_ascii or encoding == UTF32:
+        if self.is_ascii or encoding == UTF32:
             return offset - start
         recent_start, recent_offset, units = self._recent
         if recent_start != start or recent_offset > offset:
             recent_offset, units = start, 0
-        units += width(self.row.text(recent_offset, offset), encoding)
+        units += width(self.text(recent_offset, offset), encoding)
         self._recent = (start, offset, units)
         return units
 
     def _line_and_start(self, offset: int) -> tuple[int, int]:
-        row = self.row
-        number = row.piece_at(offset)
-        starts, origin = _starts(row.pieces[number]), row.lengths[number]
+        number = self.piece_at(offset)
+        starts, origin = _starts(self.pieces[number]), self.lengths[number]
         within = bisect_right(starts, offset - origin) - 1
-        line = row.ends[number] + within
+        line = self.ends[number] + within
         return line, origin + starts[within] if within else self.start(line)
 
 
@@ -108,13 +93,13 @@ def changed(lines: Lines, changes: Sequence[ContentChange], encoding: str) -> tu
 
     Each change is in the positions that the one before it has left.
     """
-    row = lines.row.copy()
-    before = after = row.length
+    new = lines.copy()
+    before = after = new.length
     for change in changes:
-        start, end = _place(Lines(row), change, encoding)
-        before, after = min(before, start), min(after, row.length - end)
-        row.replace(start, end, change.text)
-    return Lines(row), Span(before, row.length - after)
+        start, end = _place(new, change, encoding)
+        before, after = min(before, start), min(after, new.length - end)
+        new.replace(start, end, change.text)
+    return new, Span(before, new.length - after)
 
 
 def width(text: str, encoding: str) -> int:

@@ -8,7 +8,7 @@ copy of three lists and what it touches.
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import accumulate
-from typing import Protocol
+from typing import Protocol, Self
 
 from kindsl.language.text.edits import TextEdit
 from kindsl.language.text.facts import Fact, Facts
@@ -96,9 +96,9 @@ class Row:
         self.ends = Sums(map(_line_ends, pieces))
         self._n_wide = sum(map(_is_wide, pieces))
 
-    def copy(self) -> "Row":
+    def copy(self) -> Self:
         """Return the same row, to be changed apart from this one."""
-        copied = Row(())
+        copied = type(self)(())
         copied.pieces, copied._n_wide = self.pieces.copy(), self._n_wide
         copied.lengths, copied.ends = self.lengths.copy(), self.ends.copy()
         return copied
@@ -140,7 +140,7 @@ class Row:
             new += following
         self._put(first, last + 1, [PlainPiece(new)])
 
-    def held_in(self, pieces: Sequence[Piece]) -> "Row":
+    def held_in(self, pieces: Sequence[Piece]) -> Self:
         """Return a row of the same text in other pieces, most of which are these."""
         if not pieces:
             return self
