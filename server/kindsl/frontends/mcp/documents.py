@@ -41,7 +41,7 @@ def document(arguments: DocumentArguments, folder: Folder) -> tuple[str, Analysi
     """
     name, text, settings = _given(arguments, folder)
     try:
-        return name, analysed_robot(_told_by(arguments), text, settings)
+        return name, analysed_robot(arguments.path or "", text, settings)
     except UnreadableRobotError as error:
         first = next(iter(error.defects), None)
         line = "" if first is None else f"line {LineIndex(text).position(first.start)[0] + 1}: "
@@ -55,12 +55,7 @@ def judged(arguments: DocumentArguments, folder: Folder) -> tuple[str, Analysis]
         ToolError: There is not exactly one, or it cannot be read.
     """
     name, text, settings = _given(arguments, folder)
-    return name, Analysis(syntax_of(_told_by(arguments), text), settings)
-
-
-def _told_by(arguments: DocumentArguments) -> str:
-    """Return the name that tells the format, empty where the text alone does."""
-    return arguments.path or ""
+    return name, Analysis(syntax_of(arguments.path or "", text), settings)
 
 
 def _given(arguments: DocumentArguments, folder: Folder) -> tuple[str, str, Settings]:

@@ -50,20 +50,6 @@ def run_lint(args: Any) -> int:
         return INTERRUPTED
 
 
-def exit_status(outcome: RunOutcome, max_warnings: int | None, is_lenient: bool) -> int:
-    """Return the exit status; `is_lenient` ignores findings, not failures."""
-    if outcome.failures:
-        return UNUSABLE
-    failing = failing_severities(outcome, max_warnings)
-    return FINDINGS if any(map(outcome.count, failing)) and not is_lenient else OK
-
-
-def failing_severities(outcome: RunOutcome, max_warnings: int | None) -> frozenset[Severity]:
-    """Return the severities that make a run fail: warnings only where there are too many."""
-    is_over = max_warnings is not None and outcome.count(Severity.WARNING) > max_warnings
-    return frozenset((Severity.ERROR, Severity.WARNING) if is_over else (Severity.ERROR,))
-
-
 def _wrong_usage(args: Any) -> str:
     if args.statistics and args.output_format not in _COUNTABLE:
         return f"--statistics is available as text or JSON only, not as {args.output_format}"
@@ -121,7 +107,9 @@ def _linted(plan: LintPlan, args: Any) -> RunOutcome:
 def _report(outcome: RunOutcome, args: Any) -> int:
     _write_failures(outcome.failures)
     write(sys.stderr, "".join(f"{printable(remark)}\n" for remark in outcome.remarks))
-    failing = failing_severities(outcome, args.max_warnings)
+    n_warnings, most = outcome.count(Severity.WARNING), args.max_warnings
+    is_over = most is not None and n_warnings > most
+    failing = frozenset((Severity.ERROR, Severity.WARNING) if is_over else (Severity.ERROR,))
     failing = frozenset() if args.exit_zero else failing
     outcome = outcome._replace(failing=failing, is_verbose=args.verbose)
     if args.diff:
@@ -131,7 +119,7 @@ def _report(outcome: RunOutcome, args: Any) -> int:
         named = args.stdin_filename or UNNAMED
         write(sys.stdout, "".join(f.text for f in outcome.files if f.path == named))
     write(sys.stderr if is_mended_stdin else sys.stdout, _rendered(outcome, args))
-    status = exit_status(outcome, args.max_warnings, args.exit_zero)
+    status = FINDINGS if any(map(outcome.count, failing)) else OK
     if args.output_format == "text" and not args.quiet:
         from kindsl.frontends.cli.linter.summary import summary
 
@@ -140,15 +128,14 @@ def _report(outcome: RunOutcome, args: Any) -> int:
         from kindsl.frontends.cli.linter.summary import verdict_lines
 
         write(sys.stderr, verdict_lines(outcome.files))
-    return status
+    return UNUSABLE if outcome.failures else status
 
 
 def _rendered(outcome: RunOutcome, args: Any) -> str:
     if args.statistics:
-        from kindsl.frontends.cli.linter import statistics
+        from kindsl.frontends.cli.linter.statistics import statistics
 
-        is_json = args.output_format == "json"
-        return statistics.render_json(outcome) if is_json else statistics.render_text(outcome)
+        return statistics(outcome, is_json=args.output_format == "json")
     return renderer(args.output_format)(outcome)
 
 

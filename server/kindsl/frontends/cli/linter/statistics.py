@@ -29,16 +29,13 @@ def rule_counts(outcome: RunOutcome) -> list[dict[str, Any]]:
     return sorted(rows, key=lambda row: (-row["count"], row["code"]))
 
 
-def render_text(outcome: RunOutcome) -> str:
-    """Return a table; a star marks rules that `--fix` can fix."""
+def statistics(outcome: RunOutcome, *, is_json: bool) -> str:
+    """Return a JSON array, or a table in which a star marks rules that `--fix` can fix."""
     rows = rule_counts(outcome)
+    if is_json:
+        import json
+
+        return json.dumps(rows, indent=2) + "\n"
     width = max((len(str(row["count"])) for row in rows), default=0)
     form = f"{{count:{width}}}  {{code}}  [{{star}}] {{name}}\n"
     return "".join(form.format(star="*" if row["fixable"] else " ", **row) for row in rows)
-
-
-def render_json(outcome: RunOutcome) -> str:
-    """Return a JSON array."""
-    import json
-
-    return json.dumps(rule_counts(outcome), indent=2) + "\n"

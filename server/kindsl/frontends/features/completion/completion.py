@@ -9,12 +9,13 @@ from kindsl.frontends.features.completion.item import CompletionItem
 from kindsl.frontends.features.completion.keywords import block_items, keyword_items, section_items
 from kindsl.frontends.features.completion.names import (
     child_items,
+    frame_names_at,
     id_items,
     joint_items,
+    name_items,
     new_frame_items,
-    new_joint_items,
-    new_link_items,
-    own_frame_items,
+    undeclared_joints,
+    undeclared_links,
 )
 from kindsl.frontends.features.completion.values import constant_items, shape_items, value_items
 from kindsl.frontends.features.hover.keyword import keyword_hover
@@ -128,13 +129,13 @@ def _names(analysis: Analysis, context: CompletionContext) -> Iterable[Completio
     if previous == "<":
         return constant_items(analysis, "{}")
     if previous == "link":
-        return new_link_items(analysis)
+        return name_items(undeclared_links(analysis), "link", "named as a child, not declared")
     if previous == "JOINT_KIND":
-        return new_joint_items(analysis)
+        return name_items(undeclared_joints(analysis), "joint", "used, not declared")
     if previous == "via":
         return joint_items(analysis, context)
     if previous == "=":
-        return own_frame_items(context)
+        return name_items(frame_names_at(context), "frame", "frame of this link")
     if context.block == "children":
         return child_items(analysis, context)
     if context.block == "frame_group":

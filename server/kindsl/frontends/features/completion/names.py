@@ -52,29 +52,17 @@ def _is_numbered(name: str) -> bool:
     return name[-1:].isdecimal()
 
 
-def own_frame_items(context: CompletionContext) -> Iterator[CompletionItem]:
-    """Yield the frames of the link around the cursor."""
-    for name in _frame_names(context):
-        yield CompletionItem(name, "frame", name, "frame of this link")
-
-
-def new_link_items(analysis: Analysis) -> Iterator[CompletionItem]:
-    """Yield names for a new link: children that are named somewhere and declared nowhere."""
-    for name in undeclared_links(analysis):
-        yield CompletionItem(name, "link", name, "named as a child, not declared")
-
-
-def new_joint_items(analysis: Analysis) -> Iterator[CompletionItem]:
-    """Yield names for a new joint: those after `via` that are not declared."""
-    for name in undeclared_joints(analysis):
-        yield CompletionItem(name, "joint", name, "used, not declared")
+def name_items(names: Iterable[str], kind: str, detail: str) -> Iterator[CompletionItem]:
+    """Yield names as they are."""
+    for name in names:
+        yield CompletionItem(name, kind, name, detail)
 
 
 def new_frame_items(context: CompletionContext) -> Iterator[CompletionItem]:
     """Yield a new frame, and the undeclared frame that the inertia is given in."""
     inertias = [body.inertia for body in bodies_at(context) if body.inertia is not None]
     frames = (str(inertia.frame) for inertia in inertias if inertia.frame is not None)
-    for name in _missing(frames, _frame_names(context)):
+    for name in _missing(frames, frame_names_at(context)):
         text = snippets.frame(name)
         yield CompletionItem(name, "frame", text, "used, not declared", is_snippet=True)
     text = snippets.frame()
@@ -121,7 +109,8 @@ def bodies_at(context: CompletionContext) -> tuple[Link, ...]:
     return tuple(declarations(context.place.island).bodies())
 
 
-def _frame_names(context: CompletionContext) -> list[str]:
+def frame_names_at(context: CompletionContext) -> list[str]:
+    """Return the names of the frames of the link around the cursor."""
     return [str(frame.name) for body in bodies_at(context) for frame in body.frames]
 
 
@@ -151,8 +140,7 @@ def child_items(analysis: Analysis, context: CompletionContext) -> Iterator[Comp
         joint = free or fresh_joint(analysis, name)
         text, label = f"{name} via ${{1:{joint}}}", f"{name} via …"
         yield CompletionItem(label, "snippet", text, "not yet attached", is_snippet=True)
-    for name in loose:
-        yield CompletionItem(name, "link", name, "not yet attached")
+    yield from name_items(loose, "link", "not yet attached")
     link, new = fresh_link(analysis), free or fresh_joint(analysis)
     text, label = f"${{1:{link}}} via ${{2:{new}}}", f"{link} via {new}"
     yield CompletionItem(label, "snippet", text, "new child", is_snippet=True, is_asked_for=True)
