@@ -24,9 +24,11 @@ from kindsl.frontends.cli.documents.document_reading import (
     report_error,
 )
 from kindsl.frontends.cli.documents.sources import STDIN, read_source
+from kindsl.frontends.cli.documents.writing import write_output, write_text
 from kindsl.frontends.cli.options import add_floating_argument, add_parameter_arguments
 from kindsl.frontends.cli.outcome import Failure
 from kindsl.judgement.config.configuration import ConfigurationError
+from kindsl.language.text.edits import apply_edits
 from kindsl.language.text.encodings import encoded
 from kindsl.language.text.writing import write_file
 
@@ -210,9 +212,6 @@ def _serve(args: argparse.Namespace, other: "OtherRobot | None") -> None:
 
 def _write_dragged(args: argparse.Namespace, writing: "Writing") -> str:
     """Write a dragged number into the document; return an error message, empty if written."""
-    from kindsl.frontends.cli.documents.writing import write_text
-    from kindsl.language.text.edits import apply_edits
-
     file = args.file
     if os.path.islink(file):
         return f"'{file}' is a link: open its target"
@@ -245,7 +244,6 @@ def _keep(args: argparse.Namespace, wanted: "WriteParameters | KeepPose") -> str
 
 def _keep_pose(args: argparse.Namespace, pose: "KeepPose") -> str:
     """Write a pose into the configuration file, maybe a new one; return why not, or nothing."""
-    from kindsl.frontends.cli.documents.writing import write_output, write_text
     from kindsl.judgement.config.document_tables import with_pose
     from kindsl.judgement.config.file_names import OWN_FILE
 
@@ -268,9 +266,7 @@ def _keep_pose(args: argparse.Namespace, pose: "KeepPose") -> str:
 
 def _bind(args: argparse.Namespace, writing: "Writing") -> str:
     """Bind parameters anew in the document's configuration file; return why not, or nothing."""
-    from kindsl.frontends.cli.documents.writing import write_text
     from kindsl.judgement.config.toml_edits import binding_edit
-    from kindsl.language.text.edits import apply_edits
 
     names = ", ".join(f"'{name}'" for name, _ in writing.bindings)
     configuration = choices_of(args).configuration_for(args.file)

@@ -188,19 +188,13 @@ def _number(data: Any, _: Any) -> float:
     raise BadRequestError("a number is finite and below 1e12")
 
 
-def _whole(data: Any, _: Any) -> int:
-    return int(_number(data, float))
-
-
-def _truth(data: Any, _: Any) -> bool:
-    return data is True
-
-
 _CONVERTER = Converter()
 _CONVERTER.register_structure_hook_factory(
     is_namedtuple, lambda kind: namedtuple_dict_structure_factory(kind, _CONVERTER)
 )
-for _plain_type, _hook in ((str, _text), (float, _number), (int, _whole), (bool, _truth)):
-    _CONVERTER.register_structure_hook(_plain_type, _hook)
+_CONVERTER.register_structure_hook(str, _text)
+_CONVERTER.register_structure_hook(float, _number)
+_CONVERTER.register_structure_hook(int, lambda data, _: int(_number(data, float)))
+_CONVERTER.register_structure_hook(bool, lambda data, _: data is True)
 _CONVERTER.register_structure_hook(Name, _name)
 _CONVERTER.register_structure_hook_func(is_mapping, _values)

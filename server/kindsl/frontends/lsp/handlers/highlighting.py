@@ -32,29 +32,26 @@ _MODIFIER_BITS = {name: 1 << number for number, name in enumerate(MODIFIERS)}
 @handlers.document(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL, _OPTIONS)
 def whole(view: View, _: types.SemanticTokensParams) -> dict[str, Any]:
     """Tell all tokens."""
-    from kindsl.frontends.features.semantic_tokens import semantic_tokens
-
-    data = encoded(view.document, semantic_tokens(view.analysis))
-    return view.state.tokens.tell(view.document.uri, data, None)
+    return view.state.tokens.tell(view.document.uri, _data(view), None)
 
 
 @handlers.document(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL_DELTA, _OPTIONS)
 def delta(view: View, params: types.SemanticTokensDeltaParams) -> dict[str, Any]:
     """Tell what has changed."""
-    from kindsl.frontends.features.semantic_tokens import semantic_tokens
-
-    data = encoded(view.document, semantic_tokens(view.analysis))
-    return view.state.tokens.tell(view.document.uri, data, params.previous_result_id)
+    return view.state.tokens.tell(view.document.uri, _data(view), params.previous_result_id)
 
 
 @handlers.document(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE, _OPTIONS)
 def part(view: View, params: types.SemanticTokensRangeParams) -> dict[str, Any]:
     """Tell the tokens of what is visible."""
+    start, end = view.offset(params.range.start), view.offset(params.range.end)
+    return {"data": _data(view, start, end).tolist()}
+
+
+def _data(view: View, start: int = 0, end: int | None = None) -> "array[int]":
     from kindsl.frontends.features.semantic_tokens import semantic_tokens
 
-    start, end = view.offset(params.range.start), view.offset(params.range.end)
-    tokens = semantic_tokens(view.analysis, start, end)
-    return {"data": encoded(view.document, tokens).tolist()}
+    return encoded(view.document, semantic_tokens(view.analysis, start, end))
 
 
 def encoded(document: Document, tokens: "Iterable[SemanticToken]") -> "array[int]":
