@@ -26,7 +26,7 @@ from kindsl.frontends.lsp.session.configuration_files import (
 )
 from kindsl.frontends.lsp.session.findings import diagnostics
 from kindsl.frontends.lsp.session.progress import AT_A_TIME, Progress
-from kindsl.frontends.lsp.session.status import status_of
+from kindsl.frontends.lsp.session.publishing import status_of
 from kindsl.frontends.lsp.session.tokens import TokenMemory
 from kindsl.frontends.lsp.session.view import without_marks
 from kindsl.frontends.lsp.session.worker import AbandonedError, Urgency, Worker, start_task

@@ -3,7 +3,7 @@
 import pytest
 from tests.cli.samples import arm
 
-from kindsl.frontends.features.transforms_hover import transforms_hover
+from kindsl.frontends.features.transforms import transforms_hover
 from kindsl.judgement.analysis.analysis import analyse
 
 MODEL = analyse(arm()).model

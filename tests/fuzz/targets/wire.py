@@ -10,9 +10,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from kindsl.frontends.lsp.wire.editor import Editor
 from kindsl.frontends.lsp.wire.frames import read_messages
-from kindsl.frontends.lsp.wire.protocol import KindslProtocol
+from kindsl.frontends.lsp.wire.protocol import Editor, KindslProtocol
 
 
 class _Output:

@@ -1,4 +1,4 @@
-"""The transforms document of a robot: completions, actions, and the edits of a renaming."""
+"""The transforms document of a robot: completions, hovers, actions, edits of a renaming."""
 
 import re
 from collections.abc import Iterator
@@ -9,11 +9,13 @@ from kindsl.frontends.features.completion.completion import Completions
 from kindsl.frontends.features.completion.item import CompletionItem
 from kindsl.frontends.features.outline import is_match
 from kindsl.frontends.features.symbol_at import EntityKind, symbol_at
+from kindsl.frontends.features.wording import Hover, code
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.transforms import (
     LINK_PREFIX,
     frame_names,
+    joint_frame_names,
     transforms_document,
     undeclared_frames,
     unknown_frames,
@@ -21,6 +23,7 @@ from kindsl.language.semantics.transforms import (
 )
 from kindsl.language.syntax.transforms_text import (
     SECTIONS,
+    FramePair,
     PlacedName,
     TransformsDocument,
     read_transforms,
@@ -194,3 +197,48 @@ def _edits(document: TransformsDocument, old: str, new: str) -> Iterator[TextEdi
     for word in words:
         if word.text == old:
             yield TextEdit(word.start, word.end, new)
+
+
+def transforms_hover(text: str, offset: int, model: Model | None) -> Hover | None:
+    """Return the meaning of the pair or frame at an offset, None where there is none.
+
+    Args:
+        text: The transforms document.
+        offset: The cursor, code points.
+        model: The robot that it is about, None if that is not known.
+    """
+    document = read_transforms(text)
+    for name in document.frames:
+        if name.start <= offset <= name.end:
+            return Hover(name.start, name.end, _frame(name.text, model))
+    for pairs, letter in ((document.transforms, "X"), (document.jacobians, "J")):
+        for pair in pairs:
+            start, end = pair.span
+            if start <= offset <= end:
+                return Hover(start, end, _pair(pair, letter, model))
+    return None
+
+
+def _pair(pair: FramePair, letter: str, model: Model | None) -> str:
+    base, target = (name.text for name in pair)
+    frames = dict.fromkeys((base, target))
+    described = "".join(f"\n\n{_frame(name, model)}" for name in frames)
+    what, seen = ("pose", "in") if letter == "X" else ("Jacobian", "relative to")
+    name = code(f"{base}_{letter}_{target}")
+    return f"{name}: the {what} of {code(target)} {seen} {code(base)}.{described}"
+
+
+def _frame(name: str, model: Model | None) -> str:
+    """Return the link or frame that a name refers to."""
+    if model is None:
+        return code(name)
+    links, joints = frame_names(model), joint_frame_names(model)
+    if name in links:
+        of = links[name]
+        owner = next((b for b in model.bodies if any(f.name == of for f in b.frames)), None)
+        if of != name:
+            return f"{code(name)} is the frame of {code(of)}."
+        return f"{code(name)} is a frame on {code(str(owner.name))}." if owner else code(name)
+    if name in joints:
+        return f"{code(name)} is the frame of the joint {code(joints[name])}, fixed to its parent."
+    return f"{code(name)} is no frame of this robot."

@@ -7,7 +7,7 @@ from kindsl.frontends.lsp import handlers
 from kindsl.frontends.lsp.handlers.table import Handlers
 from kindsl.frontends.lsp.session.session import Session
 from kindsl.frontends.lsp.session.surroundings import Surroundings, process
-from kindsl.frontends.lsp.wire.editor import Editor
+from kindsl.frontends.lsp.wire.protocol import Editor
 from kindsl.language.text.modules import module_names
 
 

@@ -8,8 +8,8 @@ from lsprotocol import types
 from pygls.exceptions import JsonRpcInvalidParams
 
 from kindsl.frontends.lsp.handlers.table import Handlers
+from kindsl.frontends.lsp.session.publishing import STATUS
 from kindsl.frontends.lsp.session.session import Session
-from kindsl.frontends.lsp.session.status import STATUS
 from kindsl.frontends.lsp.session.view import View
 from kindsl.frontends.lsp.wire.client import asked
 from kindsl.frontends.lsp.wire.edits import text_edits, workspace_edit

@@ -32,7 +32,7 @@ def hover(view: View, params: types.HoverParams) -> types.Hover | None:
 @handlers.transforms(types.TEXT_DOCUMENT_HOVER)
 def hover_transforms(view: TransformsView, params: types.HoverParams) -> types.Hover | None:
     """Tell what a pair of frames, or a frame, is in a transforms document."""
-    from kindsl.frontends.features.transforms_hover import transforms_hover
+    from kindsl.frontends.features.transforms import transforms_hover
 
     offset = view.offset(params.position)
     return _shown(view, transforms_hover(view.document.text, offset, view.model))

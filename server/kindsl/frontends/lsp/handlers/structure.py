@@ -1,5 +1,6 @@
 """The shape of a document: outline, folds, growing selections, links."""
 
+from collections.abc import AsyncIterator
 from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
@@ -8,9 +9,9 @@ from kindsl.frontends.lsp.handlers.table import Handlers
 from kindsl.frontends.lsp.session.configuration_files import configuration_links
 from kindsl.frontends.lsp.session.progress import Progress
 from kindsl.frontends.lsp.session.session import Session
-from kindsl.frontends.lsp.session.symbols import TITLE, all_symbols
 from kindsl.frontends.lsp.session.view import View
 from kindsl.frontends.lsp.text.document import Document
+from kindsl.language.text.facts import Fact
 
 if TYPE_CHECKING:
     from kindsl.frontends.features.outline import DocumentSymbol, WorkspaceSymbol
@@ -28,6 +29,8 @@ _KINDS = {
 }
 _FOLDS = {"block": types.FoldingRangeKind.Region, "comment": types.FoldingRangeKind.Comment}
 _MOST_SYMBOLS = 1000
+# Of a text until it changes.
+_SYMBOLS: "Fact[tuple[WorkspaceSymbol, ...]]" = Fact("symbols")
 
 
 @handlers.document(types.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
@@ -71,13 +74,41 @@ async def workspace_symbols(
     from kindsl.frontends.features.outline import is_match
 
     found: list[dict[str, Any]] = []
-    progress = Progress(session, TITLE, params.work_done_token)
-    async for robot, symbols in all_symbols(session, await session.open_and_closed(), progress):
+    progress = Progress(session, "Reading robots", params.work_done_token)
+    async for robot, symbols in _all_symbols(session, await session.open_and_closed(), progress):
         matching = (each for each in symbols if is_match(params.query, each.name))
         found += [_found_in(robot, symbol) for symbol in matching]
         if len(found) >= _MOST_SYMBOLS:
             break
     return found[:_MOST_SYMBOLS]
+
+
+async def _all_symbols(
+    session: Session, robots: list[str], progress: Progress
+) -> "AsyncIterator[tuple[Document, tuple[WorkspaceSymbol, ...]]]":
+    """Yield each robot and its symbols; of a file that is not open only its names are read."""
+
+    async def read(uri: str) -> Document | None:
+        robot = session.documents.get(uri)
+        if robot is None or not robot.is_robot:
+            return None
+        if robot.facts.get(_SYMBOLS) is None:
+            robot.facts.keep(_SYMBOLS, await _symbols(session, robot))
+        return robot
+
+    async with progress:
+        async for robot in progress.over(robots, read):
+            if robot is not None:
+                yield robot, robot.facts.get(_SYMBOLS) or ()
+
+
+async def _symbols(session: Session, robot: Document) -> "tuple[WorkspaceSymbol, ...]":
+    from kindsl.frontends.features.names_in_text import symbols_in_text
+    from kindsl.frontends.features.outline import workspace_symbols
+
+    if robot.version is None:
+        return tuple(symbols_in_text(robot.text))
+    return workspace_symbols(await session.analyses.of(robot), "")
 
 
 def _found_in(robot: Document, symbol: "WorkspaceSymbol") -> dict[str, Any]:

@@ -1,6 +1,7 @@
-"""Diagnostics pushed to the client while someone types."""
+"""Diagnostics pushed to the client while someone types, and the line of its status bar."""
 
 import asyncio
+from collections.abc import Sized
 from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
@@ -10,7 +11,6 @@ from kindsl.frontends.lsp.session.analyses import Version
 from kindsl.frontends.lsp.session.companions import companion_diagnostics, mentioned
 from kindsl.frontends.lsp.session.findings import diagnostics
 from kindsl.frontends.lsp.session.state import State
-from kindsl.frontends.lsp.session.status import STATUS, status_of
 from kindsl.frontends.lsp.session.worker import Urgency, start_task
 from kindsl.frontends.lsp.text import uris
 from kindsl.frontends.lsp.text.document import Document
@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from kindsl.judgement.analysis.analysis import Analysis
     from kindsl.judgement.analysis.diagnostics import Diagnostic
 
+STATUS = "kindsl/status"
+_BASE_FREEDOM = 6
 _MANY = 200
 _LONG = 50_000
 
@@ -183,3 +185,20 @@ class Publisher:
     def _send(self, uri: str, params: Encoded, has_findings: bool) -> None:
         (self._shown.add if has_findings else self._shown.discard)(uris.key(uri))
         self._state.editor.protocol.notify_encoded(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS, params)
+
+
+def status_of(analysis: "Analysis", findings: Sized) -> dict[str, object]:
+    """Return the number of findings, the degrees of freedom, None without a tree, and a word."""
+    from kindsl.robots.mechanism.errors import ModelError
+    from kindsl.robots.mechanism.numbering import numbered_by_id
+
+    model = analysis.model
+    try:
+        edges = numbered_by_id(model)
+    except ModelError:
+        return {"findings": len(findings), "dof": None, "state": "broken model"}
+    dof = len(edges) + (_BASE_FREEDOM if model.floating else 0)
+    names = {str(parameter.name) for parameter in model.parameters}
+    is_bound = names <= analysis.context.values.keys()
+    state = "ready" if is_bound else "unbound parameters"
+    return {"findings": len(findings), "dof": dof, "state": state}

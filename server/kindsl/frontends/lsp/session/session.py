@@ -11,8 +11,7 @@ from kindsl.frontends.lsp.session.state import State
 from kindsl.frontends.lsp.session.surroundings import Surroundings
 from kindsl.frontends.lsp.session.view import View
 from kindsl.frontends.lsp.text.document import Document
-from kindsl.frontends.lsp.wire.editor import Editor
-from kindsl.frontends.lsp.wire.protocol import Encoded
+from kindsl.frontends.lsp.wire.protocol import Editor, Encoded
 
 Handler = Callable[[View, Any], Any]
 

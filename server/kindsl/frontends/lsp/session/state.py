@@ -18,7 +18,7 @@ from kindsl.frontends.lsp.session.workspace import Workspace
 from kindsl.frontends.lsp.text import uris
 from kindsl.frontends.lsp.text.document import Document
 from kindsl.frontends.lsp.wire.client import Client
-from kindsl.frontends.lsp.wire.editor import Editor
+from kindsl.frontends.lsp.wire.protocol import Editor
 
 if TYPE_CHECKING:
     from kindsl.judgement.analysis.diagnostics import Diagnostic

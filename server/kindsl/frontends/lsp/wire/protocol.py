@@ -29,6 +29,7 @@ from pygls.exceptions import (
 from pygls.lsp.server import LanguageServer
 from pygls.protocol import LanguageServerProtocol, lsp_method
 
+import kindsl
 from kindsl.frontends.lsp.text.open_documents import Documents
 from kindsl.frontends.lsp.wire.client import Client
 
@@ -285,6 +286,23 @@ class KindslProtocol(LanguageServerProtocol):
     def lsp_text_document__did_close(self, params: types.DidCloseTextDocumentParams) -> None:
         """Forget the text that the editor showed."""
         self.documents.close(params.text_document.uri)
+
+
+class Editor(LanguageServer):
+    """pygls' server with our protocol."""
+
+    protocol: KindslProtocol
+
+    def __init__(self) -> None:
+        super().__init__(
+            "kindsl",
+            kindsl.__version__,
+            types.TextDocumentSyncKind.Incremental,
+            protocol_cls=KindslProtocol,
+        )
+
+    def report_server_error(self, error: Exception, source: Any) -> None:
+        """Leave it at the log; a fault of ours never becomes a message box."""
 
 
 def _is_id(value: object) -> bool:
