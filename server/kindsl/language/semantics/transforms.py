@@ -29,8 +29,9 @@ def joint_frame_names(model: Model) -> dict[str, str]:
 
 def unknown_frames(document: TransformsDocument, model: Model) -> Iterator[Defect]:
     """Yield frames of transforms and Jacobians that the robot lacks, each where it is first."""
-    used = {word.text for word in _words_of_pairs(document)}
-    yield from _unknown(model, [word for word in _all_words(document) if word.text in used])
+    pairs = [*_words_of_pairs(document)]
+    used = {word.text for word in pairs}
+    yield from _unknown(model, [w for w in (*document.frames, *pairs) if w.text in used])
 
 
 def unknown_listed_frames(document: TransformsDocument, model: Model) -> Iterator[Defect]:
@@ -52,10 +53,9 @@ def _unknown(model: Model, words: Iterable[PlacedName]) -> Iterator[Defect]:
 def undeclared_frames(document: TransformsDocument, _: Model | None) -> Iterator[Defect]:
     """Yield frames of pairs that `Frames` does not list."""
     declared = {word.text for word in document.frames}
-    for pair in (*document.transforms, *document.jacobians):
-        for word in pair:
-            if word.text not in declared:
-                yield Defect(f"'{word.text}' is not listed under 'Frames'", word.start, word.end)
+    for word in _words_of_pairs(document):
+        if word.text not in declared:
+            yield Defect(f"'{word.text}' is not listed under 'Frames'", word.start, word.end)
 
 
 def repetitions(document: TransformsDocument, _: Model | None) -> Iterator[Defect]:
@@ -80,11 +80,6 @@ def other_robot(document: TransformsDocument, model: Model) -> Iterator[Defect]:
     word = document.robot
     if word is not None and model.name and word.text != model.name:
         yield Defect(f"the robot is '{model.name}', not '{word.text}'", word.start, word.end)
-
-
-def _all_words(document: TransformsDocument) -> Iterator[PlacedName]:
-    yield from document.frames
-    yield from _words_of_pairs(document)
 
 
 def _words_of_pairs(document: TransformsDocument) -> Iterator[PlacedName]:

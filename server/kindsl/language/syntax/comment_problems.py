@@ -19,7 +19,10 @@ def comment_problems(text: str, spans: Sequence[tuple[int, int]]) -> list[Proble
     if spans:
         start, end = spans[-1]  # only the last can be open
         if is_open(text, start, end):
-            problems.append(_open_comment(text[start:end], start))
+            line_end = start + len(text[start:end].splitlines()[0].rstrip())
+            repair = Repair("Insert '*/'", (Edit(line_end, line_end, " */"),), False)
+            message = "comment is not closed by '*/'"
+            problems.append(Problem(OPEN_COMMENT, message, start, start + 2, repair))
     return problems
 
 
@@ -28,12 +31,6 @@ def is_open(text: str, start: int, end: int) -> bool:
     return text.startswith("/*", start) and not (
         end - start >= 4 and text.endswith("*/", start, end)
     )
-
-
-def _open_comment(comment: str, start: int) -> Problem:
-    line_end = len(comment.splitlines()[0].rstrip()) + start
-    repair = Repair("Insert '*/'", (Edit(line_end, line_end, " */"),), False)
-    return Problem(OPEN_COMMENT, "comment is not closed by '*/'", start, start + 2, repair)
 
 
 def undecodable(text: str, spans: Sequence[tuple[int, int]]) -> Iterator[Problem]:

@@ -8,7 +8,8 @@ from collections.abc import Sequence
 
 from kindsl.language.syntax.characters import without_invalid
 from kindsl.language.syntax.comment_problems import OPEN_COMMENT
-from kindsl.language.syntax.habits.table import adapted
+from kindsl.language.syntax.habits.engine import put_right
+from kindsl.language.syntax.habits.table import HABITS
 from kindsl.language.syntax.passages import URDF_ELEMENTS, Foreign, Passage, foreign_passages
 from kindsl.language.syntax.recovery.block import BlockProgress
 from kindsl.language.syntax.recovery.block_kinds import opening
@@ -42,7 +43,7 @@ def mended(
     if len(tokens) > _MOST_TOKENS:
         tokens = _shortened(text, tokens)
     good, invalid, problems = without_invalid(text, tokens)
-    usual = adapted(text, good)
+    usual = put_right(text, good, HABITS)
     is_cut = any(problem.code == OPEN_COMMENT for problem in about_comments)
     recovered = recover(text, usual.tokens, is_cut=is_cut)
     foreign = [_foreign(text, passage) for passage in passages]

@@ -19,12 +19,12 @@ from kindsl.language.syntax.value_forms import (
     formed_values,
     targets_of,
 )
+from kindsl.language.syntax.values import LARGEST_ID, size_of
 from kindsl.language.syntax.vocabulary import BLOCKS, SECTIONS, VALUE_TERMINALS
 from kindsl.language.text.facts import kept
 
 ROBCOGEN, ROBCOGEN2 = "robcogen", "robcogen2"
 
-_LARGEST = 2**31 - 1
 _PLAIN_ID = re.compile(r"[1-9][0-9]*")
 _BLOCKS = frozenset({"head", *BLOCKS})
 _SECTIONS_OF_ONE = SECTIONS.keys() & ONLY.keys()
@@ -205,12 +205,12 @@ def _id_notes(block: Node) -> Iterator[PortabilityNote]:
         token = node.children[-1]
         if not isinstance(token, Token) or token.is_missing or token.kind != "INT":
             continue
-        size = int(token.text) if len(token.text) < 20 else _LARGEST + 1
-        if block.kind == "link" and not 0 < size <= _LARGEST:
+        size = size_of(token.text)
+        if block.kind == "link" and not 0 < size <= LARGEST_ID:
             continue
         message = f"robcogen does not take the id '{shown(token.text)}'"
         repair = None
-        if 0 < size <= _LARGEST:
+        if 0 < size <= LARGEST_ID:
             if _PLAIN_ID.fullmatch(token.text):
                 continue
             new = str(size)

@@ -15,7 +15,7 @@ from kindsl.language.text.decimals import exact_decimal, significant_decimal
 
 DEEPEST = 60
 
-_LARGEST_ID = 2**31 - 1
+LARGEST_ID = 2**31 - 1
 _HOLDERS = VALUE_HOLDERS | of_kind("whole")
 _MOST_PARTS = 1000.0
 _SUMS = frozenset({"add", "subtract"})
@@ -152,17 +152,17 @@ def _id_problems(node: Node, block: str) -> Iterator[Problem]:
     if not isinstance(token, Token) or token.is_missing or block != "link":
         return
     digits = token.text.lstrip("+")
-    if token.kind == "INT" and not digits.startswith("-") and 0 < _size(digits) <= _LARGEST_ID:
+    if token.kind == "INT" and not digits.startswith("-") and 0 < size_of(digits) <= LARGEST_ID:
         return
     message = f"id '{shown(token.text)}' is not a natural number"
-    if token.kind == "INT" and _size(digits) > _LARGEST_ID:
-        message = f"id '{shown(token.text)}' is larger than {_LARGEST_ID}"
+    if token.kind == "INT" and size_of(digits) > LARGEST_ID:
+        message = f"id '{shown(token.text)}' is larger than {LARGEST_ID}"
     yield Problem("KD005", message, token.start, token.end)
 
 
-def _size(digits: str) -> int:
+def size_of(digits: str) -> int:
     """Return the number, or one too large where it has more digits than are worth reading."""
-    return int(digits) if len(digits) < 20 else _LARGEST_ID + 1
+    return int(digits) if len(digits) < 20 else LARGEST_ID + 1
 
 
 def meaning_problems(text: str, nodes: Sequence[Node], touched: frozenset[int]) -> list[Problem]:

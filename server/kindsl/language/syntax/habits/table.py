@@ -7,11 +7,8 @@ be read as `children {`, the contrary. `Ixx` is nearer to `Ixy` than to `Ix`, wh
 Letters stand for the kinds of tokens, as in `engine.LETTERS`.
 """
 
-from collections.abc import Sequence
-
 from kindsl.language.syntax.habits import values, words
-from kindsl.language.syntax.habits.engine import Adapted, Habit, put_right
-from kindsl.language.syntax.tree import Token
+from kindsl.language.syntax.habits.engine import Habit
 
 _KEYWORD = "cVSDRICWvLJB"
 _ONE = "[-*/]*[nqPfiem](?:[-*/]+[nqPfiem])*"
@@ -70,8 +67,3 @@ HABITS = (
     Habit("mass", r"[{})fi]\n(?P<word>[cVSD])(?=\n| \})(?! [={vW])", words.half_section,
           "expected '=' after '{0}'"),
 )  # fmt: skip
-
-
-def adapted(text: str, tokens: Sequence[Token]) -> Adapted:
-    """Return the tokens of an island with the habits put right."""
-    return put_right(text, tokens, HABITS)

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from kindsl.language.syntax.automaton import Stack, initial, is_complete
 from kindsl.language.syntax.builder import build
 from kindsl.language.syntax.indentation import lost_closing
-from kindsl.language.syntax.recovery.block_kinds import LONGEST_FIRST, Opening, opening, unglue
+from kindsl.language.syntax.recovery.block_kinds import LONGEST_FIRST, Opening, opening, unglued
 from kindsl.language.syntax.recovery.lost_heads import lost_head
 from kindsl.language.syntax.recovery.messages import closing_problem, repair_problem
 from kindsl.language.syntax.recovery.prices import Prices, moments_around
@@ -105,14 +105,14 @@ class BlockProgress:
                 return False
             token.kind = "KEYWORD_NAME"
             return self._shift()
-        pair = unglued(self.stack, token)
-        if pair is None:
-            return False
-        after = self.stack.after(pair[0].kind)
-        if after is None or not goes_on(after, [pair[1], *behind]):
-            return False
-        tokens[index : index + 1] = pair
-        return self._shift()
+        for keyword, name in unglued(token, _GLUED):
+            after = self.stack.after(keyword.kind)
+            if after is not None:
+                if not goes_on(after, [name, *behind]):
+                    return False
+                tokens[index : index + 1] = keyword, name
+                return self._shift()
+        return False
 
     def _mend(self) -> bool:
         """Find a repair and apply it; return whether there was one."""
@@ -232,13 +232,3 @@ def goes_on(stack: Stack, tokens: Sequence[Token]) -> bool:
             return False
         following = after
     return True
-
-
-def unglued(stack: Stack, token: Token) -> tuple[Token, Token] | None:
-    """Return the keyword and the name of `viajoint` where that keyword may stand, else None."""
-    for word in _GLUED:
-        if token.text.startswith(word) and len(token.text) > len(word):
-            pair = unglue(token, word)
-            if pair is not None and stack.after(pair[0].kind) is not None:
-                return pair
-    return None

@@ -1,6 +1,6 @@
 """The kind of the block at a token, also where its keyword is lost, misspelt or wrong."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from kindsl.language.syntax.recovery.costs import COSTS
@@ -122,24 +122,19 @@ def _with_repairs(
 
 def _unglued(token: Token) -> Opening | None:
     """Return the opening of `linkl1 {`, which robcogen2 reads as `link l1 {`."""
-    for word in LONGEST_FIRST:
-        if token.text.startswith(word) and len(token.text) > len(word):
-            pair = unglue(token, word)
-            if pair is not None:
-                return Opening(BLOCK_STARTS[pair[0].kind], (token,), pair)
-    return None
+    pair = next(unglued(token, LONGEST_FIRST), None)
+    return None if pair is None else Opening(BLOCK_STARTS[pair[0].kind], (token,), pair)
 
 
-def unglue(token: Token, word: str) -> tuple[Token, Token] | None:
-    """Return a keyword and the name glued to it, None where the rest is no name."""
-    rest = token.text[len(word) :]
-    if not rest.isidentifier():
-        return None
-    middle = token.start + len(word)
-    return (
-        Token(word_kind(word), word, token.lead, token.start, middle),
-        Token(word_kind(rest), rest, middle, middle, token.end),
-    )
+def unglued(token: Token, words: Iterable[str]) -> Iterator[tuple[Token, Token]]:
+    """Yield each of some keywords that a token begins with, and the name glued to it."""
+    for word in words:
+        rest, middle = token.text.removeprefix(word), token.start + len(word)
+        if rest != token.text and rest.isidentifier():
+            yield (
+                Token(word_kind(word), word, token.lead, token.start, middle),
+                Token(word_kind(rest), rest, middle, middle, token.end),
+            )
 
 
 def _without_keyword(tokens: Sequence[Token], index: int, previous: str) -> Opening | None:
