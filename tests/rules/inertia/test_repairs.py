@@ -204,10 +204,27 @@ def test_no_fix_leads_to_a_body_that_is_none(
     assert (finding.fix is not None) == is_fixed
 
 
-def test_what_would_be_lighter_than_foam_is_no_cause(told: Told) -> None:
-    moments = 90.28, 90.22, 90.12, 0.04, 0.06, 0.12
-    meant = MassDistribution(2.0, (0.1, 0.2, 0.3), moments)
+@pytest.mark.parametrize(("probability", "is_told"), [(0.9, True), (0.4, False)])
+def test_what_would_be_lighter_than_foam_is_told_where_it_is_likely_without_a_fix(
+    told: Told, probability: float, is_told: bool
+) -> None:
+    meant = MassDistribution(2.0, (0.1, 0.2, 0.3), (90.28, 90.22, 90.12, 0.04, 0.06, 0.12))
+    text = section(ABOUT_COM.replace("0.00", "0.0000"))
+    findings = [f for _, f in told(text, meant, probability=probability)]
+    assert [f.fix for f in findings] == ([None] if is_told else [])
+    for finding in findings:
+        assert "would be possible if" in finding.message
+        assert "frame origin, though not plausible (density 0.0" in finding.message
+
+
+def test_what_would_be_denser_than_all_matter_is_no_cause(told: Told) -> None:
+    meant = MassDistribution(2e9, (0.1, 0.2, 0.3), (2.8e8, 2.2e8, 1.2e8, 4e7, 6e7, 1.2e8))
     assert told(section(ABOUT_COM.replace("0.00", "0.0000")), meant) == []
+
+
+def test_what_may_be_meant_is_not_doubted_for_what_would_be_lighter_than_foam(told: Told) -> None:
+    meant = MassDistribution(2.0, (0.1, 0.2, 0.3), (90.28, 90.22, 90.12, 0.04, 0.06, 0.12))
+    assert told(section("40.28 40.22 40.12 0.04 0.06 0.12"), meant) == []
 
 
 # 0.2 kg at 0.1 m, of 0.0004 kg·m² about its CoM. What robcogen2 takes for zero is below 5e-6.

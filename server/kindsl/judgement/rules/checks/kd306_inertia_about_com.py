@@ -8,7 +8,8 @@ unit, a wrong mass, a placeholder, a copy. The most likely one is told, its riva
 it, each with what speaks for it: the density, axes of the link that become principal, a twin on the
 other side, the next joint, what other links weigh. Other links of the document with the same slip
 count too, and where every link shows it, it is told once. A unit or a mass is fixed first; what
-remains is judged again.
+remains is judged again. A likely mistake without which the inertia would be possible, though of no
+known material, is told as such, without a fix.
 
 ## Why is this bad?
 The language wants moments and products about the origin of the link frame, or of the frame that

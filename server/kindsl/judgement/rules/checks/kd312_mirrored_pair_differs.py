@@ -64,7 +64,7 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
         if are_images or any(
             body.name in told
             or is_told_of(body, model, context)
-            or has_cause(model, context, body, "KD312", "KD509")
+            or has_cause(model, context, body, "KD312", "KD502", "KD509")
             for body in (left, right)
         ):
             continue

@@ -12,7 +12,6 @@ from kindsl.judgement.diagnosis.judge import Cause, Diagnosis, diagnoses
 from kindsl.judgement.diagnosis.judgements import (
     IMPOSSIBLE,
     Judgement,
-    Verdict,
     at_values,
     can_be_of_matter,
     is_moving,
@@ -25,6 +24,7 @@ from kindsl.judgement.diagnosis.unlike import Unlike, unlike_links
 from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Severity
 from kindsl.judgement.rules.context import ROBCOGEN, ROBCOGEN2, Context
 from kindsl.judgement.rules.inertia.told import (
+    is_plausible,
     likely_cause,
     rivals,
     shared_cause,
@@ -111,24 +111,14 @@ def _of_unlike(unlike: Unlike, model: Model, context: Context) -> _Told | None:
 def _is_told(found: Judgement, causes: Sequence[Cause]) -> bool:
     """Return whether numbers are likely to be wrong in a way that is known."""
     first = causes[0]
-    if not _is_supported(first):
-        return False
+    if not is_plausible(first):
+        # Robots have placeholders that are too light; nobody's are denser than all matter.
+        is_light = density_of(first.hypothesis.body.mass, first.shape.pairs) < _OSMIUM
+        return found.is_impossible and is_light and first.probability >= _LIKELY
     density = density_of(found.body.mass, found.second_moments)
     if found.is_impossible or not _AIR < density < _OSMIUM:
         return first.probability >= _POSSIBLE
     return sum(cause.probability for cause in causes) >= _LIKELY
-
-
-def _is_supported(cause: Cause) -> bool:
-    """Return whether the numbers that were meant are of some material, or else like others here.
-
-    Points, and rods without width, have no density to go by.
-    """
-    h, pairs = cause.hypothesis, cause.shape.pairs
-    if h.slips[0] in (Slip.PLACEHOLDER, Slip.COPY) or cause.reasons:
-        return True
-    is_body = verdict_of(h.body, h.half, pairs) is Verdict.POSSIBLE
-    return not is_body or can_be_of_matter(h.body, h.half, pairs)
 
 
 def _shared(explained: Sequence[Diagnosis], told: Sequence[_Told], model: Model) -> _Told | None:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from kindsl.judgement.diagnosis.evidence import density, vanishing_products
 from kindsl.judgement.diagnosis.judge import Cause
-from kindsl.judgement.diagnosis.judgements import TEN
+from kindsl.judgement.diagnosis.judgements import TEN, Verdict, can_be_of_matter, verdict_of
 from kindsl.judgement.diagnosis.misfits import Misfit
 from kindsl.judgement.diagnosis.slips import Hypothesis, Slip
 from kindsl.language.text.phrases import listed
@@ -45,8 +45,22 @@ def likely_cause(found: str, causes: Sequence[Cause], at: str = "") -> str:
     first = _by_itself(causes)[0]
     if first.hypothesis.slips[0] in _WITHOUT_MEANING:
         return f"{found} {clause(first.hypothesis)}{at}"
-    verb = f"{_verb(first.probability)} if {clause(first.hypothesis)}{at}"
-    return f"{found} {verb} ({_why(first)})"
+    verb, said = _verb(first.probability), f"{clause(first.hypothesis)}{at}"
+    if not is_plausible(causes[0]):
+        verb, said = verb.replace("consistent", "possible"), f"{said}, though not plausible"
+    return f"{found} {verb} if {said} ({_why(first)})"
+
+
+def is_plausible(cause: Cause) -> bool:
+    """Return whether the numbers that were meant are of some material, or else like others here.
+
+    Points, and rods without width, have no density to go by.
+    """
+    h, pairs = cause.hypothesis, cause.shape.pairs
+    if h.slips[0] in _WITHOUT_MEANING or cause.reasons:
+        return True
+    is_body = verdict_of(h.body, h.half, pairs) is Verdict.POSSIBLE
+    return not is_body or can_be_of_matter(h.body, h.half, pairs)
 
 
 def _verb(probability: float) -> str:
