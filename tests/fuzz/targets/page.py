@@ -31,7 +31,8 @@ class _Previews(DocumentPreviews):
     """Previews whose documents are written as a page wants, without an editor or a socket."""
 
     def __init__(self) -> None:
-        super().__init__(lambda *_: None, lambda *_: "line", self._edit, beside=asyncio.to_thread)
+        super().__init__(lambda *_: None, self._edit, beside=asyncio.to_thread)
+        self.on_write = lambda *_: "line"
 
     async def start(self) -> str:
         return ""
