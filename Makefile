@@ -8,11 +8,11 @@ TOOLS := $(VENV)/.installed
 PAGE_TOOLS := web/node_modules/.package-lock.json
 PYTHON ?= python3
 EXAMPLE ?= examples/quadruped.kindsl
-# Files of the browsers' tests in order: of the long ones the last would else run alone.
+# Files in order: those of few tests, some of them long, would else come last and run alone.
 BROWSERS := tests/preview tests/typist tests/vscode tests/web
-IN_PARALLEL := $(BIN)/python -m pytest -n 2 --dist loadfile
+IN_PARALLEL := $(BIN)/python -m pytest -n 2 --dist loadfile --no-loadscope-reorder
 RUN_TESTS = $(IN_PARALLEL) $(BROWSERS:%=--ignore=%); others=$$?; \
-	$(IN_PARALLEL) --no-loadscope-reorder $(BROWSERS) && exit $$others
+	$(IN_PARALLEL) $(BROWSERS) && exit $$others
 
 .PHONY: demo demo-web playground test thorough fix lint types layers docs tables bench vsix screenshots clean
 
