@@ -78,7 +78,7 @@ def edit_of_a_body_or_its_neighbours(generator: random.Random, text: str) -> Tex
     return TextEdit(at.start(), at.end(), generator.choice(LEGS))
 
 
-@settings(max_examples=usually(15, thoroughly=100), deadline=None)
+@settings(max_examples=usually(8, thoroughly=100), deadline=None)
 @given(seed=st.integers(0, 10**9))
 def test_causes_after_edits_of_neighbours_are_those_from_scratch(seed: int) -> None:
     generator = random.Random(seed)

@@ -11,6 +11,7 @@ import pytest
 from tests.codegen.compiling import COMPILERS, EIGEN, needs_compiler
 from tests.codegen.robots import ALL, PLAIN, bodies_of_seed, library, reference
 from tests.dynamics.random_bodies import with_drives
+from tests.support.amount import usually
 from tests.support.differences import worst_difference
 
 import kindsl
@@ -119,8 +120,9 @@ def check_jax() -> None:
     import jax
 
     jax.config.update("jax_enable_x64", True)
-    for seed in (4, 7):
-        bodies = with_drives(bodies_of_seed(seed, 4), np.random.default_rng(seed))
+    # Two links on a fixed base, two in a row on a floating one; more links in trees of both.
+    for seed, most_links in usually(((36, 3), (1, 3)), thoroughly=((4, 4), (7, 4))):
+        bodies = with_drives(bodies_of_seed(seed, most_links), np.random.default_rng(seed))
         some = tuple(x for x in FEW if bodies.is_floating or not x.endswith("_actuated"))
         module = _language(bodies, "jax", some)
         _assert_right(module, library(bodies, some), reference(bodies))
