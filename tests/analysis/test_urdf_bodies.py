@@ -6,6 +6,7 @@ from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.rules.registry import page_of, rule_named
 from kindsl.judgement.rules.subject import link_subject
 from kindsl.judgement.rules.xml_bodies import xml_bodies
+from kindsl.language.text.edits import apply_edits
 
 ROD = 'ixx="0.009" ixy="0" ixz="0" iyy="0.009" iyz="0" izz="0.0003"'
 ODD = 'ixx="0.021" ixy="{}0.004" ixz="0" iyy="0.031" iyz="0" izz="0.041"'
@@ -108,6 +109,17 @@ def test_a_com_beyond_the_whole_robot_is_in_another_unit(com: str, units: str) -
     assert f"is it in {units}" in told.message
     assert told.subject == link_subject("upper")
     assert arm(com)[told.start : told.end] == com.split()[-1]
+
+
+@pytest.mark.parametrize(
+    ("place", "fixed"), [("210 -0.02 0", "0.21 -0.02 0"), ("210 -0.5 0", None)]
+)
+def test_only_what_is_too_far_becomes_metres(place: str, fixed: str | None) -> None:
+    text = arm("0 0 0.15").replace('xyz="0 0 0.3"', f'xyz="{place}"')
+    (told,) = (f for f in analyse(text).findings if f.code == "KD502")
+    assert (told.fix is not None) == (fixed is not None)
+    if told.fix is not None:
+        assert apply_edits(text, told.fix.edits) == text.replace(place, str(fixed))
 
 
 def knees(left: str) -> str:

@@ -48,7 +48,7 @@ def rescaled(group: Sequence[Expression], values: Sequence[float]) -> list[Repla
     return [
         Replacement(expression, significant_decimal(value, digits))
         for expression, value in pairs
-        if value
+        if value and value != expression.literal
     ]
 
 

@@ -12,7 +12,7 @@ from kindsl.judgement.rules.base import Finding, Fix, Related, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.inertia.mirror_images import mirror_difference
 from kindsl.judgement.rules.number_writing import rescaled
-from kindsl.judgement.rules.units import LENGTH_UNITS
+from kindsl.judgement.rules.units import LENGTH_UNITS, in_metres
 from kindsl.judgement.rules.xml_bodies import XmlBody
 from kindsl.language.semantics.declarations import Link, Vector
 from kindsl.language.semantics.lowering import declarations
@@ -132,7 +132,7 @@ def _far_coms(bodies: Sequence[XmlBody]) -> Iterator[tuple[Link, Finding]]:
         if inertia is None or frame is None or pose is None or frame.pose.translation is None:
             continue
         if hypot(*pose.translation) > max(reach, DOUBTFUL_LENGTH):
-            yield part.link, _in_another_unit(frame.pose.translation)
+            yield part.link, _in_another_unit(frame.pose.translation, is_com=True)
 
 
 def _far_joints(bodies: Sequence[XmlBody]) -> Iterator[Finding]:
@@ -144,14 +144,14 @@ def _far_joints(bodies: Sequence[XmlBody]) -> Iterator[Finding]:
         translation, stands = carrier.joint.pose.translation, bodies[body.parent].mass is None
         # What stands in a world may stand anywhere.
         if translation is not None and not stands and _greatest(translation) > GREATEST_LENGTH:
-            yield _in_another_unit(translation)
+            yield _in_another_unit(translation, is_com=False)
 
 
 def _greatest(vector: Vector) -> float:
     return max(abs(component.literal or 0.0) for component in vector.components)
 
 
-def _in_another_unit(vector: Vector) -> Finding:
+def _in_another_unit(vector: Vector, is_com: bool) -> Finding:
     # Imported for these only, since it delays the linter's start.
     from kindsl.judgement.diagnosis.slips import likely_lengths
 
@@ -159,8 +159,11 @@ def _in_another_unit(vector: Vector) -> Finding:
     unit, probability = likely[0]
     names = " or ".join(LENGTH_UNITS[unit][0] for unit, _ in likely)
     farthest = max(vector.components, key=lambda each: abs(each.literal or 0.0))
-    values = [LENGTH_UNITS[unit][1] * (each.literal or 0.0) for each in vector.components]
-    changes = rescaled(vector.components, values) if probability >= _SURE else None
+    factor, lengths = LENGTH_UNITS[unit][1], [each.literal or 0.0 for each in vector.components]
+    whole = [factor * length for length in lengths]
+    values = whole if is_com else in_metres(lengths, factor, GREATEST_LENGTH)
+    is_sure = values is not None and probability >= _SURE
+    changes = rescaled(vector.components, values) if values and is_sure else None
     return Finding(
         farthest,
         f"length {farthest.text} m is implausible; is it in {names}?",

@@ -15,7 +15,9 @@ translation = (0.0, 0.0, 425.0)
 ```
 
 ## Fix
-Converts the vector to metres. Unsafe: the unit is a guess, of a translation millimetres.
+Converts the vector to metres, of a translation without what would be less than 0.05 mm, and not at
+all where it has lengths between that and 1 mm. Unsafe: the unit is a guess, of a translation
+millimetres.
 """
 
 from collections.abc import Iterator
@@ -26,7 +28,7 @@ from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.geometry import lengths
 from kindsl.judgement.rules.inertia.told_causes import SuspectCom, explained, suspect_coms
 from kindsl.judgement.rules.number_writing import rescaled
-from kindsl.judgement.rules.units import LENGTH_UNITS
+from kindsl.judgement.rules.units import LENGTH_UNITS, in_metres
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Vector
 from kindsl.language.semantics.model import Model, model_part
@@ -40,6 +42,7 @@ _ANY = SuspectCom("mm", is_sure=True)
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each vector longer than a robot, and each CoM in another unit."""
     suspects = suspect_coms(model, context)
+    coms = {body.inertia.com for body in model.bodies if body.inertia is not None}
     told = set()
     for vector in (vector for chunk in model.document.chunks for vector in _long(chunk)):
         suspect = suspects.get(vector)
@@ -49,7 +52,8 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
                 unit, is_sure = suspect or _ANY
                 name, factor = LENGTH_UNITS[unit]
                 message = f"length {value.text} m is implausible; is it in {name}?"
-                yield Finding(value, message, fix=_fix(vector, factor) if is_sure else None)
+                fix = _fix(vector, factor, vector in coms) if is_sure else None
+                yield Finding(value, message, fix=fix)
                 told.add(vector)
                 break
     inertias = (body.inertia for body in model.bodies if body.inertia is not None)
@@ -70,8 +74,12 @@ def _long(chunk: Chunk) -> list[Vector]:
     ]
 
 
-def _fix(vector: Vector, factor: float) -> Fix | None:
-    values = [(component.literal or 0.0) * factor for component in vector.components]
+def _fix(vector: Vector, factor: float, is_com: bool) -> Fix | None:
+    lengths = [component.literal or 0.0 for component in vector.components]
+    whole = [factor * length for length in lengths]
+    values = whole if is_com else in_metres(lengths, factor, GREATEST_LENGTH)
+    if values is None:
+        return None
     changes = rescaled(vector.components, values)
     return Fix("Convert to metres", tuple(changes)) if changes else None
 
