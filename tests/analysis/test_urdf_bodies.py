@@ -146,6 +146,14 @@ def test_a_com_that_the_robot_reaches_is_in_metres() -> None:
     assert "KD502" not in [code for code, _ in found(robot(link("house", "0 0 15")))]
 
 
+@pytest.mark.parametrize(("mass", "codes"), [("5600", []), ("5.6", ["KD502"])])
+def test_a_joint_is_as_far_away_as_its_body_is_large(mass: str, codes: list[str]) -> None:
+    tower = 'ixx="168000" ixy="0" ixz="0" iyy="168000" iyz="0" izz="2000"'
+    joints = joint("yaw", "base", "tower", "0 0 0"), joint("slew", "tower", "jib", "0.4 0 19.5")
+    text = robot(link("tower", "0 0 9.5", tower, mass), link("jib"), *joints)
+    assert [code for code, _ in found(text) if code == "KD502"] == codes
+
+
 def test_a_root_that_stands_still_may_have_no_mass() -> None:
     on_a_table = arm("0 0 0.15").replace('<link name="base"/>', link("base", mass="0"))
     assert "KD303" not in [code for code, _ in found(on_a_table)]

@@ -2,7 +2,15 @@
 
 import pytest
 from tests.support.example_documents import document_of
-from tests.support.examples import STEEL_BALL, joint, link, pitched_joint, robot
+from tests.support.examples import (
+    STEEL_BALL,
+    inertia,
+    joint,
+    link,
+    pitched_joint,
+    placed_joint,
+    robot,
+)
 from tests.support.one_rule import found, told
 
 from kindsl.language.text.edits import apply_edits
@@ -244,3 +252,20 @@ def test_each_generator_has_its_own_precision(targets: tuple[str, ...], codes: l
 )
 def test_a_number_is_a_fraction_of_pi(angle: str, message: str | None) -> None:
     assert told("KD503", pitched_joint(angle)) == ([] if message is None else [message])
+
+
+@pytest.mark.parametrize(
+    ("mass", "height", "across", "along", "n_told"),
+    [
+        ("5600.0", "12.4741", "1040000.0", "2000.0", 0),
+        ("5600.0", "0.124741", "190.0", "104.0", 1),
+        ("5.6", "12.4741", "1040.0", "2.0", 2),
+    ],
+)
+def test_a_crane_has_long_links(
+    mass: str, height: str, across: str, along: str, n_told: int
+) -> None:
+    tower = link("tower", 1, "jib via slew", inertia(mass, height, across, across, along))
+    places = joint("yaw"), placed_joint("slew", "0.4, 0.0, 19.5", "0.0, 0.0, 0.0")
+    text = robot(tower, link("jib", 2), base="tower via yaw").removesuffix("}\n")
+    assert len(found("KD502", f"{text}{''.join(places)}}}\n")) == n_told

@@ -24,7 +24,12 @@ from kindsl.robots.limbs.comparison import Tolerance
 from kindsl.robots.limbs.mounts import REFLECTIONS
 from kindsl.robots.limbs.names import label_of, other_side
 from kindsl.robots.limbs.weighing import differing, seen_by
-from kindsl.robots.mechanism.body_verdicts import DOUBTFUL_LENGTH, GREATEST_LENGTH, body_verdicts
+from kindsl.robots.mechanism.body_verdicts import (
+    DOUBTFUL_LENGTH,
+    GREATEST_LENGTH,
+    body_verdicts,
+    is_as_large,
+)
 
 _NEARLY = Tolerance(5e-4, 0.05, 0.05)
 _MOMENT = re.compile(r"\bI([xyz])([xyz]?)\b(?=(?:[^']*'[^']*')*[^']*$)")
@@ -141,9 +146,11 @@ def _far_joints(bodies: Sequence[XmlBody]) -> Iterator[Finding]:
         carrier = body.carrier
         if carrier is None or not carrier.is_told or body.parent is None:
             continue
-        translation, stands = carrier.joint.pose.translation, bodies[body.parent].mass is None
+        translation, parent = carrier.joint.pose.translation, bodies[body.parent].mass
+        far = _greatest(translation) if translation is not None else 0.0
         # What stands in a world may stand anywhere.
-        if translation is not None and not stands and _greatest(translation) > GREATEST_LENGTH:
+        is_odd = far > GREATEST_LENGTH and parent is not None and not is_as_large(parent, far)
+        if translation is not None and is_odd:
             yield _in_another_unit(translation, is_com=False)
 
 

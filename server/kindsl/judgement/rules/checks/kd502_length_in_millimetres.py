@@ -2,7 +2,8 @@
 
 ## What it does
 Reports a translation or a centre of mass of more than 10 m in some direction, and one of more than
-5 m of an impossible inertia, or of a URDF's part that lies beyond all that its robot reaches. Says
+5 m of an impossible inertia, or of a URDF's part that lies beyond all that its robot reaches. A
+body whose mass and moments are as great as a crane's may have such lengths. Says
 of an impossible inertia (KD301, KD302) that it would be consistent if its centre of mass were in
 millimetres, centimetres or inches. KD306 tells how causes are weighed.
 
@@ -32,9 +33,10 @@ from kindsl.judgement.rules.units import LENGTH_UNITS, in_metres
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Vector
 from kindsl.language.semantics.model import Model, model_part
+from kindsl.language.semantics.numbers import mass_distribution
 from kindsl.language.syntax.document import Chunk
 from kindsl.language.text.facts import kept
-from kindsl.robots.mechanism.body_verdicts import DOUBTFUL_LENGTH, GREATEST_LENGTH
+from kindsl.robots.mechanism.body_verdicts import DOUBTFUL_LENGTH, GREATEST_LENGTH, is_as_large
 
 _ANY = SuspectCom("mm", is_sure=True)
 
@@ -48,19 +50,31 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
         suspect = suspects.get(vector)
         greatest = DOUBTFUL_LENGTH if suspect is not None else GREATEST_LENGTH
         for value in vector.components:
-            if value.literal is not None and abs(value.literal) > greatest:
+            if value.literal is None or abs(value.literal) <= greatest:
+                continue
+            if suspect is not None or not _is_of_crane(model, vector, abs(value.literal)):
                 unit, is_sure = suspect or _ANY
                 name, factor = LENGTH_UNITS[unit]
                 message = f"length {value.text} m is implausible; is it in {name}?"
                 fix = _fix(vector, factor, vector in coms) if is_sure else None
                 yield Finding(value, message, fix=fix)
                 told.add(vector)
-                break
+            break
     inertias = (body.inertia for body in model.bodies if body.inertia is not None)
     sections = [keyword(inertia) for inertia in inertias if inertia.com in told] if told else []
     for finding in explained(model, context, "KD502"):
         if finding.at not in sections:
             yield finding
+
+
+def _is_of_crane(model: Model, vector: Vector, length: float) -> bool:
+    """Return whether the body that has a length is as large."""
+    own = (body for body in model.bodies if body.inertia and body.inertia.com == vector)
+    edges = model.tree.edges
+    carriers = (e.predecessor for e in edges if e.joint and e.joint.pose.translation == vector)
+    inertias = (body.inertia for body in (*own, *carriers))
+    masses = (mass_distribution(inertia, {}) for inertia in inertias if inertia is not None)
+    return any(mass is not None and is_as_large(mass, length) for mass in masses)
 
 
 @kept
