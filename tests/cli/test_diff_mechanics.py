@@ -57,6 +57,28 @@ def test_moments_about_turned_axes_are_named_as_the_file_has_them(
     )
 
 
+TURNED = """<sdf version="1.9"><model name="m">
+<link name="base"/><link name="arm"><inertial>
+<pose>0.010360123 0.0017266872 0 {} 0 -2.9944141</pose>
+<mass>0.78184398</mass><inertia><ixx>0.00045849346</ixx><ixy>0</ixy><ixz>0</ixz>
+<iyy>0.00056925641</iyy><iyz>0</iyz><izz>0.00064126887</izz></inertia></inertial></link>
+<joint name="base_fixed" type="fixed"><parent>world</parent><child>base</child></joint>
+<joint name="yaw" type="revolute"><parent>base</parent><child>arm</child>
+<axis><xyz>1 0 0</xyz></axis></joint>
+</model></sdf>"""
+
+
+@pytest.mark.parametrize(("angle", "status"), [("1.5707963", 0), ("1.58", 1)])
+def test_axes_turned_by_a_rounded_angle_leave_no_products(
+    kindsl: Runner, folder: Path, angle: str, status: int
+) -> None:
+    (folder / "rounded.sdf").write_text(TURNED.format("1.5707963"))
+    assert kindsl("convert", "-q", "--no-config", "rounded.sdf", "arm.kindsl").status == 0
+    (folder / "rounded.sdf").write_text(TURNED.format(angle))
+    run = kindsl("diff", "rounded.sdf", "arm.kindsl")
+    assert run.status == status, run.out
+
+
 def test_a_link_that_is_fixed_is_a_frame_with_its_line(kindsl: Runner, arm: Path) -> None:
     place = "translation = (0.1, 0.0, 0.0) rotation = (0.0, 0.0, 0.0)"
     arm.write_text(ARM.replace("children {}", f"children {{}} frames {{ camera {{ {place} }} }}"))

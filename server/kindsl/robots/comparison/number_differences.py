@@ -292,7 +292,10 @@ def _scales_of_inertia(
     mass = sum(abs(each.mass) for each in parts)
     reach = max(hypot(*each.com) for each in parts) + hypot(*part.body_T_frame.translation)
     moments = sum(max(map(abs, each.moments)) for each in parts) + mass * reach * reach
-    return mass, *(max(reach, _NO_REACH * size),) * 3, *(max(moments, _NO_MOMENT / _ROUNDING),) * 6
+    moments = max(moments, _NO_MOMENT / _ROUNDING)
+    # What is left of a zero where XML turns the axes by an angle that is rounded.
+    products = moments * NO_ANGLE / _ROUNDING if part.is_about_com else moments
+    return mass, *(max(reach, _NO_REACH * size),) * 3, *(moments,) * 3, *(products,) * 3
 
 
 def _shorter(kind: str, ours: _WantedNumbers, theirs: _WantedNumbers) -> list[NumberDifference]:
