@@ -1,6 +1,7 @@
 """The rules of the message loop, seen from the other end of a pipe."""
 
 import json
+import re
 import signal
 import subprocess
 import sys
@@ -344,9 +345,9 @@ def test_a_socket_serves_as_well() -> None:
     import socket
 
     with raw_client("--tcp", "127.0.0.1:0") as server:
-        while "language server on" not in server.stderr:
+        while (told := re.search(r"language server on .*:(\d+)\n", server.stderr)) is None:
             time.sleep(0.01)
-        port = int(server.stderr.split(":")[-1])
+        port = int(told[1])
         body = json.dumps({"jsonrpc": "2.0", "id": 1, "method": "shutdown"}).encode()
         with socket.create_connection(("127.0.0.1", port)) as connection:
             connection.sendall(b"Content-Length: %d\r\n\r\n%b" % (len(body), body))
