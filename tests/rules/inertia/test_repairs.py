@@ -55,6 +55,7 @@ class Chosen(NamedTuple):
 REFERENCE = Chosen((Slip.REFERENCE,))
 SIGNS = Chosen((Slip.SIGNS,))
 ONE_SIGN = Chosen((Slip.SIGNS,), names=("Ixz",))
+TENTH = Chosen((Slip.MOMENT,), names=("Iz",))
 COM_SIGN = Chosen((Slip.COM_SIGN,))
 UNIT = Chosen((Slip.SCALE,), unit="kg·cm²")
 SWAP, MASS = Chosen((Slip.SWAP,)), Chosen((Slip.MASS,))
@@ -220,6 +221,10 @@ def test_what_would_be_lighter_than_foam_is_told_where_it_is_likely_without_a_fi
 def test_what_would_be_denser_than_all_matter_is_no_cause(told: Told) -> None:
     meant = MassDistribution(2e9, (0.1, 0.2, 0.3), (2.8e8, 2.2e8, 1.2e8, 4e7, 6e7, 1.2e8))
     assert told(section(ABOUT_COM.replace("0.00", "0.0000")), meant) == []
+
+
+def test_of_what_is_lighter_than_foam_no_single_moment_is_told(told: Told) -> None:
+    assert told(section("90.0 90.0 200.0 0.0 0.0 0.0"), TENTH) == []
 
 
 def test_what_may_be_meant_is_not_doubted_for_what_would_be_lighter_than_foam(told: Told) -> None:

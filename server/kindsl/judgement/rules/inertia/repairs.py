@@ -112,9 +112,11 @@ def _is_told(found: Judgement, causes: Sequence[Cause]) -> bool:
     """Return whether numbers are likely to be wrong in a way that is known."""
     first = causes[0]
     if not is_plausible(first):
-        # Robots have placeholders that are too light; nobody's are denser than all matter.
+        # Robots have placeholders that are too light; nobody's are denser than all matter. One
+        # moment of a body that is wrong as a whole makes it possible too often.
         is_light = density_of(first.hypothesis.body.mass, first.shape.pairs) < _OSMIUM
-        return found.is_impossible and is_light and first.probability >= _LIKELY
+        is_of_one = first.hypothesis.slips == (Slip.MOMENT,)
+        return found.is_impossible and is_light and not is_of_one and first.probability >= _LIKELY
     density = density_of(found.body.mass, found.second_moments)
     if found.is_impossible or not _AIR < density < _OSMIUM:
         return first.probability >= _POSSIBLE
