@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from itertools import product
+from math import cos, radians, sin
 from typing import Any
 
 import pytest
@@ -621,3 +622,74 @@ def test_a_base_may_lie_at_one_of_two_arms(right: str) -> None:
     text = two_arms("0.3, -0.1, 0.02")
     moved = text.replace("0.0, 0.2, 0.5", "0.0, 0.0, 0.0").replace("0.0, -0.2, 0.5", right)
     assert codes(moved) == []
+
+
+_FIVE, _THREE = tuple(range(0, 360, 72)), (10, 130, 250)
+
+
+def ring(bearings: tuple[int, ...], place: str = "", turn: str = "") -> str:
+    """Return a robot with numbered arms in a ring, the second's place or last angle given."""
+    blocks = []
+    for n, bearing in enumerate(bearings, 1):
+        angle = radians(bearing if bearing <= 180 else bearing - 360)
+        at = (n == 2 and place) or f"{0.3 * cos(angle):.6f}, {0.3 * sin(angle):.6f}, 0.1"
+        turned = (n == 2 and turn) or f"{angle:.6f}"
+        blocks += [
+            link(f"arm{n}", 2 * n - 1, f"fist{n} via elbow{n}"),
+            link(f"fist{n}", 2 * n),
+            placed_joint(f"shoulder{n}", at, f"0.0, 0.0, {turned}"),
+            placed_joint(f"elbow{n}", "0.2, 0.03, 0.05", "0.5, 0.0, 0.0"),
+        ]
+    base = " ".join(f"arm{n} via shoulder{n}" for n in range(1, len(bearings) + 1))
+    return robot(*blocks, base=base)
+
+
+@pytest.mark.parametrize(
+    ("bearings", "slip", "message"),
+    [
+        # Its place is that of another arm, or would be.
+        (
+            _FIVE,
+            {"place": "0.092705, -0.285317, 0.1"},
+            "translation of 'shoulder2' is (0.092705, -0.285317, 0.1), by its twins "
+            "(0.092705, 0.285317, 0.1)",
+        ),
+        (
+            _FIVE,
+            {"turn": "-1.256637"},
+            "rotation of 'shoulder2' is (0.0, 0.0, -1.256637), by its twins (0.0, 0.0, 1.256636)",
+        ),
+        # Nobody types the angle that would be needed otherwise, or both numbers of a place.
+        (
+            _THREE,
+            {"place": "0.229813, -0.192836, 0.1"},
+            "translation of 'shoulder2' is (0.229813, -0.192836, 0.1), by its twins "
+            "(-0.192836, 0.229813, 0.1)",
+        ),
+        *(
+            (
+                _THREE,
+                {"turn": angle},
+                f"rotation of 'shoulder2' is (0.0, 0.0, {angle}), by its twins "
+                "(0.0, 0.0, 2.268929)",
+            )
+            for angle in ("2.468928", "3.839724", "130.0")
+        ),
+        # Either sign may be wrong.
+        *(
+            (
+                _THREE,
+                slip,
+                "rotation of 'shoulder2' or translation of 'shoulder2' differs from its twins",
+            )
+            for slip in ({"place": "-0.192836, -0.229813, 0.1"}, {"turn": "-2.268928"})
+        ),
+    ],
+)
+def test_in_a_ring_place_or_rotation_of_an_arm_may_be_wrong(
+    bearings: tuple[int, ...], slip: dict[str, str], message: str
+) -> None:
+    assert told("KD509", ring(bearings)) == []
+    (finding,) = found("KD509", ring(bearings, **slip))
+    assert finding.message == message
+    assert (finding.fix is None) == (" or " in message)

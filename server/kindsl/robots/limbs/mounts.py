@@ -1,8 +1,8 @@
 """Mounts of a limb's head and its twin's, at the body that carries both."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import product as combinations
-from math import atan2, hypot
+from math import atan2, dist, hypot
 from typing import NamedTuple
 
 from kindsl.mechanics.rigid.pose import (
@@ -18,6 +18,8 @@ from kindsl.mechanics.rigid.pose import (
 from kindsl.robots.limbs.limb import Body
 
 _APART = 1e-3
+# The cosine of no angle between the axis of a turn and another, as far as numbers are rounded.
+_ALONG = 1.0 - 1e-6
 # The plainest explanation first: what costs more must explain a slip more.
 _TURNED, _MOVED, _LIKE = 0.1, 0.1, 0.3
 
@@ -66,6 +68,7 @@ CONVENTIONS: list[Rotation] = []
 for _x, _y, _z in combinations((1.0, -1.0), repeat=3):
     CONVENTIONS += [diagonal(_x, _y, _z), ((0.0, _x, 0.0), (_y, 0.0, 0.0), (0.0, 0.0, _z))]
 REFLECTIONS = CONVENTIONS[::2]
+_PROPER = [C for C in CONVENTIONS if is_proper(C)]
 
 
 def mounts(how: str, one: Body, other: Body) -> Iterator[Mount]:
@@ -79,9 +82,7 @@ def mounts(how: str, one: Body, other: Body) -> Iterator[Mount]:
     """
     here, there = one.translation, other.translation
     if how == "HELD":
-        for C in CONVENTIONS:
-            turn = product(product(other.rotation, transposed(C)), transposed(one.rotation))
-            yield Mount(turn, there, 0.0)
+        yield from (Mount(turn, there, 0.0) for turn in _turns_of(one, other, CONVENTIONS))
         return
     if how == "TURN" and here == there:
         yield Mount(product(other.rotation, transposed(one.rotation)), there, 0.0)
@@ -103,6 +104,11 @@ def mounts(how: str, one: Body, other: Body) -> Iterator[Mount]:
         if how == "TURN" and min(hypot(p[j], p[k]) for p in (here, there)) > _APART:
             turn = _turn(axis, atan2(there[k], there[j]) - atan2(here[k], here[j]))
             yield Mount(turn, turned(turn, here), 0.0)
+            # The place may be wrong that tells the angle, but the rotation right.
+            for turn in _turns_of(one, other, _PROPER):
+                place = turned(turn, here)
+                if turn[axis][axis] > _ALONG and dist(place, there) > _APART:
+                    yield Mount(turn, place, 0.0)
         if how == "TURN" and apart[axis]:
             yield Mount(_SAME, along, _MOVED, axis)
 
@@ -111,6 +117,12 @@ def moved(here: Vector3, there: Vector3, axis: int) -> Vector3:
     """Return a place moved to another along an axis."""
     x, y, z = (there[i] if i == axis else here[i] for i in range(3))
     return x, y, z
+
+
+def _turns_of(one: Body, other: Body, conventions: Iterable[Rotation]) -> Iterator[Rotation]:
+    """Yield the maps of a head's axes to its twin's, one for each convention."""
+    for C in conventions:
+        yield product(product(other.rotation, transposed(C)), transposed(one.rotation))
 
 
 def _turn(axis: int, angle: float) -> Rotation:

@@ -1,7 +1,8 @@
 """Numbers of a triple that were typed wrongly, and the fewest that would have to be typed anew."""
 
 from collections.abc import Iterator
-from math import cos, degrees, pi
+from itertools import combinations
+from math import cos, degrees, pi, remainder
 
 from kindsl.mechanics.rigid.pose import Rotation, Vector3, angles
 
@@ -20,6 +21,22 @@ def n_retyped(written: Vector3, meant: Vector3) -> int:
     if any(all(_is_near(abs(x), f * abs(y), f) for x, y in odd) for f in _FACTORS):
         return 0
     return len(odd) if any(written) else 1
+
+
+def n_slips(written: Vector3, meant: Vector3, *, are_angles: bool) -> int:
+    """Return how many slips make a triple of what was meant: a number typed anew counts twice.
+
+    Two numbers swapped are one slip, and so is an angle that is off by quarter turns.
+    """
+    for i, j in combinations(range(3), 2):
+        swapped = list(meant)
+        swapped[i], swapped[j] = meant[j], meant[i]
+        if not _is_near(meant[i], meant[j]) and all(map(_is_near, written, swapped)):
+            return 1
+    odd = [(x, y) for x, y in zip(written, meant, strict=True) if not _is_near(x, y)]
+    if are_angles and all(abs(remainder(x - y, pi / 2)) < _TWIN for x, y in odd):
+        return len(odd)
+    return len(odd) + n_retyped(written, meant)
 
 
 def angles_near(rotation: Rotation, own: Vector3, twin: Vector3) -> Vector3:

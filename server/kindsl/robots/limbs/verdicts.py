@@ -6,14 +6,14 @@ agree, each mass, CoM and moments that one limb only has so is convicted.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import chain
-from math import inf
+from itertools import chain, combinations
+from math import dist, inf
 from operator import sub
 from typing import NamedTuple
 
 from kindsl.mechanics.rigid.pose import IDENTITY, Rotation, pose_from, product, transposed, turned
 from kindsl.robots.limbs.comparison import LimbComparison
-from kindsl.robots.limbs.limb import Limbs, Side, held_by, matched
+from kindsl.robots.limbs.limb import Body, Limbs, Side, held_by, matched
 from kindsl.robots.limbs.mounts import REFLECTIONS
 from kindsl.robots.limbs.slips import n_retyped
 from kindsl.robots.limbs.weighing import Accusation, Masses, Suspect, WeighedComparison, seen_by
@@ -146,7 +146,9 @@ def _convicted(pairs: _Weighed) -> list[LimbVerdict]:
         meant = _agreed(by_twin)
         if meant is not None and others and all(c.n_slips == 0 for c in others):
             cost = sum(min(said.cost for said in each) for each in by_twin) / len(by_twin)
-            ranked.append(((-len(by_twin), round(cost, 2), meant.n_retyped), meant, by_twin))
+            is_there = _is_at_another(pairs, label, meant)
+            likelihood = -len(by_twin), is_there, round(cost, 2), meant.n_slips
+            ranked.append((likelihood, meant, by_twin))
     ranked.sort(key=lambda each: each[0])
     likeliest = [each for each in ranked if each[0] == ranked[0][0]]
     if not likeliest:
@@ -155,6 +157,20 @@ def _convicted(pairs: _Weighed) -> list[LimbVerdict]:
     places = tuple(said.place for _, said, _ in likeliest)
     repairs = (MeantNumbers(meant.place, (meant.meant,)),) if len(likeliest) == 1 else ()
     return [LimbVerdict(places, repairs, tuple(each[0].twin for each in by_twin), True)]
+
+
+def _is_at_another(pairs: _Weighed, label: Side, said: Accusation) -> bool:
+    """Return whether a limb so mended would be where another is, though all others are apart."""
+    heads: dict[Side, Body] = {}
+    for pair, c in pairs.items():
+        heads |= dict(zip(pair, c.limbs.rows[0][1:], strict=True))
+    own = heads.pop(label)
+    is_moved = said.place == Suspect(own.name, own.joint, "translation")
+    place = said.meant if is_moved else own.translation
+    places = [head.translation for head in heads.values()]
+    return any(dist(place, each) < _SAME_PLACE for each in places) and all(
+        dist(x, y) >= _SAME_PLACE for x, y in combinations(places, 2)
+    )
 
 
 def _agreed(by_twin: _ByTwin) -> Accusation | None:

@@ -11,7 +11,7 @@ from kindsl.mechanics.rigid.pose import Rotation, Vector3, product, transposed, 
 from kindsl.robots.limbs.comparison import LOOSE, LimbComparison, Reading, Tolerance
 from kindsl.robots.limbs.limb import Body
 from kindsl.robots.limbs.mounts import Way
-from kindsl.robots.limbs.slips import angles_near, n_retyped
+from kindsl.robots.limbs.slips import angles_near, n_retyped, n_slips
 
 # Cost of a mass, CoM or tensor that differs: it breaks ties, and many are less than a slip.
 _OF_MASS = 0.004
@@ -45,6 +45,7 @@ class Accusation(NamedTuple):
         meant: The numbers that should be written; none of a kind of joint.
         cost: Of what is odd besides.
         n_retyped: How many of the numbers no sign, order or unit explains.
+        n_slips: How many slips make the written numbers of those meant.
         change: The greatest difference of a number.
         free_axis: Along which the twin can say nothing, if any.
     """
@@ -54,6 +55,7 @@ class Accusation(NamedTuple):
     meant: tuple[float, ...] = ()
     cost: float = 0.0
     n_retyped: int = 0
+    n_slips: int = 0
     change: float = 0.0
     free_axis: int | None = None
 
@@ -144,8 +146,9 @@ class WeighedComparison:
             if what == "angles":
                 own, meant = body.angles, angles_near(rotation, body.angles, twin.angles)
             change = max(abs(x - y) for x, y in zip(own, meant, strict=True))
-            n_new, suspect = n_retyped(own, meant), Suspect(body.name, body.joint, what)
-            return Accusation(suspect, twin.name, meant, cost, n_new, change, free_axis)
+            n_new, n_all = n_retyped(own, meant), n_slips(own, meant, are_angles=what == "angles")
+            suspect = Suspect(body.name, body.joint, what)
+            return Accusation(suspect, twin.name, meant, cost, n_new, n_all, change, free_axis)
 
         return said(one, other, turned(back, (x, y, z)), backward), said(other, one, there, forward)
 
