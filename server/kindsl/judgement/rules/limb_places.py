@@ -6,7 +6,6 @@ from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Located, has_problem_within
 from kindsl.language.syntax.vocabulary import MOMENTS
-from kindsl.robots.limbs.attachments import Attachment, Misplaced
 from kindsl.robots.limbs.weighing import Suspect
 
 # Places in the inertia of a link, by which of its ten numbers they have.
@@ -19,31 +18,6 @@ def told(place: Suspect) -> str:
     """Return the numbers at a place: `translation of 'RF_HFE'`, `CoM of 'RF_upperleg'`."""
     name = place.link if place.what in OF_A_LINK else place.joint
     return f"{_WORDS.get(place.what, place.what)} of '{name}'"
-
-
-def told_elsewhere(misplaced: Misplaced) -> str:
-    """Return the sentence on a link that another body carries than its twins let expect."""
-    (name, parent, _), meant, _ = misplaced
-    by_twins = f"by its twins of '{meant}'" if meant else "unlike its twin"
-    return f"link '{name}' is a child of '{parent}', {by_twins}"
-
-
-def told_either(one: Attachment, other: Attachment) -> str:
-    """Return the sentence on a left and a right link that hang on unlike bodies."""
-    message = f"link '{one.link}' is a child of '{one.parent}', '{other.link}' of '{other.parent}'"
-    return f"{message}: one of the two sides is attached wrongly"
-
-
-def told_crossed(misplaced: Misplaced) -> str:
-    """Return the sentence on a link that moves by another joint than its twins let expect."""
-    (name, _, joint), meant, twins = misplaced
-    expected = f"by its {'twins' if twins else 'name'} by '{meant}'" if meant else "unlike its twin"
-    return f"link '{name}' moves by joint '{joint}', {expected}"
-
-
-def are_exchanged(one: Misplaced, other: Misplaced) -> bool:
-    """Return whether two links have each other's joints."""
-    return one.meant == other.attachment.joint and other.meant == one.attachment.joint
 
 
 def place_at(model: Model, link: str, what: str) -> Suspect:

@@ -3,14 +3,8 @@
 from collections.abc import Iterator, Mapping, Sequence
 
 from kindsl.judgement.rules.base import Finding, Related
-from kindsl.judgement.rules.limb_places import (
-    OF_A_LINK,
-    are_exchanged,
-    told,
-    told_crossed,
-    told_either,
-    told_elsewhere,
-)
+from kindsl.judgement.rules.limb_attachments import crossed_findings, elsewhere_findings
+from kindsl.judgement.rules.limb_places import OF_A_LINK, told
 from kindsl.judgement.rules.xml_bodies import XmlBody, moving_joint
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.numbers import written_pose
@@ -18,7 +12,7 @@ from kindsl.language.semantics.places import Located
 from kindsl.mechanics.rigid.body import seen_from
 from kindsl.mechanics.rigid.pose import angles
 from kindsl.robots.interchange.robot_island import RobotIsland
-from kindsl.robots.limbs.attachments import Attachment, LimbNames, Misplaced
+from kindsl.robots.limbs.attachments import Attachment, LimbNames
 from kindsl.robots.limbs.limb import Body, Limbs, assembled, groups_of
 from kindsl.robots.limbs.verdicts import ComparedLimbs, LimbVerdict, verdicts
 from kindsl.robots.limbs.weighing import Suspect
@@ -40,7 +34,10 @@ def limb_findings(
         ]
     )
     if names.elsewhere or names.crossed:
-        yield from ((*told_of, ()) for told_of in _attached(names, named))
+        elsewhere = elsewhere_findings(names, lambda name: _parent_name(named[name]))
+        crossed = crossed_findings(names, lambda name: _joint_name(named[name]))
+        yield from (("KD208", finding, ()) for finding, _ in elsewhere)
+        yield from (("KD209", finding, ()) for finding, _ in crossed)
         return
     masses = {
         name: seen_from(body.mass, body.axis_pose.inverse())
@@ -57,37 +54,6 @@ def limb_findings(
                     meant = _meant(verdict, body, bodies[body.parent or 0])
                     for code, finding in _of_limbs(verdict, named, meant):
                         yield code, finding, links
-
-
-def _attached(names: LimbNames, named: Mapping[str, XmlBody]) -> Iterator[tuple[str, Finding]]:
-    """Yield links that hang on another body, or move by another joint, than their twins."""
-    elsewhere, told_of = names.elsewhere, list[Misplaced]()
-    if len(elsewhere) == 2 and elsewhere[1].attachment in elsewhere[0].twins:
-        one, other = (each.attachment for each in elsewhere)
-        yield "KD208", _finding_at_parent(told_either(one, other), named, one, (other,))
-        elsewhere = []
-    for each in elsewhere:
-        message = told_elsewhere(each)
-        yield "KD208", _finding_at_parent(message, named, each.attachment, each.twins)
-    for each in names.crossed:
-        if each not in told_of:
-            partners = [p for p in names.crossed if are_exchanged(p, each)][:1]
-            told_of += partners
-            others = (*(p.attachment for p in partners), *each.twins)
-            places = ((_joint_name(named[a.link]), a) for a in others)
-            related = (Related(at, f"'{a.link}' moves by '{a.joint}'") for at, a in places)
-            at = _joint_name(named[each.attachment.link])
-            yield "KD209", Finding(at, told_crossed(each), tuple(related))
-
-
-def _finding_at_parent(
-    message: str, named: Mapping[str, XmlBody], at: Attachment, others: Sequence[Attachment]
-) -> Finding:
-    related = (
-        Related(_parent_name(named[a.link]), f"'{a.link}' is a child of '{a.parent}'")
-        for a in others
-    )
-    return Finding(_parent_name(named[at.link]), message, tuple(related))
 
 
 def _joint_name(body: XmlBody) -> Located:

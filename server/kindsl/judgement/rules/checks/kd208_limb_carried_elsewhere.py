@@ -24,57 +24,37 @@ Moves the pair of link and joint to the parent that the twins let expect. The fi
 changes the robot.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
+from functools import partial
 
-from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.limb_places import child_of, told_either, told_elsewhere
+from kindsl.judgement.rules.limb_attachments import elsewhere_findings
+from kindsl.judgement.rules.limb_places import child_of
 from kindsl.judgement.rules.limb_verdicts import limb_names
 from kindsl.judgement.rules.subject import link_subject
 from kindsl.language.semantics.aspects import Aspect
-from kindsl.language.semantics.declarations import Child
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Place
-from kindsl.robots.limbs.attachments import Attachment, Misplaced
+from kindsl.robots.limbs.attachments import Misplaced
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each link that another body carries than its twins let expect."""
-    found = limb_names(model).elsewhere
-    if len(found) == 2 and found[1].attachment in found[0].twins:
-        yield _of_either(model, *found)
-        return
-    for misplaced in found:
-        name = misplaced.attachment.link
-        child = child_of(model, name)
-        others = [each.attachment for each in found if each is not misplaced]
-        related = _related(model, (*others, *misplaced.twins))
-        fix = _moved(model, child, misplaced) if len(found) == 1 else None
-        message = told_elsewhere(misplaced)
-        yield Finding(child, message, related, fix, subject=link_subject(name))
+    names = limb_names(model)
+    for finding, odd in elsewhere_findings(names, partial(child_of, model)):
+        moves = [_moved(model, each) for each in odd] if len(odd) == len(names.elsewhere) else []
+        fixes = tuple(fix for fix in moves if fix is not None)
+        subject = link_subject(odd[0].attachment.link)
+        if len(odd) > 1:
+            yield finding._replace(choices=fixes, subject=subject)
+        else:
+            yield finding._replace(fix=next(iter(fixes), None), subject=subject)
 
 
-def _of_either(model: Model, one: Misplaced, other: Misplaced) -> Finding:
-    """Return the finding of a left and a right link that hang on unlike bodies."""
-    name, there = one.attachment.link, other.attachment
-    moves = [_moved(model, child_of(model, m.attachment.link), m) for m in (one, other)]
-    return Finding(
-        child_of(model, name),
-        told_either(one.attachment, there),
-        _related(model, (there,)),
-        choices=tuple(fix for fix in moves if fix is not None),
-        subject=link_subject(name),
-    )
-
-
-def _related(model: Model, others: Sequence[Attachment]) -> tuple[Related, ...]:
-    return tuple(
-        Related(child_of(model, a.link), f"'{a.link}' is a child of '{a.parent}'") for a in others
-    )
-
-
-def _moved(model: Model, child: Child, misplaced: Misplaced) -> Fix | None:
+def _moved(model: Model, misplaced: Misplaced) -> Fix | None:
     """Return the fix that lists a child elsewhere, None where no section of children is there."""
+    child = child_of(model, misplaced.attachment.link)
     parent = model.body_named.get(misplaced.meant or "")
     section = next(parent.node.nodes("children"), None) if parent is not None else None
     closing = list(section.tokens())[-1] if section is not None else None

@@ -24,9 +24,10 @@ the robot.
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.limb_places import are_exchanged, child_of, told_crossed
+from kindsl.judgement.rules.limb_attachments import crossed_findings
+from kindsl.judgement.rules.limb_places import child_of
 from kindsl.judgement.rules.limb_verdicts import limb_names
 from kindsl.judgement.rules.subject import link_subject
 from kindsl.language.semantics.aspects import Aspect
@@ -36,22 +37,10 @@ from kindsl.robots.limbs.attachments import Misplaced
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each link that moves by another joint than its twins let expect."""
-    told: list[Misplaced] = []
-    found = limb_names(model).crossed
-    for misplaced in found:
-        if misplaced in told:
-            continue
-        name, twins = misplaced.attachment.link, misplaced.twins
-        partner = next((p for p in found if are_exchanged(p, misplaced)), None)
-        others = [partner.attachment] if partner is not None else []
-        related = [
-            Related(child_of(model, a.link).joint, f"'{a.link}' moves by '{a.joint}'")
-            for a in (*others, *twins)
-        ]
-        fix = _exchanged(model, misplaced, partner) if partner is not None else None
-        told += [partner] if partner is not None else []
-        at, subject = child_of(model, name).joint, link_subject(name)
-        yield Finding(at, told_crossed(misplaced), tuple(related), fix, subject=subject)
+    found = crossed_findings(limb_names(model), lambda name: child_of(model, name).joint)
+    for finding, odd in found:
+        fix = _exchanged(model, *odd) if len(odd) > 1 else None
+        yield finding._replace(fix=fix, subject=link_subject(odd[0].attachment.link))
 
 
 def _exchanged(model: Model, one: Misplaced, other: Misplaced) -> Fix:
