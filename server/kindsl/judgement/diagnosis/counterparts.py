@@ -141,11 +141,14 @@ def _agreeing(one: MassDistribution, other: MassDistribution, within: float) -> 
 
 def is_same_body(one: MassDistribution, other: MassDistribution, within: float = SAME) -> bool:
     """Return whether all ten numbers agree but for a share of the greatest of their kind."""
-    return (
-        are_near([one.mass], [other.mass], within)
-        and are_near(one.com, other.com, within)
-        and are_near(one.moments, other.moments, within)
-    )
+    return next(unlike_numbers(one, other, within), None) is None
+
+
+def unlike_numbers(one: MassDistribution, other: MassDistribution, within: float) -> Iterator[str]:
+    """Yield which of `mass`, `CoM` and `moments` do not agree."""
+    pairs = ([one.mass], [other.mass]), (one.com, other.com), (one.moments, other.moments)
+    named = zip(("mass", "CoM", "moments"), pairs, strict=True)
+    return (name for name, (here, there) in named if not are_near(here, there, within))
 
 
 def are_near(one: Sequence[float], other: Sequence[float], within: float = SAME) -> bool:

@@ -2,7 +2,13 @@
 
 from collections.abc import Iterator
 
+from kindsl.judgement.rules.base import Fix
+from kindsl.judgement.rules.number_writing import rescaled
 from kindsl.language.semantics.declarations import Declarations, Frame, Joint, Vector
+from kindsl.robots.mechanism.body_verdicts import GREATEST_LENGTH
+
+# Nobody places a joint as finely as the first, m; what would be below the last may be in metres.
+_FINEST, _FINE = 5e-5, 1e-3
 
 
 def posed_things(declared: Declarations) -> Iterator[Frame | Joint]:
@@ -27,3 +33,25 @@ def lengths(declared: Declarations) -> Iterator[Vector]:
     for body in declared.bodies():
         if body.inertia is not None and body.inertia.com is not None:
             yield body.inertia.com
+
+
+def converted(vector: Vector, factor: float, *, is_com: bool) -> Fix | None:
+    """Return the fix that gives a vector in metres, None where that is doubtful.
+
+    Args:
+        vector: A vector that is in another unit.
+        factor: Of the unit.
+        is_com: Whether it is a centre of mass, else it places a joint.
+    """
+    written = [component.literal or 0.0 for component in vector.components]
+    made = [factor * x for x in written]
+    small = [not is_com and 0.0 < abs(x) < _FINE for x in made]
+    triples = list(zip(written, made, small, strict=True))
+    if any(small) and any(
+        abs(y) > _FINEST if is_small else 0.0 < abs(x) <= GREATEST_LENGTH
+        for x, y, is_small in triples
+    ):
+        return None
+    values = [x if is_small else y for x, y, is_small in triples]
+    changes = rescaled(vector.components, values)
+    return Fix("Convert to metres", tuple(changes)) if changes else None

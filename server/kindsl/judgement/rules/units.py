@@ -5,7 +5,7 @@ value of `kg` at run time.
 """
 
 from bisect import bisect_left
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import NamedTuple
 
 from kindsl.language.semantics.parameters import Parameter
@@ -20,8 +20,6 @@ _DEGREES = ("deg", "degrees")
 # These may well be the names of a mass or of gravity, unless they touch the number.
 _SHORT = ("m", "g")
 _DIGITS = 15
-# Nobody places a joint as finely as the first, m; what would be below the last may be in metres.
-_FINEST, _FINE = 5e-5, 1e-3
 
 
 class NumberWithUnit(NamedTuple):
@@ -38,24 +36,6 @@ class NumberWithUnit(NamedTuple):
     text: str
     number: str
     in_si: str
-
-
-def in_metres(vector: Sequence[float], factor: float, greatest: float) -> list[float] | None:
-    """Return where a joint is of which some lengths are in another unit, None if that is doubtful.
-
-    Args:
-        vector: As written, m.
-        factor: Of the unit.
-        greatest: Beyond which a length is in that unit, m.
-    """
-    made = [factor * x for x in vector]
-    small = [0.0 < abs(x) < _FINE for x in made]
-    if not any(small):
-        return made
-    pairs = list(zip(vector, made, small, strict=True))
-    if any(abs(y) > _FINEST if s else 0.0 < abs(x) <= greatest for x, y, s in pairs):
-        return None
-    return [x if s else y for x, y, s in pairs]
 
 
 def numbers_with_unit(

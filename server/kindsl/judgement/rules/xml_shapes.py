@@ -4,15 +4,15 @@ import re
 from collections.abc import Container, Iterable, Iterator, Sequence
 from math import hypot
 
-from kindsl.judgement.diagnosis.counterparts import are_near
+from kindsl.judgement.diagnosis.counterparts import images, unlike_numbers
 from kindsl.judgement.diagnosis.judgements import IMPOSSIBLE, Verdict, judgements
 from kindsl.judgement.diagnosis.suspects import suspects_of
 from kindsl.judgement.diagnosis.unlike import unlike_among
-from kindsl.judgement.rules.base import Finding, Fix, Related, Severity
+from kindsl.judgement.rules.base import Finding, Related, Severity
 from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.geometry import converted
 from kindsl.judgement.rules.inertia.mirror_images import mirror_difference
-from kindsl.judgement.rules.number_writing import rescaled
-from kindsl.judgement.rules.units import LENGTH_UNITS, in_metres
+from kindsl.judgement.rules.units import LENGTH_UNITS
 from kindsl.judgement.rules.xml_bodies import XmlBody
 from kindsl.language.semantics.declarations import Link, Vector
 from kindsl.language.semantics.lowering import declarations
@@ -21,9 +21,8 @@ from kindsl.language.semantics.numbers import mass_distribution, written_pose
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import IDENTITY
 from kindsl.robots.limbs.comparison import Tolerance
-from kindsl.robots.limbs.mounts import REFLECTIONS
 from kindsl.robots.limbs.names import label_of, other_side
-from kindsl.robots.limbs.weighing import differing, seen_by
+from kindsl.robots.limbs.weighing import differing
 from kindsl.robots.mechanism.body_verdicts import (
     DOUBTFUL_LENGTH,
     GREATEST_LENGTH,
@@ -166,17 +165,10 @@ def _in_another_unit(vector: Vector, is_com: bool) -> Finding:
     unit, probability = likely[0]
     names = " or ".join(LENGTH_UNITS[unit][0] for unit, _ in likely)
     farthest = max(vector.components, key=lambda each: abs(each.literal or 0.0))
-    factor, lengths = LENGTH_UNITS[unit][1], [each.literal or 0.0 for each in vector.components]
-    whole = [factor * length for length in lengths]
-    values = whole if is_com else in_metres(lengths, factor, GREATEST_LENGTH)
-    is_sure = values is not None and probability >= _SURE
-    changes = rescaled(vector.components, values) if values and is_sure else None
-    return Finding(
-        farthest,
-        f"length {farthest.text} m is implausible; is it in {names}?",
-        fix=Fix("Convert to metres", tuple(changes)) if changes else None,
-        probability=probability,
-    )
+    is_sure = probability >= _SURE
+    fix = converted(vector, LENGTH_UNITS[unit][1], is_com=is_com) if is_sure else None
+    message = f"length {farthest.text} m is implausible; is it in {names}?"
+    return Finding(farthest, message, fix=fix, probability=probability)
 
 
 def _mirrored(model: Model, told_of: set[Link]) -> Found:
@@ -201,18 +193,11 @@ def _unlike(model: Model, told_of: Container[Link]) -> Iterator[tuple[Link, Find
         inertia = link.inertia
         if link in told_of or inertia is None or len(twins) < _ENOUGH:
             continue
-        images = (seen_by(twins[0][1], C) for C in REFLECTIONS)
-        odd = min((_odd_numbers(body, image, within) for image in images), key=len)
+        odd = min(([*unlike_numbers(body, i, within)] for i in images(twins[0][1])), key=len)
         others = [Related(t.inertia, f"inertia of '{t.name}'") for t, _ in twins if t.inertia]
         verb = "differ" if odd[-1] == "moments" else "differs"
         message = f"{' and '.join(odd)} of '{link.name}' {verb} from its twins"
         yield link, Finding(inertia, message, tuple(others))
-
-
-def _odd_numbers(one: MassDistribution, other: MassDistribution, within: float) -> list[str]:
-    pairs = ([one.mass], [other.mass]), (one.com, other.com), (one.moments, other.moments)
-    named = zip(("mass", "CoM", "moments"), pairs, strict=True)
-    return [name for name, (here, there) in named if not are_near(here, there, within)]
 
 
 def _as_written(link: Link) -> MassDistribution | None:
@@ -231,4 +216,4 @@ def _as_written(link: Link) -> MassDistribution | None:
 def _are_images(left: Link, right: Link) -> bool:
     here, there = (_as_written(link) for link in (left, right))
     assert here is not None and there is not None, "else nothing is compared"
-    return any(not differing(seen_by(here, C), there, _NEARLY) for C in REFLECTIONS)
+    return any(not differing(each, there, _NEARLY) for each in images(here))

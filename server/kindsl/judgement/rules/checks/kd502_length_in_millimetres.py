@@ -24,12 +24,11 @@ millimetres.
 from collections.abc import Iterator
 
 from kindsl.judgement.diagnosis.judgements import keyword
-from kindsl.judgement.rules.base import Finding, Fix, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.geometry import lengths
+from kindsl.judgement.rules.geometry import converted, lengths
 from kindsl.judgement.rules.inertia.told_causes import SuspectCom, explained, suspect_coms
-from kindsl.judgement.rules.number_writing import rescaled
-from kindsl.judgement.rules.units import LENGTH_UNITS, in_metres
+from kindsl.judgement.rules.units import LENGTH_UNITS
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Vector
 from kindsl.language.semantics.model import Model, model_part
@@ -56,7 +55,7 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
                 unit, is_sure = suspect or _ANY
                 name, factor = LENGTH_UNITS[unit]
                 message = f"length {value.text} m is implausible; is it in {name}?"
-                fix = _fix(vector, factor, vector in coms) if is_sure else None
+                fix = converted(vector, factor, is_com=vector in coms) if is_sure else None
                 yield Finding(value, message, fix=fix)
                 told.add(vector)
             break
@@ -86,16 +85,6 @@ def _long(chunk: Chunk) -> list[Vector]:
         for vector in lengths(declared)
         if any(abs(c.literal or 0.0) > DOUBTFUL_LENGTH for c in vector.components)
     ]
-
-
-def _fix(vector: Vector, factor: float, is_com: bool) -> Fix | None:
-    lengths = [component.literal or 0.0 for component in vector.components]
-    whole = [factor * length for length in lengths]
-    values = whole if is_com else in_metres(lengths, factor, GREATEST_LENGTH)
-    if values is None:
-        return None
-    changes = rescaled(vector.components, values)
-    return Fix("Convert to metres", tuple(changes)) if changes else None
 
 
 RULE = Rule(
