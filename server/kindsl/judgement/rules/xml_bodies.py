@@ -56,6 +56,11 @@ class XmlBody(NamedTuple):
         return self.parts[0].link
 
     @property
+    def joint(self) -> Joint | None:
+        """The joint that carries it."""
+        return self.carrier.joint if self.carrier is not None else None
+
+    @property
     def heaviest(self) -> XmlPart:
         """The part with the greatest share of its mass: to blame for all together."""
         return max(self.parts, key=lambda part: part.mass.mass if part.mass is not None else 0.0)
@@ -147,8 +152,3 @@ def _mass(parts: Sequence[XmlPart]) -> MassDistribution | None:
 def _part(link: Link, pose: RigidPose) -> XmlPart:
     mass = link_inertia(link, {})
     return XmlPart(link, pose, None if isinstance(mass, Unknown) else mass)
-
-
-def moving_joint(body: XmlBody) -> Joint | None:
-    """Return the joint that carries a body."""
-    return body.carrier.joint if body.carrier is not None else None

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from kindsl.judgement.rules.base import Finding, Related
 from kindsl.judgement.rules.limb_attachments import crossed_findings, elsewhere_findings
 from kindsl.judgement.rules.limb_places import OF_A_LINK, told
-from kindsl.judgement.rules.xml_bodies import XmlBody, moving_joint
+from kindsl.judgement.rules.xml_bodies import XmlBody
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.numbers import written_pose
 from kindsl.language.semantics.places import Located
@@ -25,12 +25,11 @@ def limb_findings(
 ) -> Iterator[tuple[str, Finding, tuple[Link, ...]]]:
     """Yield numbers of limbs that do not fit the others, and the links that these are of."""
     named = {str(body.link.name): body for body in bodies}
-    pairs = ((body, bodies[body.parent]) for body in bodies if body.parent is not None)
     names = LimbNames(
         [
-            Attachment(str(b.link.name), str(parent.link.name), str(joint.name))
-            for b, parent in pairs
-            if (joint := moving_joint(b)) is not None
+            Attachment(*(str(each.name) for each in (b.link, bodies[b.parent].link, b.joint)))
+            for b in bodies
+            if b.parent is not None and b.joint is not None
         ]
     )
     if names.elsewhere or names.crossed:
@@ -57,8 +56,7 @@ def limb_findings(
 
 
 def _joint_name(body: XmlBody) -> Located:
-    joint = moving_joint(body)
-    return joint.name if joint is not None else body.link.name
+    return body.joint.name if body.joint is not None else body.link.name
 
 
 def _parent_name(body: XmlBody) -> Located:
@@ -115,7 +113,7 @@ def _clean(value: float) -> float:
 
 def _located(body: XmlBody, place: Suspect) -> Located:
     """Return where a finding on numbers of a limb is shown."""
-    joint, inertia = moving_joint(body), body.heaviest.link.inertia
+    joint, inertia = body.joint, body.heaviest.link.inertia
     if place.what in OF_A_LINK and inertia is not None:
         return inertia
     vector = joint.pose.translation if joint is not None else None

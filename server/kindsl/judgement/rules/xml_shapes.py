@@ -11,7 +11,7 @@ from kindsl.judgement.diagnosis.unlike import unlike_among
 from kindsl.judgement.rules.base import Finding, Related, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.geometry import converted
-from kindsl.judgement.rules.inertia.mirror_images import mirror_difference
+from kindsl.judgement.rules.inertia.mirror_images import mirror_difference, sided_pairs
 from kindsl.judgement.rules.units import LENGTH_UNITS
 from kindsl.judgement.rules.xml_bodies import XmlBody
 from kindsl.language.semantics.declarations import Link, Vector
@@ -21,7 +21,6 @@ from kindsl.language.semantics.numbers import mass_distribution, written_pose
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import IDENTITY
 from kindsl.robots.limbs.comparison import Tolerance
-from kindsl.robots.limbs.names import label_of, other_side
 from kindsl.robots.limbs.weighing import differing
 from kindsl.robots.mechanism.body_verdicts import (
     DOUBTFUL_LENGTH,
@@ -173,17 +172,15 @@ def _in_another_unit(vector: Vector, is_com: bool) -> Finding:
 
 def _mirrored(model: Model, told_of: set[Link]) -> Found:
     """Yield parts of the right side whose numbers are nearly those of the left one."""
-    links = {str(link.name): link for link in reversed(model.links)}
-    for name, left in links.items():
-        right = links.get(other_side(name) or "") if label_of(name).side == "L" else None
-        if right is None or left in told_of or right in told_of:
-            continue
+    for left, right in sided_pairs(model):
         here, there = _as_written(left), _as_written(right)
-        if here is None or there is None or _are_images(left, right):
+        if here is None or there is None or left in told_of or right in told_of:
             continue
-        difference = mirror_difference((name, str(right.name)), here, there)
+        if any(not differing(each, there, _NEARLY) for each in images(here)):
+            continue
+        difference = mirror_difference((str(left.name), str(right.name)), here, there)
         if difference and right.inertia is not None and left.inertia is not None:
-            related = Related(left.inertia, f"inertia of '{name}'")
+            related = Related(left.inertia, f"inertia of '{left.name}'")
             yield "KD312", Finding(right.inertia, in_words_of_xml(difference), (related,))
 
 
@@ -211,9 +208,3 @@ def _as_written(link: Link) -> MassDistribution | None:
     return MassDistribution(
         written.mass, pose.translation, (xx, yy, zz, 0.0 - xy, 0.0 - xz, 0.0 - yz)
     )
-
-
-def _are_images(left: Link, right: Link) -> bool:
-    here, there = (_as_written(link) for link in (left, right))
-    assert here is not None and there is not None, "else nothing is compared"
-    return any(not differing(each, there, _NEARLY) for each in images(here))

@@ -32,18 +32,16 @@ from kindsl.judgement.diagnosis.counterparts import is_mirror_image
 from kindsl.judgement.diagnosis.judgements import keyword
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.inertia.mirror_images import mirror_difference
+from kindsl.judgement.rules.inertia.mirror_images import mirror_difference, sided_pairs
 from kindsl.judgement.rules.inertia.shapes import is_told_of
 from kindsl.judgement.rules.inertia.told_causes import explained, has_cause
 from kindsl.judgement.rules.limb_places import OF_A_LINK
 from kindsl.judgement.rules.limb_verdicts import limb_slips
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Link
-from kindsl.language.semantics.model import Model, model_part
+from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.unknown import Unknown
-from kindsl.language.syntax.document import Chunk
-from kindsl.language.text.facts import Fact, kept
-from kindsl.robots.limbs.names import label_of, other_side
+from kindsl.language.text.facts import Fact
 from kindsl.robots.mechanism.link_inertia import link_inertia
 
 _DIFFERENCES = Fact[tuple[object, tuple[str, bool]]]("differences of pairs")
@@ -55,10 +53,7 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     yield from explained(model, context, "KD312")
     verdicts = limb_slips(model, context).verdicts
     told = {place.link for v in verdicts for place in v.places if place.what in OF_A_LINK}
-    for left, name in (pair for chunk in model.document.chunks for pair in _twins(chunk)):
-        right = model.body_named.get(name)
-        if right is None or left.inertia is None or right.inertia is None:
-            continue
+    for left, right in sided_pairs(model):
         compare = partial(_difference, left, right, context.values)
         numbers, are_images = left.facts.made_of(_DIFFERENCES, (right, context.values), compare)
         if are_images or any(
@@ -105,15 +100,6 @@ def _finding(own: Link, twin: Link, message: str) -> Finding:
     assert own.inertia is not None and twin.inertia is not None
     related = Related(keyword(twin.inertia), f"inertia of '{twin.name}'")
     return Finding(keyword(own.inertia), message, (related,))
-
-
-@kept
-def _twins(chunk: Chunk) -> list[tuple[Link, str]]:
-    """Return the left parts of a chunk with the names that their twins would have."""
-    part = model_part(chunk)
-    named = ((body, str(body.name)) for body in (*part.bases, *part.links))
-    left = ((body, other_side(name)) for body, name in named if label_of(name).side == "L")
-    return [(body, twin) for body, twin in left if twin]
 
 
 RULE = Rule(

@@ -1,15 +1,38 @@
 """Inertias of a left and a right part that are nearly mirror images."""
 
+from collections.abc import Iterator
 from math import isclose
 
 from kindsl.judgement.diagnosis.judgements import TEN
+from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.model import Model, model_part
+from kindsl.language.syntax.document import Chunk
+from kindsl.language.text.facts import kept
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.robots.limbs.mounts import REFLECTIONS
+from kindsl.robots.limbs.names import label_of, other_side
 from kindsl.robots.limbs.weighing import seen_by
 
 _SIGNIFICANT = 0.05
 _MOST_DIFFERENCES = 2
 _ROUNDED = 1e-3
+
+
+def sided_pairs(model: Model) -> Iterator[tuple[Link, Link]]:
+    """Yield the parts of the left side with those of the right one, where both have an inertia."""
+    for left, name in (pair for chunk in model.document.chunks for pair in _twins(chunk)):
+        right = model.body_named.get(name)
+        if right is not None and left.inertia is not None and right.inertia is not None:
+            yield left, right
+
+
+@kept
+def _twins(chunk: Chunk) -> list[tuple[Link, str]]:
+    """Return the left parts of a chunk with the names that their twins would have."""
+    part = model_part(chunk)
+    named = ((body, str(body.name)) for body in (*part.bases, *part.links))
+    left = ((body, other_side(name)) for body, name in named if label_of(name).side == "L")
+    return [(body, twin) for body, twin in left if twin]
 
 
 def mirror_difference(names: tuple[str, str], *both: MassDistribution) -> str:
