@@ -83,3 +83,11 @@ def test_a_part_is_compared_with_its_like_in_a_row(old: str, new: str, told: lis
     assert [each.message for each in found] == told
     assert [(each.code, len(each.related)) for each in found] == [("KD509", 4)] * len(told)
     assert all("segment3" in text[: each.start].splitlines()[-2] for each in found)
+
+
+def test_a_part_is_compared_beside_one_whose_inertia_is_explained() -> None:
+    text = snake(place=PLACE.replace("-0.0437798", "0.0437798"))
+    hand = link("hand", SEGMENT.replace("0.00010235", "0.0010235"), "0.140009", PLACE)
+    wrist = joint("wrist", "segment5", "hand")
+    found = analyse(text.replace("</robot>", f"{hand}{wrist}</robot>")).findings
+    assert [each.code for each in found] == ["KD509", "KD302", "KD308"]

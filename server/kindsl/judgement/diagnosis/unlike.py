@@ -71,7 +71,7 @@ def unlike_among(model: Model, body_of: Callable[[Link], MassDistribution | None
     for link in model.bodies:
         others = counterparts(model, link)
         compared = partial(_compared, link, others, body_of)
-        is_alike, unlike = link.facts.made_of(_COMPARED, others, compared)
+        is_alike, unlike = link.facts.made_of(_COMPARED, (body_of, others), compared)
         n_alike += is_alike
         if unlike is not None and (unlike.is_outvoted or unlike.twins[0][0] not in found):
             found[link] = unlike
