@@ -43,16 +43,13 @@ def limb_findings(
         for name, body in named.items()
         if body.mass is not None
     }
-    for limbs in limbs_in(bodies):
+    for limbs in _limbs_in(bodies):
         compared = ComparedLimbs(limbs)
         for group in (compared, *compared.held):
             for verdict in verdicts(group, masses):
                 links = tuple(part.link for p in verdict.places for part in named[p.link].parts)
-                if not any(link in odd for link in links):
-                    body = named[_accused(verdict).link]
-                    meant = _meant(verdict, body, bodies[body.parent or 0])
-                    for code, finding in _of_limbs(verdict, named, meant):
-                        yield code, finding, links
+                if odd.isdisjoint(links):
+                    yield from ((*each, links) for each in _told(verdict, named, bodies))
 
 
 def _joint_name(body: XmlBody) -> Located:
@@ -65,11 +62,13 @@ def _parent_name(body: XmlBody) -> Located:
     return island.reference("parent") if isinstance(island, RobotIsland) else body.link.name
 
 
-def _of_limbs(
-    verdict: LimbVerdict, named: Mapping[str, XmlBody], meant: str
+def _told(
+    verdict: LimbVerdict, named: Mapping[str, XmlBody], bodies: Sequence[XmlBody]
 ) -> Iterator[tuple[str, Finding]]:
-    place = _accused(verdict)
-    at = _located(named[place.link], place)
+    # The one of which it is known what is meant comes first.
+    place = verdict.repairs[0].place if verdict.repairs else verdict.places[0]
+    body = named[place.link]
+    meant = _meant(verdict, body, bodies[body.parent or 0])
     others = [(p, f"or {told(p)}") for p in verdict.places if p != place]
     if verdict.is_convicted:
         verb = "differ" if place.what == "moments" else "differs"
@@ -83,60 +82,44 @@ def _of_limbs(
     else:
         return
     related = (Related(_located(named[p.link], p), words) for p, words in others)
-    yield code, Finding(at, message, tuple(related))
-
-
-def _accused(verdict: LimbVerdict) -> Suspect:
-    """Return the place that is told first: the one of which it is known what is meant."""
-    return verdict.repairs[0].place if verdict.repairs else verdict.places[0]
+    yield code, Finding(_located(body, place), message, tuple(related))
 
 
 def _meant(verdict: LimbVerdict, body: XmlBody, parent: XmlBody) -> str:
     """Return a translation as it would be written, nothing of anything else."""
-    meant = verdict.repairs[0].meant[0] if verdict.repairs else ()
-    if _accused(verdict).what != "translation" or len(meant) != 3 or body.carrier is None:
+    carrier = body.carrier
+    if not verdict.repairs or carrier is None or not carrier.is_told:
         return ""
-    if not body.carrier.is_told:
+    (_, _, what), (meant, *_) = verdict.repairs[0]
+    if what != "translation" or written_pose(carrier.joint.pose, {}) is None:
         return ""
     x, y, z = meant
-    carrier = next(p for p in parent.parts if p.link.name == body.carrier.parent)
-    there = carrier.pose.inverse().point(parent.axis_pose.turn((x, y, z)))
-    own = written_pose(body.carrier.joint.pose, {})
-    if own is None:
-        return ""
-    return f": it would be {' '.join(f'{_clean(each):.5g}' for each in there)}"
-
-
-def _clean(value: float) -> float:
-    return round(value, 9) + 0.0
+    part = next(p for p in parent.parts if p.link.name == carrier.parent)
+    there = part.pose.inverse().point(parent.axis_pose.turn((x, y, z)))
+    return f": it would be {' '.join(f'{round(each, 9) + 0.0:.5g}' for each in there)}"
 
 
 def _located(body: XmlBody, place: Suspect) -> Located:
     """Return where a finding on numbers of a limb is shown."""
-    joint, inertia = body.joint, body.heaviest.link.inertia
+    inertia = body.heaviest.link.inertia
     if place.what in OF_A_LINK and inertia is not None:
         return inertia
-    vector = joint.pose.translation if joint is not None else None
-    return vector or _joint_name(body)
+    return (body.joint.pose.translation if body.joint is not None else None) or _joint_name(body)
 
 
-def limbs_in(bodies: Sequence[XmlBody]) -> Iterator[Limbs]:
+def _limbs_in(bodies: Sequence[XmlBody]) -> Iterator[Limbs]:
     """Yield the groups of limbs of a robot that are meant to be alike.
 
     In each limb a link's frame is turned with its joint's axis, which is z.
     """
-    carried: dict[int, list[Body]] = {}
-    lost: set[int] = set()
-    for index, body in reversed(list(enumerate(bodies))):
-        ones = carried.get(index, [])[::-1]
-        yield from groups_of(ones)
-        if body.parent is None:
-            continue
-        made = None if index in lost else _limb_body(body, bodies[body.parent], tuple(ones))
-        if made is None:
-            lost.add(body.parent)
-        else:
-            carried.setdefault(body.parent, []).append(made)
+    carried: list[list[Body | None]] = [[] for _ in bodies]
+    for body, below in zip(reversed(bodies), reversed(carried), strict=True):
+        known = [each for each in reversed(below) if each is not None]
+        yield from groups_of(known)
+        if body.parent is not None:
+            parent = bodies[body.parent]
+            made = _limb_body(body, parent, tuple(known)) if len(known) == len(below) else None
+            carried[body.parent].append(made)
 
 
 def _limb_body(body: XmlBody, parent: XmlBody, carried: tuple[Body, ...]) -> Body | None:

@@ -1,17 +1,17 @@
 """Doubts about the shape of bodies in XML, and parts of two sides that differ, in XML's words."""
 
 import re
-from collections.abc import Container, Iterable, Iterator, Sequence
+from collections.abc import Container, Iterator, Sequence
 from math import hypot
 
 from kindsl.judgement.diagnosis.counterparts import images, unlike_numbers
 from kindsl.judgement.diagnosis.judgements import IMPOSSIBLE, Verdict, judgements
-from kindsl.judgement.diagnosis.suspects import suspects_of
 from kindsl.judgement.diagnosis.unlike import unlike_among
 from kindsl.judgement.rules.base import Finding, Related, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.geometry import converted
 from kindsl.judgement.rules.inertia.mirror_images import mirror_difference, sided_pairs
+from kindsl.judgement.rules.inertia.told_causes import told_causes
 from kindsl.judgement.rules.units import LENGTH_UNITS
 from kindsl.judgement.rules.xml_bodies import XmlBody
 from kindsl.language.semantics.declarations import Link, Vector
@@ -53,7 +53,7 @@ def body_findings(model: Model, bodies: Sequence[XmlBody], context: Context) -> 
     far = dict(_far_coms(bodies))
     odd = _odd(model, context) | set(far)
     yield from (("KD502", finding) for finding in (*far.values(), *_far_joints(bodies)))
-    for code, cause in _causes(model, context):
+    for code, cause in told_causes(model, context):
         is_sign_of_impossible = code == "KD307" and cause.severity is Severity.INFORMATION
         if code in _CAUSES and (is_sign_of_impossible or (cause.probability or 0.0) >= _SURE):
             yield code, cause._replace(message=in_words_of_xml(cause.message))
@@ -76,17 +76,6 @@ def body_findings(model: Model, bodies: Sequence[XmlBody], context: Context) -> 
 def in_words_of_xml(message: str) -> str:
     """Return a sentence with moments as XML calls them, names in quotes as they are."""
     return _MOMENT.sub(lambda found: f"i{found[1]}{found[2] or found[1]}", message)
-
-
-def _causes(model: Model, context: Context) -> Iterable[tuple[str, Finding]]:
-    """Return what explains inertias of no body or no matter, with the code of its rule."""
-    suspects = suspects_of(model, context.values)
-    if not suspects:
-        return ()
-    # Imported for these only, since it delays the linter's start.
-    from kindsl.judgement.rules.inertia.repairs import findings
-
-    return findings(suspects, model, context)
 
 
 def _limb_findings(bodies: Sequence[XmlBody], odd: set[Link]) -> LimbsFound:
