@@ -1,9 +1,12 @@
 """A configuration file's tables of one document, its joints and poses, written into it."""
 
+import json
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import suppress
 
 from kindsl.judgement.analysis.fixing import in_line_style
+from kindsl.judgement.analysis.settings import Settings
 from kindsl.judgement.config.configuration import Configuration
 from kindsl.judgement.config.configuration_reading import configuration_of
 from kindsl.judgement.config.errors import ConfigurationError
@@ -38,15 +41,12 @@ def with_joints(
     missing = {name: own for name, own in joints.items() if name not in told}
     if not missing:
         return text
-    header = _header(configuration)
-    lines = [f"{key(name)} = {{ {_values(own)} }}" for name, own in missing.items()]
-    new = (*_new_document(configuration, document), f"[{header}.joints]", *lines)
-    extended = _extended(text, new)
-    try:
-        told = configuration_of(file, extended).settings_for(document).joints
-    except ConfigurationError:
-        return None
-    return extended if told.keys() >= joints.keys() else None
+    lines = (f"{key(name)} = {{ {_values(own)} }}" for name, own in missing.items())
+    table = (f"[{_header(configuration)}.joints]", *lines)
+    way = _extended(text, (*_new_document(configuration, document), *table))
+    return _first_that_tells(
+        file, [way], document, lambda found: found.joints.keys() >= joints.keys()
+    )
 
 
 def with_pose(
@@ -69,13 +69,17 @@ def with_pose(
     """
     configuration = configuration_of(file, text)
     wanted = {**configuration.settings_for(document).poses, name: joints}
-    for extended in _with_pose(configuration, text, document, name, joints):
-        try:
-            found = configuration_of(file, extended)
-        except ConfigurationError:
-            continue
-        if found.settings_for(document).poses == wanted:
-            return extended
+    ways = _with_pose(configuration, text, document, name, joints)
+    return _first_that_tells(file, ways, document, lambda found: found.poses == wanted)
+
+
+def _first_that_tells(
+    file: str, ways: Iterable[str], document: str, is_told: Callable[[Settings], bool]
+) -> str | None:
+    for way in ways:
+        with suppress(ConfigurationError):
+            if is_told(configuration_of(file, way).settings_for(document)):
+                return way
     return None
 
 
@@ -83,7 +87,7 @@ def _with_pose(
     configuration: Configuration, text: str, document: str, name: str, joints: Mapping[str, float]
 ) -> Iterator[str]:
     """Yield ways to write a pose: in its place, below the document's table, in a new one."""
-    pattern = _pattern(_within(configuration.path, document))
+    pattern = _pattern(configuration, document)
     own = [i for i, each in enumerate(configuration.documents) if each.pattern == pattern]
     told = [i for i in own if name in configuration.documents[i].decisions.poses]
     if told:
@@ -104,13 +108,8 @@ def _header(configuration: Configuration) -> str:
 
 
 def _new_document(configuration: Configuration, document: str) -> tuple[str, str]:
-    pattern = _pattern(_within(configuration.path, document))
-    quoted = pattern.replace("\\", "\\\\").replace('"', '\\"')
-    return f"[[{_header(configuration)}]]", f'path = "{quoted}"'
-
-
-def _within(file: str, document: str) -> str:
-    return os.path.relpath(document, os.path.dirname(os.path.abspath(file))).replace(os.sep, "/")
+    pattern = json.dumps(_pattern(configuration, document), ensure_ascii=False)
+    return f"[[{_header(configuration)}]]", f"path = {pattern}"
 
 
 def _values(joint: JointProperties) -> str:
@@ -118,9 +117,11 @@ def _values(joint: JointProperties) -> str:
     return ", ".join(f"{_KEYS.get(key, key)} = {value!r}" for key, value in told)
 
 
-def _pattern(document: str) -> str:
+def _pattern(configuration: Configuration, document: str) -> str:
     """Return the pattern that matches one path: special characters are escaped."""
-    return "".join(f"\\{letter}" if letter in _GLOB else letter for letter in document)
+    folder = os.path.dirname(os.path.abspath(configuration.path))
+    path = os.path.relpath(document, folder).replace(os.sep, "/")
+    return "".join(f"\\{letter}" if letter in _GLOB else letter for letter in path)
 
 
 def _extended(text: str, lines: Iterable[str]) -> str:

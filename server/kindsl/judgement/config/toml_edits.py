@@ -1,5 +1,6 @@
 """Edits of a configuration file that leave every other byte as it is."""
 
+import json
 import os
 import re
 import tomllib
@@ -164,25 +165,20 @@ def _set(
     whole: _Table, place: KeyPath, name: str, value: float, new_table: Callable[[], _Table]
 ) -> None:
     table = _at(whole, place)
-    if _TABLE in table:
-        parameters = table[_TABLE]
-        if isinstance(parameters.get(name), dict):
-            parameters[name]["value"] = value
-        else:
-            parameters[name] = value
-        return
-    parameters = new_table()
-    parameters[name] = value
-    table[_TABLE] = parameters
+    if _TABLE not in table:
+        parameters = new_table()
+        parameters[name] = value
+        table[_TABLE] = parameters
+    elif isinstance(table[_TABLE].get(name), dict):
+        table[_TABLE][name]["value"] = value
+    else:
+        table[_TABLE][name] = value
 
 
 def is_equal(one: object, other: object) -> bool:
     """Return whether two values of TOML are equal; not a number equals itself."""
-    if isinstance(one, dict) and isinstance(other, dict):
-        return one.keys() == other.keys() and all(is_equal(one[key], other[key]) for key in one)
-    if isinstance(one, list) and isinstance(other, list):
-        return len(one) == len(other) and all(map(is_equal, one, other))
-    return type(one) is type(other) and (one == other or (one != one and other != other))
+    here, there = (json.dumps(each, sort_keys=True, default=repr) for each in (one, other))
+    return here == there
 
 
 def _tidy(text: str, edit: TextEdit) -> TextEdit:
