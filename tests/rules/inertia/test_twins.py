@@ -65,9 +65,16 @@ MIRRORED = ("2.0", "0.1", "-0.2", "0.3", "5.0", "4.0", "3.0", "-0.4", "0.6", "-1
 GROWN = ("2.4", "0.12", "-0.24", "0.36", "6.0", "4.8", "3.6", "-0.8", "1.2", "-1.8")
 
 
-def pair(left: tuple[str, ...], right: tuple[str, ...]) -> str:
+def pair(left: tuple[str, ...], right: tuple[str, ...], names: str = "left_arm right_arm") -> str:
     sections = [section(n[0], ", ".join(n[1:4]), *n[4:]) for n in (left, right)]
-    return row(*sections, names="left_arm right_arm")
+    return row(*sections, names=names)
+
+
+@pytest.mark.parametrize("names", ["port_prop starboard_prop", "port_prop stbd_prop", "RL_x RR_x"])
+def test_twins_of_any_name_are_compared(names: str) -> None:
+    right = changed(MIRRORED, {2: "0.2"})
+    assert told("KD312", pair(LEFT, MIRRORED, names)) == []
+    assert len(told("KD312", pair(LEFT, right, names))) == 1
 
 
 def changed(numbers: tuple[str, ...], changes: dict[int, str]) -> tuple[str, ...]:

@@ -26,7 +26,7 @@ from kindsl.language.semantics.numbers import mass_distribution, written_pose
 from kindsl.language.text.facts import Fact, kept
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import Rotation, Vector3, dot, transposed
-from kindsl.robots.limbs.names import label_of, other_side
+from kindsl.robots.limbs.names import label_of, other_sides
 from kindsl.robots.limbs.twin_frames import twin_frames
 from kindsl.robots.limbs.weighing import seen_by
 from kindsl.robots.mechanism.body_verdicts import GREATEST_LENGTH
@@ -232,8 +232,8 @@ def _twins(
     twins = [each for each in possible if may_be_image(found.body, each[1])]
     named = [each for each in possible if each[0] in namesakes] if twins else ()
     expected = _expected(model, values, found.link, named)
-    mirror = other_side(str(found.link.name)) if len(twins) > 1 else None
-    nearest_first = sorted(twins, key=lambda twin: twin[0].name != mirror)
+    mirrors = tuple(other_sides(str(found.link.name))) if len(twins) > 1 else ()
+    nearest_first = sorted(twins, key=lambda twin: str(twin[0].name) not in mirrors)
     return tuple(Twin(str(other.name), body, expected) for other, body in nearest_first)
 
 

@@ -17,7 +17,7 @@ from kindsl.language.semantics.numbers import mass_distribution
 from kindsl.language.text.decimals import significant_digits
 from kindsl.language.text.facts import Fact, kept
 from kindsl.mechanics.rigid.body import MassDistribution
-from kindsl.robots.limbs.names import label_of, other_side
+from kindsl.robots.limbs.names import label_of, other_sides
 
 # Numbers that were made alike agree in their digits, a left and a right part of a CAD program
 # nearly: then only a slip that takes them from far apart to as near as the rest is told.
@@ -90,7 +90,8 @@ def _compared(
     if body is None:
         return False, None
     others = [(o, b) for o in counterparts if (b := body_of(o)) is not None]
-    named = [(o, b) for o, b in others if str(o.name) == other_side(str(link.name))]
+    names = tuple(other_sides(str(link.name)))
+    named = [(o, b) for o, b in others if str(o.name) in names]
     is_alike, unlike = _unlike(link, body, others, EXACTLY, EXACTLY)
     if is_alike or unlike is not None or not named:
         return is_alike, unlike

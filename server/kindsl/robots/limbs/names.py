@@ -1,8 +1,9 @@
 """Sides and rows in names: `LF_upper_leg`, `rightArm`, `leg3_coxa`."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator
 from functools import lru_cache
+from itertools import chain
 from typing import NamedTuple
 
 # What a letter of a side is written before without a break: `lfoot`, `Rarm`.
@@ -23,8 +24,8 @@ _SIDES = {
     "izq": "der", "izquierda": "derecha", "izquierdo": "derecho", "gauche": "droite",
     "port": "starboard",
 }  # fmt: skip
-_LEFT_OF = {right: left for left, right in reversed(_SIDES.items())} | {"stbd": "port"}
-_EITHER = frozenset(_SIDES) | frozenset(_LEFT_OF)
+_PAIRS = (*_SIDES.items(), ("port", "stbd"))
+_EITHER = frozenset(chain.from_iterable(_PAIRS))
 _ROWS = {
     "front": "F", "fore": "F", "hind": "H", "rear": "H", "back": "H", "middle": "M", "mid": "M",
     "vorne": "F", "vorn": "F", "hinten": "H", "mitte": "M", "fwd": "F", "aft": "H",
@@ -89,7 +90,21 @@ def other_side(name: str) -> str | None:
 
     Only a whole word of the name can: `LF_hip`, `left_arm`, `armLeft`, `wheel_l`.
     """
-    return _with_side(name, _SIDES) or _with_side(name, _LEFT_OF)
+    return next(other_sides(name), None)
+
+
+def other_sides(name: str) -> Iterator[str]:
+    """Yield all names that the twin of a left or a right part may have, the likeliest first."""
+    match = next((m for m in _WORD.finditer(name) if m[0].lower() in _EITHER), None)
+    if match is None:
+        return
+    word = match[0].lower()
+    for other in (y if x == word else x for x, y in _PAIRS if word in (x, y)):
+        if match[0].isupper():
+            other = other.upper()
+        elif match[0][0].isupper():
+            other = other.capitalize()
+        yield name[: match.start()] + other + name[match.end() :]
 
 
 def _side_and_row(word: str, row: str) -> tuple[str, str]:
@@ -98,15 +113,3 @@ def _side_and_row(word: str, row: str) -> tuple[str, str]:
     first, last = word[0], word[-1]
     letter = last if first == side.lower() else first
     return side, _ROW_LETTERS[letter] if len(word) == 2 and last != "x" else row
-
-
-def _with_side(name: str, sides: Mapping[str, str]) -> str | None:
-    for match in _WORD.finditer(name):
-        other = sides.get(match[0].lower())
-        if other is not None:
-            if match[0].isupper():
-                other = other.upper()
-            elif match[0][0].isupper():
-                other = other.capitalize()
-            return name[: match.start()] + other + name[match.end() :]
-    return None

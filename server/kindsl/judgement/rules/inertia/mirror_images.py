@@ -10,7 +10,7 @@ from kindsl.language.syntax.document import Chunk
 from kindsl.language.text.facts import kept
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.robots.limbs.mounts import REFLECTIONS
-from kindsl.robots.limbs.names import label_of, other_side
+from kindsl.robots.limbs.names import label_of, other_sides
 from kindsl.robots.limbs.weighing import seen_by
 
 _SIGNIFICANT = 0.05
@@ -31,8 +31,8 @@ def _twins(chunk: Chunk) -> list[tuple[Link, str]]:
     """Return the left parts of a chunk with the names that their twins would have."""
     part = model_part(chunk)
     named = ((body, str(body.name)) for body in (*part.bases, *part.links))
-    left = ((body, other_side(name)) for body, name in named if label_of(name).side == "L")
-    return [(body, twin) for body, twin in left if twin]
+    left = ((body, name) for body, name in named if label_of(name).side == "L")
+    return [(body, twin) for body, name in left for twin in other_sides(name)]
 
 
 def mirror_difference(names: tuple[str, str], *both: MassDistribution) -> str:
