@@ -508,6 +508,6 @@ def test_what_cannot_be_read_is_said_in_a_sentence(
 
 def test_a_format_that_finds_numbers_has_places_for_them() -> None:
     found = numbers_of_urdf("<robot name='ä'><link name='b'><inertial><mass value='1.50'/>"
-                              "</inertial></link></robot>").found  # fmt: skip
+                              "</inertial></link></robot>")  # fmt: skip
     number = found["link", "b", "mass"]
     assert (number.text, number.value, number.half) == ("1.50", 1.5, 0.005)

@@ -46,7 +46,7 @@ def test_what_mujoco_alone_can_read_has_no_places(tmp_path: Path) -> None:
 def test_a_number_that_a_document_type_gives_has_no_place() -> None:
     text = (DOCUMENTS / "legged.urdf").read_text("utf-8").replace(' value="3"', "")
     text = f'<!DOCTYPE robot [<!ATTLIST mass value CDATA "3">]>\n{text}'
-    found = numbers_of_urdf(text).found
+    found = numbers_of_urdf(text)
     assert ("link", "trunk", "mass") not in found
     assert found["link", "trunk", "Ix"].value == 0.3
 
@@ -54,7 +54,7 @@ def test_a_number_that_a_document_type_gives_has_no_place() -> None:
 @pytest.mark.parametrize("name", ["fixed.urdf", "nested.sdf", "fixed.xml"])
 def test_a_number_that_is_none_has_no_value(name: str) -> None:
     text = (DOCUMENTS / name).read_text("utf-8").replace("1.25", "1.25kg")
-    found = FIND[Path(name).suffix](text).found["link", "upper", "mass"]
+    found = FIND[Path(name).suffix](text)["link", "upper", "mass"]
     assert (found.text, found.value != found.value, found.half) == ("1.25kg", True, 0.0)
     assert isinstance(found.at, TextPlace)
     assert text[found.at.start : found.at.end] == "1.25kg"
@@ -63,7 +63,7 @@ def test_a_number_that_is_none_has_no_value(name: str) -> None:
 @pytest.mark.parametrize("find", FIND.values())
 @pytest.mark.parametrize("text", ["", "no xml", "<r/>", "<sdf><model/></sdf>"])
 def test_what_is_no_robot_has_no_numbers(find: Callable[[str], FileNumbers], text: str) -> None:
-    assert find(text) == ({}, {})
+    assert find(text) == {}
 
 
 def test_bytes_are_read_as_the_text_that_they_are(tmp_path: Path) -> None:
@@ -75,11 +75,11 @@ def test_bytes_are_read_as_the_text_that_they_are(tmp_path: Path) -> None:
 
 def test_lines_of_windows_and_comments_move_no_place() -> None:
     text = (DOCUMENTS / "nested.sdf").read_text("utf-8").replace("1.25<", "1.25\n<!-- 2 --><")
-    plain = numbers_of_sdf(text.replace("<!-- 2 -->", "")).found
+    plain = numbers_of_sdf(text.replace("<!-- 2 -->", ""))
     assert plain["link", "upper", "mass"].text == "1.25"
-    assert ("link", "upper", "mass") not in numbers_of_sdf(text).found
+    assert ("link", "upper", "mass") not in numbers_of_sdf(text)
     windows = text.replace("<!-- 2 -->", "").replace(">", ">\r\n").replace("\n", "\r\n")
-    found = numbers_of_sdf(windows).found
+    found = numbers_of_sdf(windows)
     assert found.keys() == plain.keys()
     for number in found.values():
         assert isinstance(number.at, TextPlace)

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from kindsl.mechanics.rigid.body import MassDistribution
-from kindsl.mechanics.rigid.pose import IDENTITY
-from kindsl.robots.comparison.quantities import AXIS, INERTIA, POSE
+from kindsl.mechanics.rigid.pose import IDENTITY, pose_from_fixed_axes
+from kindsl.robots.comparison.quantities import AXIS, INERTIA, POSE, TURNS
 from kindsl.robots.comparison.side import ComparedSide, exactly_turned
 from kindsl.robots.comparison.written import (
     Numbers,
@@ -15,14 +15,14 @@ from kindsl.robots.comparison.written import (
     written_frame,
 )
 from kindsl.robots.interchange.format import FormatError
-from kindsl.robots.interchange.written_numbers import NO_NUMBERS, FileNumbers
+from kindsl.robots.interchange.written_numbers import FileNumbers
 from kindsl.robots.mechanism.linkage import AttachedFrame, BodyPart, Linkage, RigidBody, checked
 
 # A number is the one that was read only if it is equal: defaults and macros may have changed it.
 _EQUAL = 1e-9
 
 
-def described_robot(label: str, robot: Linkage, numbers: FileNumbers = NO_NUMBERS) -> ComparedSide:
+def described_robot(label: str, robot: Linkage, numbers: FileNumbers) -> ComparedSide:
     """Return a robot to compare.
 
     Args:
@@ -53,8 +53,10 @@ def described_robot(label: str, robot: Linkage, numbers: FileNumbers = NO_NUMBER
 
 
 def _inertia(part: BodyPart, mass: MassDistribution, numbers: FileNumbers) -> WrittenInertia:
-    turn = numbers.turns.get(part.name, IDENTITY.rotation)
-    form = WrittenInertia(part.name, (), (), part.pose, turn, is_about_com=True)
+    turns = [numbers.get(("link", part.name, name)) for name in TURNS]
+    roll, pitch, yaw = (0.0 if turn is None else turn.value for turn in turns)
+    turned = pose_from_fixed_axes(IDENTITY.translation, (roll, pitch, yaw)).rotation
+    form = WrittenInertia(part.name, (), (), part.pose, turned, is_about_com=True)
     values = form.values_of(mass)
     found = _found(numbers, "link", part.name, INERTIA, values)
     exact = tuple(v if n is None else n.value for v, n in zip(values, found, strict=True))
@@ -67,19 +69,19 @@ def _frame(frame: AttachedFrame, numbers: FileNumbers) -> WrittenPose:
 
 
 def _pose(body: RigidBody, numbers: FileNumbers) -> WrittenPose:
-    written = (numbers.found.get(("joint", body.joint, name)) for name in POSE)
+    written = (numbers.get(("joint", body.joint, name)) for name in POSE)
     guess = tuple(0.0 if number is None else number.value for number in written)
     form = WrittenPose(body.joint, guess, (), body.origin, body.written_T_joint, False)
     values = form.values_of(body.placement)
     found = _found(numbers, "joint", body.joint, POSE, values)
-    axis = numbers.found.get(("joint", body.joint, AXIS))
+    axis = numbers.get(("joint", body.joint, AXIS))
     return replace(form, values=values, numbers=found, axis=axis)
 
 
 def _found(
     numbers: FileNumbers, kind: str, owner: str, names: Sequence[str], values: Sequence[float]
 ) -> Numbers:
-    found = (numbers.found.get((kind, owner, name)) for name in names)
+    found = (numbers.get((kind, owner, name)) for name in names)
     slack = _EQUAL * max(map(abs, values))
     return tuple(
         _read_as(value, number, slack) for number, value in zip(found, values, strict=True)

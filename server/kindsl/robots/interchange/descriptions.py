@@ -22,7 +22,6 @@ from kindsl.robots.interchange.format import (
 from kindsl.robots.interchange.generated_folder import MANIFEST, described_generated
 from kindsl.robots.interchange.registry import all_formats, format_of_suffix
 from kindsl.robots.interchange.robcogen_folder import described_robcogen, is_robcogen_folder
-from kindsl.robots.interchange.written_numbers import NO_NUMBERS
 
 
 class ReadDescription(NamedTuple):
@@ -107,8 +106,7 @@ def read_robot(
     asked = None if found.tells_base else floating
     if asked:
         found = read(ReadingChoices(floating=True))
-    numbers = found.find_numbers() if found.find_numbers else NO_NUMBERS
-    robot = described_robot(label, found.robot, numbers)
+    robot = described_robot(label, found.robot, found.find_numbers())
     robot = replace(robot, properties=found.joints)
     notes = []
     mimics = n_mimics(found.remarks)

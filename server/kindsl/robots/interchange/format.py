@@ -31,7 +31,7 @@ class ReadRobot(NamedTuple):
         tells_base: Whether the file says that the root floats, or that it is fixed.
         comments: Lines of text on the robot (without a name), on links and joints, by `"robot"`,
             `"link"` or `"joint"` and the name.
-        find_numbers: Finds the numbers in its text, for comparing; None where that is not known.
+        find_numbers: Finds the numbers in its text, for comparing; none where that is not known.
     """
 
     robot: "Linkage"
@@ -39,7 +39,7 @@ class ReadRobot(NamedTuple):
     joints: "Joints" = MappingProxyType({})
     tells_base: bool = False
     comments: Mapping[tuple[str, str], tuple[str, ...]] = MappingProxyType({})
-    find_numbers: "Callable[[], FileNumbers] | None" = None
+    find_numbers: "Callable[[], FileNumbers]" = dict
 
 
 class WrittenRobot(NamedTuple):

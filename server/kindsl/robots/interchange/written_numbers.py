@@ -2,32 +2,19 @@
 
 import re
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 from kindsl.language.semantics.expressions import half_unit
 from kindsl.language.text.encodings import decoded
 from kindsl.language.text.lines import LineIndex
-from kindsl.mechanics.rigid.pose import Rotation
 from kindsl.robots.comparison.written import TextPlace, WrittenNumber
 from kindsl.robots.interchange.xml_document import XmlIsland
 from kindsl.robots.interchange.xml_reading import DECIMAL, XmlElement, XmlError, parsed_xml
 
 _WORD = re.compile(r"\S+")
-
-
-class FileNumbers(NamedTuple):
-    """The numbers of one file.
-
-    Attributes:
-        found: By `"link"` or `"joint"`, its name, and one of `INERTIA` or `POSE`.
-        turns: The axes of moments in their link's frame, by link, where they are turned.
-    """
-
-    found: Mapping[tuple[str, str, str], WrittenNumber]
-    turns: Mapping[str, Rotation]
-
-
-NO_NUMBERS = FileNumbers({}, {})
+# By `"link"`, `"joint"` or `"frame"`, its name, and one of `INERTIA`, `POSE` or `AXIS`; of a link,
+# `TURNS` are those of the moments' axes.
+FileNumbers = Mapping[tuple[str, str, str], WrittenNumber]
 
 
 class XmlNumbers:

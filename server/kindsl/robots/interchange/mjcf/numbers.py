@@ -30,7 +30,7 @@ def numbers_of_mjcf(content: bytes | str) -> FileNumbers:
             xml.keep_place("joint", name, (*TURNS, AXIS), xml.of_attribute(joint, "axis"))
             xml.keep("joint", name, POSE[:3], xml.of_attribute(placed, "pos"))
             _keep_turns(xml, "joint", name, placed)
-    return FileNumbers(xml.found, {})
+    return xml.found
 
 
 def _keep_turns(xml: XmlNumbers, kind: str, name: str, placed: Any) -> None:

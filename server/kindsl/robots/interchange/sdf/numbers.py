@@ -27,7 +27,7 @@ def numbers_of_sdf(content: bytes | str) -> FileNumbers:
         for frame in model.iterfind("frame"):
             _keep_frame(xml, frame.get("name") or "", frame)
         _keep_joints(xml, model)
-    return FileNumbers(xml.found, {})
+    return xml.found
 
 
 def _keep_frame(xml: XmlNumbers, name: str, placed: Any) -> None:

@@ -1,6 +1,5 @@
 """The places of a URDF's numbers."""
 
-from kindsl.mechanics.rigid.pose import IDENTITY, Rotation, pose_from_fixed_axes
 from kindsl.robots.comparison.quantities import AXIS, INERTIA, POSE, TURNS
 from kindsl.robots.interchange.written_numbers import FileNumbers, XmlNumbers
 from kindsl.robots.interchange.xml_terms import TENSOR
@@ -8,7 +7,7 @@ from kindsl.robots.interchange.xml_terms import TENSOR
 
 def numbers_of_urdf(content: bytes | str) -> FileNumbers:
     """Return the numbers of a URDF's links and joints, none of a text that is not XML."""
-    xml, turns = XmlNumbers(content), dict[str, Rotation]()
+    xml = XmlNumbers(content)
     for link in xml.root.iterfind("link[inertial]"):
         name, inertial = link.get("name") or "", link.find("inertial")
         origin, inertia = inertial.find("origin"), inertial.find("inertia")
@@ -16,11 +15,7 @@ def numbers_of_urdf(content: bytes | str) -> FileNumbers:
         xml.keep("link", name, INERTIA[1:4], xml.of_attribute(origin, "xyz"))
         moments = [number for m in TENSOR for number in xml.of_attribute(inertia, m)]
         xml.keep("link", name, INERTIA[4:], moments)
-        rpy = [number.value for number in xml.of_attribute(origin, "rpy")]
-        if len(rpy) == 3:
-            roll, pitch, yaw = rpy
-            pose = pose_from_fixed_axes(IDENTITY.translation, (roll, pitch, yaw))
-            turns[name] = pose.rotation
+        xml.keep("link", name, TURNS, xml.of_attribute(origin, "rpy"))
     for joint in xml.root.iterfind("joint"):
         name, origin = joint.get("name") or "", joint.find("origin")
         xml.keep_place("joint", name, (*TURNS, AXIS), xml.of_attribute(joint.find("axis"), "xyz"))
@@ -31,4 +26,4 @@ def numbers_of_urdf(content: bytes | str) -> FileNumbers:
         if joint.get("type") == "fixed" and child is not None:
             xml.keep_place("frame", child.get("link") or "", POSE[:3], at)
             xml.keep_place("frame", child.get("link") or "", TURNS, turned)
-    return FileNumbers(xml.found, turns)
+    return xml.found

@@ -17,7 +17,7 @@ def _read(path: Path, choices: ReadingChoices) -> ReadRobot:
     from kindsl.robots.interchange.xacro.expansion import expanded
 
     read = robot_of_urdf(expanded(path, choices), path.stem, choices)
-    return read._replace(remarks=(_EVALUATED, *read.remarks), find_numbers=None)
+    return read._replace(remarks=(_EVALUATED, *read.remarks), find_numbers=dict)
 
 
 FORMAT = Format("xacro", "xacro", (".xacro",), "xacro", _read)
