@@ -242,6 +242,21 @@ class XmlDocument(SyntaxDocument):
         """No problems of the Kinematics-DSL."""
         return ()
 
+    def flaw(self, code: str, message: str, offset: int, attribute: str = "") -> Flaw:
+        """Return a flaw at the first tag of an element, or at the value of an attribute of it.
+
+        Args:
+            code: The rule that it is reported under.
+            message: One sentence, no final period.
+            offset: Where the element begins in the text.
+            attribute: The attribute, if it is to blame.
+        """
+        placed = self.island_at(offset)
+        assert isinstance(placed.island, XmlIsland)
+        element = XmlElement("")
+        element.offset = offset - placed.start
+        return Flaw(code, message, placed.island.place(element, attribute))
+
     def edited(self, edits: Sequence[TextEdit]) -> SyntaxDocument:
         """Return the document after edits that are made at once; equal elements stay."""
         return self.make(apply_edits(self.text, edits), self)

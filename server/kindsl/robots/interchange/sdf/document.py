@@ -100,7 +100,7 @@ def _of_elements(text: str, root: Any, former: SyntaxDocument | None) -> XmlDocu
             else:
                 connections.append(found)
     told = (error for error in wrong.values() if error.code)
-    flaws += (Flaw(e.code, e.sentence, _place(document, e.element)) for e in told)
+    flaws += (document.flaw(e.code, e.sentence, e.element.offset) for e in told)
     document.flaws, document.connections = tuple(flaws), tuple(connections)
     return document
 
@@ -180,13 +180,6 @@ def _connection(element: Any, joint: Joint, graph: FrameGraph, prefix: str) -> C
         link.joint_T_link.inverse(),
         is_told=False,
     )
-
-
-def _place(document: XmlDocument, element: Any) -> Place:
-    placed = document.island_at(element.offset)
-    start = element.offset - placed.start
-    tag = _TAG_OR_COMMENT.match(placed.island.text, start)
-    return Place(placed.island, start, tag.end() if tag else start + 1)
 
 
 # Takes a text, and returns the document of an SDF; see there.

@@ -11,7 +11,6 @@ from typing import Any
 from kindsl.language.semantics.declarations import FixedAxes, Inertia, Pose, Vector
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.numbers import written_pose
-from kindsl.language.semantics.places import Place
 from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.rigid.pose import IDENTITY
@@ -19,7 +18,6 @@ from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.robot_island import RobotIsland
 from kindsl.robots.interchange.urdf.checking import (
     WORLD,
-    UrdfDefect,
     defects,
     end_of,
     root_links,
@@ -27,7 +25,6 @@ from kindsl.robots.interchange.urdf.checking import (
 )
 from kindsl.robots.interchange.xml_document import (
     Connection,
-    Flaw,
     XmlDocument,
     pieces,
     refused,
@@ -101,47 +98,33 @@ def _of_elements(text: str, root: XmlElement, former: SyntaxDocument | None) -> 
     if first is not None:
         message = f"a xacro, not a URDF: <{first.tag}> has to be expanded before it is judged"
         return refused(text, "KD001", message, first.offset, first.offset + len(first.tag) + 1)
+    flaws = list(_flaws(root))  # The islands take over the offsets of their elements.
     islands = UrdfIsland.made_of(((piece, "") for piece in pieces(text, root)), former)
     document = XmlDocument(islands, former)
-    document.flaws = tuple(_flaws(root, islands))
+    document.flaws = tuple(document.flaw(*flaw) for flaw in flaws)
     document.connections = tuple(filter(None, (island.connection() for island in islands)))
     return document
 
 
-def _flaws(root: XmlElement, islands: list[UrdfIsland]) -> Iterator[Flaw]:
-    head = islands[0]
-    at = Place(head, root.offset, len(head.text))
+def _flaws(root: XmlElement) -> Iterator[tuple[str, str, int, str]]:
+    """Yield code and message of each flaw, where its element begins, and the attribute."""
     if root.tag != "robot":
-        yield Flaw("KD001", f"not a URDF: its root element is <{root.tag}>, not <robot>", at)
+        message = f"not a URDF: its root element is <{root.tag}>, not <robot>"
+        yield "KD001", message, root.offset, ""
         return
-    elements: dict[int, tuple[UrdfIsland, XmlElement]] = {}
-    for child, island in zip(root, islands[1:-1], strict=True):
-        if island.element is not None:
-            pairs = zip(child.iter(), island.element.iter(), strict=True)
-            elements |= {id(whole): (island, own) for whole, own in pairs}  # type: ignore[misc]
     for defect in defects(root):
-        yield Flaw(defect.code, defect.message, _place(defect, elements, at))
+        yield defect.code, defect.message, defect.element.offset, defect.attribute
     links, joints = root.findall("link"), root.findall("joint")
     roots = root_links(links, joints)
     if any(end_of(joint, "parent") == WORLD for joint in joints):
         roots = [WORLD, *(name for name in roots if name != WORLD)]
     first, *others = roots or [""]
-    named = {str(link.get("name")): link for link in reversed(links)}
+    named: dict[str, Any] = {str(link.get("name")): link for link in reversed(links)}
     for other in others:
-        island, own = elements[id(named[other])]
         message = f"no joint carries link '{other}': '{first}' is the root"
-        yield Flaw("KD203", message, island.place(own, "name"))
+        yield "KD203", message, named[other].offset, "name"
     if not links:
-        yield Flaw("KD008", "the URDF has no link", at)
-
-
-def _place(
-    defect: UrdfDefect, elements: dict[int, tuple[UrdfIsland, XmlElement]], otherwise: Place
-) -> Place:
-    found = elements.get(id(defect.element))
-    if found is None:
-        return otherwise
-    return found[0].place(found[1], defect.attribute)
+        yield "KD008", "the URDF has no link", root.offset, ""
 
 
 # Takes a text, and returns the document of a URDF; see there.
