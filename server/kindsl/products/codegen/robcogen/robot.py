@@ -3,9 +3,10 @@
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from itertools import chain
-from typing import NamedTuple
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
 
 from kindsl.language.semantics.declarations import ValueKind
 from kindsl.language.text.distinct import distinct
@@ -21,10 +22,14 @@ from kindsl.mechanics.dynamics.generation.tree import Tree
 from kindsl.mechanics.dynamics.generation.vectors import Matrix, Vector
 from kindsl.products.codegen.library import Library
 from kindsl.products.codegen.names_in_code import identifiers, prefix_of, whole_name
-from kindsl.products.codegen.robcogen.rendering import rendered
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
 
 MOST_JOINTS_OF_SMALL = 20
 LAYOUT_OF_0_5 = "robcogen-0.5"
+
+_TEMPLATES = Path(__file__).parents[1] / "templates" / "robcogen"
 
 # Enumerators of these names would be hidden where classes use them.
 _TYPES_IN_CLASSES = ("TRAIT", "SCALAR")
@@ -283,11 +288,15 @@ class GeneratedRobot:
         )
 
     def rendered(self, template: str, /, **values: object) -> str:
-        """Return the text of a template, which sees the robot, what it often reads, and values."""
+        """Return the text of a template, which sees the robot, what it often reads, and values.
+
+        Raises:
+            ModuleNotFoundError: Jinja is not installed.
+        """
         has_p, real = self.has_parameters, self.library.options.real
         trait = f"{real.title()}Trait"
-        return rendered(
-            template,
+        text = _templates().get_template(template)
+        return text.render(
             robot=self,
             stamp=self.library.stamp,
             links=self.tree.links(),
@@ -304,3 +313,20 @@ class GeneratedRobot:
             takes_p="const typename TRAIT::Scalar* p, " if has_p else "",
             **values,
         )
+
+
+@cache
+def _templates() -> "Environment":
+    """Return the templates, in Jinja's language with `@` around what is filled in."""
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+    return Environment(
+        variable_start_string="@",
+        variable_end_string="@",
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        undefined=StrictUndefined,
+        autoescape=False,
+        loader=FileSystemLoader(_TEMPLATES, encoding="utf-8"),
+    )
