@@ -5,7 +5,15 @@ import re
 from collections import Counter
 
 import pytest
-from tests.comparison.trials import ARM, described_text, equal_trial, off_trial, random_document
+from tests.comparison.trials import (
+    ARM,
+    described_text,
+    described_urdf,
+    equal_trial,
+    off_trial,
+    random_document,
+)
+from tests.comparison.variants import links_of, urdf_of
 from tests.support.amount import usually
 
 from kindsl.robots.comparison.mechanical import compared_mechanics
@@ -261,6 +269,70 @@ def test_a_file_whose_numbers_are_all_rounded_is_the_same_robot(seed: int, digit
         found = compared_mechanics(ours, theirs)
         assert found.is_equal, (found.numbers, found.structure)
         assert any("with other digits" in sentence for sentence in found.conventions)
+
+
+@pytest.mark.parametrize("digits", [3, 4])
+@pytest.mark.parametrize("seed", range(6))
+def test_rounded_numbers_are_so_about_another_point_too(seed: int, digits: int) -> None:
+    text = random_document(seed)
+    exact = described_text(text)[0].skeleton
+    urdf = described_urdf(urdf_of(links_of(exact)), exact.is_floating)
+    rounded = _rounded(text, digits)
+    ours = described_text(rounded)[0]
+    for pair in ((ours, urdf), (urdf, ours)):
+        found = compared_mechanics(*pair)
+        assert found.is_equal, (found.numbers, found.structure)
+    for number in re.findall(r"I[xyz] = (\S*[1-9]\S*)", rounded)[-3:]:
+        wrong = described_text(rounded.replace(f" = {number}", f" = {1.05 * float(number)!r}"))[0]
+        assert wrong.inertias != ours.inertias
+        assert not compared_mechanics(wrong, urdf).is_equal
+        assert not compared_mechanics(urdf, wrong).is_equal
+
+
+FLANGE = """\
+Robot arm {
+RobotBase base { children { flange via turn } }
+link flange {
+    id = 1
+    inertia_params {
+        mass = 0.0744652 CoM = (0.00135365, 0.0, 0.0141219)
+        Ix = 0.0000346682 Iy = 0.000040019 Iz = %s
+        Ixy = 0.0 Ixz = 0.00000302401 Iyz = 0.0
+    }
+    children {}
+}
+r_joint turn { ref_frame { translation = (0.0, 0.0, 0.1) rotation = (0.0, 0.0, 0.0) } }
+}
+"""
+FLANGE_URDF = """\
+<robot name="arm"><link name="base"/><link name="flange"><inertial>
+<origin xyz="0.00135365 0 0.0141219"/><mass value="0.0744652"/>
+<inertia ixx="0.0000198177" iyy="0.0000250321" izz="0.0000177413"
+         ixy="0" ixz="-0.00000160051" iyz="0"/>
+</inertial></link><joint name="turn" type="continuous"><parent link="base"/><child link="flange"/>
+<origin xyz="0 0 0.1"/><axis xyz="0 0 1"/></joint></robot>
+"""
+
+
+@pytest.mark.parametrize(
+    ("number", "is_equal"),
+    [
+        ("0.0000178777", True),
+        ("0.0000178778", True),
+        ("0.0000178780", False),
+        ("0.0000178788", False),
+        ("-0.0000178778", False),
+    ],
+)
+def test_moments_rounded_about_two_points_may_be_a_unit_apart(number: str, is_equal: bool) -> None:
+    ours, theirs = described_text(FLANGE % number)[0], described_urdf(FLANGE_URDF, False)
+    assert compared_mechanics(ours, theirs).is_equal == is_equal
+    assert compared_mechanics(theirs, ours).is_equal == is_equal
+
+
+def test_of_moments_about_one_point_a_unit_is_a_difference() -> None:
+    (found,) = differences(FLANGE % "0.0000178777", FLANGE % "0.0000178778")
+    assert found[:2] == ("flange", "Iz")
 
 
 def test_a_number_that_is_no_rounding_is_named_among_rounded_ones() -> None:

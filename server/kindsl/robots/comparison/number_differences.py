@@ -246,6 +246,10 @@ def _wanted_part(
 
         more = _slack(of_part, wanted, each, bounds)
         slack = [a + b for a, b in zip(slack, more, strict=True)]
+    if any(part.values[1:4]) and any(each.is_about_com != part.is_about_com for each in its):
+        # Both files may have rounded moments about other points, whose difference is not rounded.
+        own = [0.0] * 4 + _own_slacks(part, bounds)[4:]
+        slack = [a + b for a, b in zip(slack, own, strict=True)]
     unlike = _unlike(part, wanted, scales, bounds, slack)
     return _WantedNumbers(part, wanted, unlike)
 

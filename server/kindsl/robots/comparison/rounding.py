@@ -58,17 +58,20 @@ def digits_of_rounding(
         pair for body, its in bodies.items() for pair in _number_pairs(ours, theirs, body, its)
     ]
     roundings = [
-        (is_ours, coarse)
+        (is_ours, coarse, abs(coarse.value - fine.value) > coarse.slack)
         for is_ours, coarse, fine in pairs
-        if abs(coarse.value - fine.value) > coarse.slack
+        if coarse.value != fine.value
         and abs(coarse.value) >= _TWO_DIGITS * coarse.half
         and _is_rounding(coarse, fine)
     ]
-    if len(roundings) < _BY_CHANCE or len({is_ours for is_ours, _ in roundings}) > 1:
-        return None
+    sides = {is_ours for is_ours, _, is_seen in roundings if is_seen}
     found = [
-        (-log10(2.0 * coarse.half), floor(log10(abs(coarse.value)))) for _, coarse in roundings
+        (-log10(2.0 * coarse.half), floor(log10(abs(coarse.value))))
+        for is_ours, coarse, _ in roundings
+        if is_ours in sides
     ]
+    if len(sides) != 1 or len(found) < _BY_CHANCE:
+        return None
     return Digits(round(max(d + lead for d, lead in found)) + 1, round(max(d for d, _ in found)))
 
 
@@ -126,12 +129,15 @@ def _number_pairs(
     ours: ComparedSide, theirs: ComparedSide, body: int, its: int
 ) -> Iterator[tuple[bool, WrittenNumber, WrittenNumber]]:
     """Yield the numbers of a body that both files write, the one of fewer digits first."""
-    parts = zip(ours.inertias[body], theirs.inertias[its], strict=False)
-    forms: list[tuple[Form, Form]] = [p for p in parts if p[0].is_about_com == p[1].is_about_com]
+    forms = [
+        # Moments about other points are other numbers; a mass and its centre are the same.
+        (one.numbers, other.numbers[: None if one.is_about_com == other.is_about_com else 4])
+        for one, other in zip(ours.inertias[body], theirs.inertias[its], strict=False)
+    ]
     if body:
-        forms.append((ours.joints[body - 1], theirs.joints[its - 1]))
+        forms.append((ours.joints[body - 1].numbers, theirs.joints[its - 1].numbers))
     for form, other in forms:
-        for here, there in zip(form.numbers, other.numbers, strict=True):
+        for here, there in zip(form, other, strict=False):
             if here is not None and there is not None:
                 is_ours = here.half >= there.half
                 yield is_ours, *((here, there) if is_ours else (there, here))
