@@ -9,8 +9,8 @@ from tests.cli.conftest import Runner
 from tests.support.robots import LIFT
 
 from kindsl.language.syntax.transforms_text import read_transforms
-from kindsl.products.codegen.robcogen import rendering
 from kindsl.products.codegen.robcogen.files import RUNTIME
+from kindsl.products.codegen.robcogen.robot import templates
 
 
 @pytest.fixture
@@ -189,7 +189,7 @@ def test_cmake_carries_the_robots_version(language: str, kindsl: Runner, documen
 def test_a_missing_template_engine_is_told_with_what_installs_it(
     kindsl: Runner, document: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    rendering.environment.cache_clear()
+    templates.cache_clear()
     monkeypatch.setitem(sys.modules, "jinja2", None)
     done = kindsl(*GENERATE)
     assert done.status == 2

@@ -295,7 +295,7 @@ class GeneratedRobot:
         """
         has_p, real = self.has_parameters, self.library.options.real
         trait = f"{real.title()}Trait"
-        text = _templates().get_template(template)
+        text = templates().get_template(template)
         return text.render(
             robot=self,
             stamp=self.library.stamp,
@@ -316,7 +316,7 @@ class GeneratedRobot:
 
 
 @cache
-def _templates() -> "Environment":
+def templates() -> "Environment":
     """Return the templates, in Jinja's language with `@` around what is filled in."""
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
