@@ -1,39 +1,14 @@
-"""Semantic tokens in the protocol's numbers, whole and as differences."""
-
-from array import array
-from itertools import pairwise
+"""Semantic tokens in the protocol's numbers."""
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kindsl.frontends.features import semantic_tokens
 from kindsl.frontends.lsp.handlers import highlighting
-from kindsl.frontends.lsp.session.tokens import TokenMemory
 from kindsl.frontends.lsp.text.document import document
 from kindsl.judgement.analysis.analysis import analyse
 
 steady = settings(deadline=None, derandomize=True)
-
-numbers = st.lists(st.integers(0, 3), max_size=20)
-
-
-@steady
-@given(st.lists(numbers, min_size=2, max_size=5))
-def test_differences_lead_from_one_row_to_the_next(rows: list[list[int]]) -> None:
-    memory = TokenMemory()
-    known = memory.tell("untitled:r", array("I", rows[0]), None)["resultId"]
-    for old, new in pairwise(rows):
-        answer = memory.tell("untitled:r", array("I", new), known)
-        made = list(old)
-        for edit in answer["edits"]:
-            made[edit["start"] : edit["start"] + edit["deleteCount"]] = edit["data"]
-        assert made == new
-        known = answer["resultId"]
-
-
-def test_an_unknown_result_is_answered_with_everything() -> None:
-    memory = TokenMemory()
-    assert memory.tell("untitled:r", array("I", [1]), "elsewhere")["data"] == [1]
 
 
 @steady

@@ -4,13 +4,10 @@ import asyncio
 import gc
 import math
 import threading
-from array import array
 from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 from lsprotocol import types
 from tests.cli.samples import GOOD, UNBOUND, arm
 from tests.lsp.sessions import REFUSAL, folder_of, of_versions, opened, session_with
@@ -27,7 +24,6 @@ from kindsl.frontends.lsp.session.configuration_files import (
 from kindsl.frontends.lsp.session.findings import diagnostics
 from kindsl.frontends.lsp.session.progress import AT_A_TIME, Progress
 from kindsl.frontends.lsp.session.publishing import status_of
-from kindsl.frontends.lsp.session.tokens import TokenMemory
 from kindsl.frontends.lsp.session.view import without_marks
 from kindsl.frontends.lsp.session.worker import AbandonedError, Urgency, Worker, start_task
 from kindsl.frontends.lsp.session.workspace import Workspace
@@ -253,38 +249,6 @@ class TestProgress:
 def _shows_progress() -> types.ClientCapabilities:
     window = types.WindowClientCapabilities(work_done_progress=True)
     return types.ClientCapabilities(window=window)
-
-
-class TestTokens:
-    """Semantic tokens as the difference to those that the client knows."""
-
-    @given(st.lists(st.integers(0, 3), max_size=9), st.lists(st.integers(0, 3), max_size=9))
-    def test_the_difference_makes_one_of_the_other(self, old: list[int], new: list[int]) -> None:
-        memory = TokenMemory()
-        known = memory.tell(URI, array("I", old), None)
-        assert known["data"] == old
-        told = memory.tell(URI, array("I", new), known["resultId"])
-        assert told["resultId"] != known["resultId"] and "data" not in told
-        assert len(told["edits"]) == (old != new)
-        row = list(old)
-        for edit in told["edits"]:
-            row[edit["start"] : edit["start"] + edit["deleteCount"]] = edit["data"]
-            assert edit["start"] + edit["deleteCount"] <= len(old)
-            # Neither end of what is replaced was there already.
-            replaced = old[edit["start"] : edit["start"] + edit["deleteCount"]]
-            if replaced and edit["data"]:
-                assert replaced[0] != edit["data"][0] and replaced[-1] != edit["data"][-1]
-        assert row == new
-
-    def test_who_knows_something_else_is_told_all(self) -> None:
-        memory, tokens = TokenMemory(), array("I", [1, 2, 3])
-        first = memory.tell(URI, tokens, None)
-        assert memory.tell(URI, tokens, "other")["data"] == [1, 2, 3]
-        assert memory.tell(URI, tokens, first["resultId"])["data"] == [1, 2, 3]
-        latest = memory.tell("untitled:b", tokens, None)["resultId"]
-        memory.forget(document("untitled:b", 1, "", "utf-16"))
-        assert memory.tell("untitled:b", tokens, latest)["data"] == [1, 2, 3]
-        memory.forget(document("untitled:c", 1, "", "utf-16"))
 
 
 def test_findings_show_what_the_client_can() -> None:

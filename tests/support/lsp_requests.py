@@ -24,7 +24,6 @@ _OF_THE_WHOLE: tuple[tuple[str, dict[str, Any]], ...] = (
     ("documentLink", {}),
     ("codeLens", {}),
     ("semanticTokens/full", {}),
-    ("semanticTokens/full/delta", {"previousResultId": "1"}),
     ("diagnostic", {}),
     ("formatting", {"options": {"tabSize": 4, "insertSpaces": True}}),
 )

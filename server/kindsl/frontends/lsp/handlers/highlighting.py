@@ -1,6 +1,5 @@
-"""Semantic tokens: whole, in a range, and what has changed since the last time."""
+"""Semantic tokens: whole and in a range."""
 
-from array import array
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
@@ -22,9 +21,7 @@ TYPES = (
 MODIFIERS = ("declaration", "readonly", "modification", "defaultLibrary", "deprecated")
 
 _LEGEND = types.SemanticTokensLegend(TYPES, MODIFIERS)
-_OPTIONS = types.SemanticTokensRegistrationOptions(
-    _LEGEND, full=types.SemanticTokensFullDelta(delta=True), range=True
-)
+_OPTIONS = types.SemanticTokensRegistrationOptions(_LEGEND, full=True, range=True)
 _TYPE_NUMBERS = {name: number for number, name in enumerate(TYPES)}
 _MODIFIER_BITS = {name: 1 << number for number, name in enumerate(MODIFIERS)}
 
@@ -32,32 +29,26 @@ _MODIFIER_BITS = {name: 1 << number for number, name in enumerate(MODIFIERS)}
 @handlers.document(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL, _OPTIONS)
 def whole(view: View, _: types.SemanticTokensParams) -> dict[str, Any]:
     """Tell all tokens."""
-    return view.state.tokens.tell(view.document.uri, _data(view), None)
-
-
-@handlers.document(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL_DELTA, _OPTIONS)
-def delta(view: View, params: types.SemanticTokensDeltaParams) -> dict[str, Any]:
-    """Tell what has changed."""
-    return view.state.tokens.tell(view.document.uri, _data(view), params.previous_result_id)
+    return {"data": _data(view)}
 
 
 @handlers.document(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE, _OPTIONS)
 def part(view: View, params: types.SemanticTokensRangeParams) -> dict[str, Any]:
     """Tell the tokens of what is visible."""
     start, end = view.offset(params.range.start), view.offset(params.range.end)
-    return {"data": _data(view, start, end).tolist()}
+    return {"data": _data(view, start, end)}
 
 
-def _data(view: View, start: int = 0, end: int | None = None) -> "array[int]":
+def _data(view: View, start: int = 0, end: int | None = None) -> list[int]:
     from kindsl.frontends.features.semantic_tokens import semantic_tokens
 
     return encoded(view.document, semantic_tokens(view.analysis, start, end))
 
 
-def encoded(document: Document, tokens: "Iterable[SemanticToken]") -> "array[int]":
+def encoded(document: Document, tokens: "Iterable[SemanticToken]") -> list[int]:
     """Return five numbers a token: line and column from the one before, length, type, modifiers."""
     lines, encoding = document.lines, document.encoding
-    data = array("I")
+    data: list[int] = []
     line = line_start = column = 0
     line_end = -1
     for start, end, kind, modifiers in tokens:

@@ -12,7 +12,6 @@ from kindsl.frontends.lsp.session.analyses import Analyses
 from kindsl.frontends.lsp.session.calm import Calm
 from kindsl.frontends.lsp.session.helper import Helper
 from kindsl.frontends.lsp.session.surroundings import Surroundings
-from kindsl.frontends.lsp.session.tokens import TokenMemory
 from kindsl.frontends.lsp.session.worker import Urgency
 from kindsl.frontends.lsp.session.workspace import Workspace
 from kindsl.frontends.lsp.text import uris
@@ -39,7 +38,6 @@ class State:
         workspace: The folders and their settings.
         analyses: The analysis of each version of a document.
         calm: Holds back findings while someone types.
-        tokens: The semantic tokens that the client knows.
         quiet: Set while no question is open.
         news: Set when files or settings may have changed.
         refused: Documents of which the user was told that they are too broken to format.
@@ -61,7 +59,6 @@ class State:
         self.workspace = Workspace()
         self.analyses = Analyses(self.worker, self.workspace)
         self.calm = Calm(self.documents)
-        self.tokens = TokenMemory()
         self.news = asyncio.Event()
         self.refused: set[str] = set()
         self.until_told: asyncio.Future[None] | None = None
@@ -74,7 +71,6 @@ class State:
         self.quiet = asyncio.Event()
         self.quiet.set()
         self.documents.on_close += [
-            self.tokens.forget,
             lambda document: self.refused.discard(document.uri),
             lambda _: self.news.set(),
         ]
