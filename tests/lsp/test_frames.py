@@ -37,7 +37,7 @@ class TestHeaders:
         assert await read(b"".join(map(framed, BODIES))) == BODIES
 
     @pytest.mark.parametrize("ends", [("\n", "\n"), ("\r\n", "\n"), ("\n", "\r\n")], ids=repr)
-    async def test_line_ends_without_cr_are_understood_and_logged_once(
+    async def test_line_ends_without_cr_are_understood(
         self, ends: tuple[str, str], caplog: pytest.LogCaptureFixture
     ) -> None:
         frames = [
@@ -45,25 +45,19 @@ class TestHeaders:
             for body in BODIES
         ]
         assert await read(b"".join(frames)) == BODIES
-        assert [record.levelname for record in caplog.records] == ["WARNING"]
+        assert caplog.records == []
 
     async def test_a_header_in_order_is_not_logged(self, caplog: pytest.LogCaptureFixture) -> None:
         await read(b"X: 1\r\ncontent-LENGTH:2 \r\nY: 2\r\n\r\n[]" + framed(b"[]"))
         assert caplog.records == []
 
     @pytest.mark.parametrize("length", ["-5", "five", "", "1 2", "9" * 12, "9" * 5000])
-    async def test_a_length_that_makes_no_sense_is_logged_and_skipped(
-        self, length: str, caplog: pytest.LogCaptureFixture
-    ) -> None:
+    async def test_a_length_that_makes_no_sense_is_skipped(self, length: str) -> None:
         head = f"Content-Length: {length}\r\n\r\n".encode()
         assert await read(head + framed(b"[]"), 1 << 14) == [b"[]"]
-        assert len(caplog.records) == 1
 
-    async def test_a_line_longer_than_any_header_is_skipped(
-        self, caplog: pytest.LogCaptureFixture
-    ) -> None:
+    async def test_a_line_longer_than_any_header_is_skipped(self) -> None:
         assert await read(b"x" * 5000 + b"\r\n\r\n" + framed(b"[]")) == [b"[]"]
-        assert caplog.records
 
     async def test_blank_lines_between_messages_are_passed_over(self) -> None:
         assert await read(b"\r\n" + framed(b"[]") + b"\n\n" + framed(b"{}")) == [b"[]", b"{}"]

@@ -83,6 +83,7 @@ class TestLifeCycle:
             client.initialize(processId=editor.pid)
             assert client.refusal("kindsl/unknown")["code"] == -32601
             editor.kill()
+            editor.wait()
             assert client.wait_for_end() == 1
 
     def test_the_server_ends_when_the_process_that_started_it_is_gone_already(self) -> None:

@@ -73,6 +73,3 @@ class _PostingWriter:
 
     def close(self) -> None:
         """Do nothing: the worker ends with its page."""
-
-    async def flush(self) -> None:
-        """Everything has been sent already."""

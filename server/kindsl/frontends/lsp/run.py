@@ -2,15 +2,17 @@
 
 import asyncio
 import contextlib
+import os
 import signal
 import sys
 
 from kindsl.frontends.lsp.server import KindslLanguageServer
 from kindsl.frontends.lsp.session import memory
 from kindsl.frontends.lsp.session.worker import start_task
-from kindsl.frontends.lsp.wire import parent_watch
 from kindsl.frontends.lsp.wire.frames import read_messages
-from kindsl.frontends.lsp.wire.transport import MessageWriter, TransportWriter, open_stdio
+from kindsl.frontends.lsp.wire.transport import MessageWriter, open_stdio
+
+_POLL_SECONDS = 2.0
 
 
 async def serve_stdio(server: KindslLanguageServer) -> int:
@@ -25,7 +27,7 @@ async def serve_tcp(server: KindslLanguageServer, host: str, port: int) -> int:
 
     async def connected(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         listener.close()
-        code.set_result(await _serve(server, reader, TransportWriter(writer.transport)))
+        code.set_result(await _serve(server, reader, writer))
 
     listener = await asyncio.start_server(connected, host, port, limit=1 << 24)
     address = listener.sockets[0].getsockname()
@@ -46,18 +48,50 @@ async def _serve(
     with contextlib.suppress(asyncio.CancelledError):
         await reading
     await server.session.close()
-    await writer.flush()
+    if isinstance(writer, asyncio.StreamWriter):
+        writer.transport.set_write_buffer_limits(0)
+        with contextlib.suppress(ConnectionError):
+            await writer.drain()
     writer.close()
     return server.protocol.exit_code
 
 
 def _watch_parent(process_id: int | None, reading: "asyncio.Future[None]") -> None:
+    """End the reading when the editor that started the server has died."""
     if process_id is None or process_id <= 0:
         return
 
     async def watch() -> None:
-        await parent_watch.wait_for_exit(process_id)
+        while is_alive(process_id):
+            await asyncio.sleep(_POLL_SECONDS)
         reading.cancel()
 
     task = start_task(watch())
     reading.add_done_callback(lambda _: task.cancel())
+
+
+def is_alive(process_id: int) -> bool:
+    """Return whether a process of that id exists."""
+    if sys.platform == "win32":
+        return _is_alive_on_windows(process_id)
+    try:
+        os.kill(process_id, 0)
+    except (ProcessLookupError, OverflowError):
+        return False
+    except PermissionError:
+        return True
+    return True
+
+
+def _is_alive_on_windows(process_id: int) -> bool:
+    import ctypes
+
+    synchronize, timed_out = 0x00100000, 0x102
+    kernel = ctypes.windll.kernel32  # type: ignore[attr-defined]
+    handle = kernel.OpenProcess(synchronize, False, process_id)
+    if not handle:
+        return False
+    try:
+        return bool(kernel.WaitForSingleObject(handle, 0) == timed_out)
+    finally:
+        kernel.CloseHandle(handle)

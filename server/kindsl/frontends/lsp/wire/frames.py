@@ -4,6 +4,7 @@ Whatever comes, the next header in order is found again: bytes that belong to no
 """
 
 import asyncio
+import contextlib
 import itertools
 import logging
 import re
@@ -24,63 +25,25 @@ async def read_messages(reader: asyncio.StreamReader, receive: Callable[[bytes],
     Messages that have arrived are all handed on before what they started goes on, so that a
     cancellation overtakes the request it is about; a flood still leaves others their turn.
     """
-    frames = _Frames(reader)
-    for count in itertools.count(1):
-        if count % _TURN == 0:
-            await asyncio.sleep(0)
-        try:
-            body = await frames.body()
-        except (asyncio.IncompleteReadError, ConnectionError):
-            return
-        if not receive(body):
-            return
+    length: int | None = None
+    with contextlib.suppress(asyncio.IncompleteReadError, ConnectionError):
+        for count in itertools.count(1):
+            if count % _TURN == 0:
+                await asyncio.sleep(0)
+            line = await _line(reader)
+            if found := _CONTENT_LENGTH.search(line):
+                length = int(found[1])
+                if line[: found.start()].strip():
+                    logger.error("%d bytes before a header were skipped", found.start())
+            elif not line and length is not None:
+                body, length = await reader.readexactly(length), None
+                if not receive(body):
+                    return
 
 
-class _Frames:
-    """Finds messages; what is wrong with them is logged, bare line feeds but once."""
-
-    __slots__ = ("_has_told_of_line_ends", "_reader")
-
-    def __init__(self, reader: asyncio.StreamReader) -> None:
-        self._reader = reader
-        self._has_told_of_line_ends = False
-
-    async def body(self) -> bytes:
-        """Return the body of the next message.
-
-        Raises:
-            IncompleteReadError: The input has ended.
-        """
-        length, has_begun = None, False
-        while True:
-            line = await self._line()
-            if line.strip():
-                has_begun = True
-                told = _length(line)
-                length = length if told is None else told
-            elif length is not None:
-                return await self._reader.readexactly(length)
-            elif has_begun:
-                logger.error("a header without a valid Content-Length was skipped")
-                has_begun = False
-
-    async def _line(self) -> bytes:
-        """Return a line of a header without its end, or a part of one that is too long."""
-        try:
-            line = await self._reader.readuntil(b"\n")
-        except asyncio.LimitOverrunError as error:
-            return await self._reader.readexactly(error.consumed)
-        if not line.endswith(b"\r\n") and not self._has_told_of_line_ends:
-            self._has_told_of_line_ends = True
-            logger.warning("a header's lines end with LF instead of CR LF")
-        return line.rstrip(b"\r\n")
-
-
-def _length(line: bytes) -> int | None:
-    """Return the length in a line of a header, None if there is none."""
-    found = _CONTENT_LENGTH.search(line)
-    if found is None:
-        return None
-    if line[: found.start()].strip():
-        logger.error("%d bytes before a header were skipped", found.start())
-    return int(found[1])
+async def _line(reader: asyncio.StreamReader) -> bytes:
+    """Return a line of a header without its end, or a part of one that is too long."""
+    try:
+        return (await reader.readuntil(b"\n")).rstrip()
+    except asyncio.LimitOverrunError as error:
+        return await reader.readexactly(error.consumed)

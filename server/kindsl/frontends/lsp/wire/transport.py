@@ -11,66 +11,21 @@ import stat
 import sys
 import threading
 
+from pygls.io_ import StdoutWriter
+
 _BUFFER = 1 << 24
 _READ = 1 << 16
+# The second one is for what the event loop cannot watch: a file, Windows.
+MessageWriter = asyncio.StreamWriter | StdoutWriter
 
 
-async def open_stdio() -> "tuple[asyncio.StreamReader, MessageWriter]":
+async def open_stdio() -> tuple[asyncio.StreamReader, MessageWriter]:
     """Take over stdin and stdout; from now on `print` writes to stderr."""
     incoming, outgoing = os.dup(0), os.dup(1)
     sys.stdout.flush()
     os.dup2(2, 1)
     sys.stdout = sys.stderr
     return await _open_reader(incoming), await _open_writer(outgoing)
-
-
-class TransportWriter:
-    """Writes through an asyncio transport: at once, or when the other side reads."""
-
-    __slots__ = ("_transport",)
-
-    def __init__(self, transport: asyncio.WriteTransport) -> None:
-        self._transport = transport
-
-    def write(self, data: bytes) -> None:
-        """Send, or keep until the other side reads."""
-        self._transport.write(data)
-
-    def close(self) -> None:
-        """Send what is kept, then no more."""
-        self._transport.close()
-
-    async def flush(self) -> None:
-        """Wait until all is sent, or the other side is gone."""
-        while self._transport.get_write_buffer_size() and not self._transport.is_closing():
-            await asyncio.sleep(0.005)
-
-
-class BlockingMessageWriter:
-    """Writes to a file descriptor that the event loop cannot watch (a file, Windows)."""
-
-    __slots__ = ("_descriptor",)
-
-    def __init__(self, descriptor: int) -> None:
-        self._descriptor = descriptor
-
-    def write(self, data: bytes) -> None:
-        """Send at once."""
-        view = memoryview(data)
-        while view:
-            view = view[os.write(self._descriptor, view) :]
-
-    def close(self) -> None:
-        """Send no more."""
-        with contextlib.suppress(OSError):
-            os.close(self._descriptor)
-
-    async def flush(self) -> None:
-        """Everything has been sent already."""
-
-
-# Writes framed messages out: `write` never waits for the other side, `flush` does.
-MessageWriter = TransportWriter | BlockingMessageWriter
 
 
 async def _open_reader(descriptor: int) -> asyncio.StreamReader:
@@ -86,12 +41,12 @@ async def _open_reader(descriptor: int) -> asyncio.StreamReader:
 
 
 async def _open_writer(descriptor: int) -> MessageWriter:
+    pipe = os.fdopen(descriptor, "wb")
     if not _can_be_watched(descriptor):
-        return BlockingMessageWriter(descriptor)
-    pipe = os.fdopen(descriptor, "wb", buffering=0)
+        return StdoutWriter(pipe)
     loop = asyncio.get_running_loop()
-    transport, _ = await loop.connect_write_pipe(asyncio.BaseProtocol, pipe)
-    return TransportWriter(transport)
+    transport, protocol = await loop.connect_write_pipe(asyncio.streams.FlowControlMixin, pipe)
+    return asyncio.StreamWriter(transport, protocol, None, loop)
 
 
 def _can_be_watched(descriptor: int) -> bool:
