@@ -12,6 +12,7 @@ class Automaton:
         self.starts = starts
         self.rules: dict[Any, int] = {}
         self.numbers: dict[Any, int] = {}
+        self.symbols: dict[tuple[str, ...], int] = {(): 0}
         self._number()
 
     def _number(self) -> None:
@@ -31,6 +32,7 @@ class Automaton:
 
     def tables(self) -> dict[str, Any]:
         """Return the automaton's tables by name."""
+        states = tuple(map(self._tabled, self.numbers))
         return {
             "STARTS": {
                 start: (
@@ -39,12 +41,16 @@ class Automaton:
                 )
                 for start in self.starts
             },
-            "STATES": tuple(map(self._tabled, self.numbers)),
+            "SYMBOLS": tuple(self.symbols),
+            "STATES": states,
             "RULES": tuple(_rule(rule, self.kinds) for rule in self.rules),
         }
 
     def _tabled(self, state: Any) -> tuple[Any, ...]:
-        """Return what a state is in the middle of, its actions by tokens, its targets by rules."""
+        """Return what a state is in the middle of, its actions by tokens, its targets by rules.
+
+        Symbols are the number of their tuple; an action is written once where all are the same.
+        """
         cells = {self.kinds.get(symbol, ""): cell for symbol, cell in self._row(state)}
         actions = {kind: self._code(*cell) for kind, cell in cells.items() if kind}
         targets = {
@@ -52,8 +58,13 @@ class Automaton:
             for symbol, (_, argument) in self._row(state)
             if symbol not in self.kinds
         }
-        ends = tuple(targets), tuple(targets.values())
-        return _construct(state), tuple(actions), tuple(actions.values()), *ends
+        tokens, rules = (self._numbered(tuple(row)) for row in (actions, targets))
+        codes = tuple(actions.values())
+        code = codes[0] if len(set(codes)) == 1 else codes
+        return _construct(state), tokens, code, rules, tuple(targets.values())
+
+    def _numbered(self, symbols: tuple[str, ...]) -> int:
+        return self.symbols.setdefault(symbols, len(self.symbols))
 
     def _code(self, action: Any, argument: Any) -> int:
         """Return a state to shift to, or the complement of the number of a rule to reduce."""

@@ -32,7 +32,6 @@ TABLES = _LANGUAGE / "syntax" / "tables.py"
 SECTIONS = _LANGUAGE / "semantics" / "sections.py"
 
 _HEADER = '"""Generated from grammar/kindsl.lark by `make tables`; do not edit."""\n'
-_NUMBERED = "tuple[str, ...], tuple[int, ...]"
 _TYPES = {
     "KEYWORDS": "dict[str, str]",
     "PUNCTUATION": "str",
@@ -40,7 +39,8 @@ _TYPES = {
     "IGNORED": "tuple[str, ...]",
     "TRIVIA": "str",
     "COMMENTS": "str",
-    "STATES": f"tuple[tuple[str, {_NUMBERED}, {_NUMBERED}], ...]",
+    "SYMBOLS": "tuple[tuple[str, ...], ...]",
+    "STATES": "tuple[tuple[str, int, int | tuple[int, ...], int, tuple[int, ...]], ...]",
     "STARTS": "dict[str, tuple[int, int]]",
     "RULES": "tuple[tuple[int, str, str, str], ...]",
     "HOLDS": "dict[str, tuple[str, ...]]",

@@ -3,11 +3,16 @@
 from functools import lru_cache
 from typing import ClassVar
 
-from kindsl.language.syntax.tables import KEYWORDS, RULES, STARTS, STATES
+from kindsl.language.syntax.tables import KEYWORDS, RULES, STARTS, STATES, SYMBOLS
 
 CONSTRUCTS = [state[0] for state in STATES]
-ROWS = [dict(zip(*state[1:3], strict=True)) for state in STATES]
-TARGETS = [dict(zip(*state[3:5], strict=True)) for state in STATES]
+ROWS = [
+    dict.fromkeys(SYMBOLS[kinds], actions)
+    if isinstance(actions, int)
+    else dict(zip(SYMBOLS[kinds], actions, strict=True))
+    for _, kinds, actions, _, _ in STATES
+]
+TARGETS = [dict(zip(SYMBOLS[rules], to, strict=True)) for *_, rules, to in STATES]
 
 # Tokens whose loss is thought of; where one word of several can stand, the usual one will do.
 _LOSABLE = frozenset((*KEYWORDS.values(), *"{}()=,]>", "NAME", "FLOAT", "INT"))
