@@ -3,9 +3,9 @@
 from collections.abc import Sequence
 from functools import lru_cache
 
-from kindsl.language.syntax.automaton import ROWS, TARGETS
+from kindsl.language.syntax.builder import build
 from kindsl.language.syntax.scanner import word_kind
-from kindsl.language.syntax.tables import NEITHER, ONLY, RULES, STARTS
+from kindsl.language.syntax.tables import NEITHER, ONLY
 from kindsl.language.syntax.tree import Island, Node, Token
 from kindsl.language.syntax.vocabulary import NAMES, VALUE_HOLDERS
 from kindsl.language.text.facts import kept
@@ -30,28 +30,15 @@ def kinds_accepted_by(kinds: tuple[str, ...]) -> frozenset[str]:
 
     They are those that no rule and no terminal on the way excludes.
     """
-    if len(kinds) > _LONGEST:
+    built = build([Token(kind, "", 0, 0, 0) for kind in kinds[:_LONGEST]], "value")
+    if built.node is None or built.read < len(kinds):
         return frozenset()
-    state, end = STARTS["value"]
-    states = [state]
+    parts: list[Node | Token] = [built.node]
     targets = TARGETS_OF_ALL
-    for kind in (*kinds, "$END"):
-        targets &= targets_of(kind)
-        while True:
-            action = ROWS[states[-1]].get(kind)
-            if action is None:
-                return frozenset()
-            if action >= 0:
-                states.append(action)
-                break
-            size, name, _, alias = RULES[~action]
-            targets &= targets_of(alias)
-            del states[-size:]
-            state = TARGETS[states[-1]][name]
-            if state == end:
-                return targets
-            states.append(state)
-    return frozenset()
+    for part in parts:
+        targets &= targets_of(part.kind)
+        parts += part.children if isinstance(part, Node) else ()
+    return targets
 
 
 def form_kind(token: Token) -> str:
