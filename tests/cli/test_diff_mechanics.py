@@ -10,7 +10,7 @@ from tests.cli.conftest import Runner
 from tests.comparison.trials import ARM, described_text, random_document
 from tests.comparison.variants import urdf_of, variant
 
-from kindsl.robots.interchange.urdf.numbers import numbers_of_urdf
+from kindsl.robots.interchange.urdf.urdf_reading import numbers_of_urdf
 
 
 @pytest.fixture

@@ -16,11 +16,10 @@ from kindsl.robots.comparison.quantities import INERTIA, POSE
 from kindsl.robots.comparison.side import ComparedSide
 from kindsl.robots.comparison.torques import torques
 from kindsl.robots.comparison.written import TextPlace, WrittenNumber
-from kindsl.robots.interchange.comparable import described_robot
+from kindsl.robots.interchange.descriptions import described_robot
 from kindsl.robots.interchange.format import ReadingChoices
 from kindsl.robots.interchange.kindsl_writing import kindsl_text
-from kindsl.robots.interchange.urdf.numbers import numbers_of_urdf
-from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
+from kindsl.robots.interchange.urdf.urdf_reading import numbers_of_urdf, robot_of_urdf
 from kindsl.robots.mechanism.bodies import bodies_of
 from kindsl.robots.mechanism.linkage import Linkage
 

@@ -9,10 +9,10 @@ from tests.interchange.round_trips import read
 from kindsl.robots.comparison.written import TextPlace
 from kindsl.robots.interchange.descriptions import read_description
 from kindsl.robots.interchange.format import AS_WRITTEN
-from kindsl.robots.interchange.mjcf.numbers import numbers_of_mjcf
+from kindsl.robots.interchange.mjcf.mjcf_reading import numbers_of_mjcf
 from kindsl.robots.interchange.registry import format_named
 from kindsl.robots.interchange.sdf.numbers import numbers_of_sdf
-from kindsl.robots.interchange.urdf.numbers import numbers_of_urdf
+from kindsl.robots.interchange.urdf.urdf_reading import numbers_of_urdf
 from kindsl.robots.interchange.written_numbers import FileNumbers
 
 DOCUMENTS = Path(__file__).parent / "documents"

@@ -13,11 +13,14 @@ from kindsl.robots.scene.encoding import as_json, encode
 from kindsl.robots.scene.geometry import (
     ARROW_PROFILE,
     FORCE_PROFILE,
+    SIDES,
     Form,
+    Mesh,
     Shape,
+    lathe,
     lowered,
+    triad,
 )
-from kindsl.robots.scene.meshes import SIDES, Mesh, lathe, triad
 from kindsl.robots.scene.messages import (
     Change,
     Delete,

@@ -8,7 +8,7 @@ from kindsl.language.text.phrases import counted, listed
 from kindsl.mechanics.rigid.pose import RigidPose
 from kindsl.robots.comparison.alignment import AlignedJoint
 from kindsl.robots.comparison.matching import writable
-from kindsl.robots.comparison.pair import Pair
+from kindsl.robots.comparison.side import Pair
 
 # Of a frame that is written with few digits, metres and radians.
 _NOTHING = 3e-4

@@ -25,9 +25,8 @@ from kindsl.robots.comparison.number_differences import (
     inertia_differences,
     joint_differences,
 )
-from kindsl.robots.comparison.pair import Pair
 from kindsl.robots.comparison.rounding import digits_of_rounding, is_rounded
-from kindsl.robots.comparison.side import ComparedSide
+from kindsl.robots.comparison.side import ComparedSide, Pair
 from kindsl.robots.comparison.turned_axes import axis_differences, described_with_axis
 from kindsl.robots.comparison.twins import TwinFile
 from kindsl.robots.comparison.written import written_frame

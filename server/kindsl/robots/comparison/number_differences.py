@@ -6,9 +6,10 @@ from typing import NamedTuple
 
 from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from
 from kindsl.mechanics.rigid.pose import RigidPose, angle_between
-from kindsl.robots.comparison.pair import Pair
+from kindsl.robots.comparison.alignment import around
 from kindsl.robots.comparison.quantities import INERTIA, POSE, TURNS
 from kindsl.robots.comparison.rounding import NO_ANGLE, Digits, Form
+from kindsl.robots.comparison.side import Pair
 from kindsl.robots.comparison.written import (
     WrittenInertia,
     WrittenNumber,
@@ -110,14 +111,14 @@ class Tolerances(NamedTuple):
 
 def joint_differences(pair: Pair, body: int, bounds: Tolerances) -> list[NumberDifference]:
     """Return the numbers that differ in the pose of the joint that carries our body."""
-    other, parents = pair.matching.theirs[body], pair.parents
+    other = pair.matching.theirs[body]
     mine, its = pair.ours.joints[body - 1], pair.theirs.joints[other - 1]
-    before, after = pair.around(body)
+    before, after = around(pair.ours.skeleton, pair.alignment, body)
     back = before.inverse(), after.inverse()
-    carriers = (pair.ours, parents[0][body - 1]), (pair.theirs, parents[1][other - 1])
-    tilt = sum(
-        _turn_slack(robot.joints[carrier - 1], bounds) for robot, carrier in carriers if carrier
-    )
+    tilt = 0.0
+    for side, carried in (pair.ours, body), (pair.theirs, other):
+        carrier = side.skeleton.parents[carried - 1]
+        tilt += _turn_slack(side.joints[carrier - 1], bounds) if carrier else 0.0
     wanted = _wanted_pose(mine, its, (before, after), bounds, tilt)
     if not wanted.unlike:
         return []

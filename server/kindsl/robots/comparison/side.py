@@ -2,9 +2,12 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
+from typing import NamedTuple
 
 from kindsl.language.semantics.parameters import JointProperties
 from kindsl.language.semantics.places import Located
+from kindsl.robots.comparison.alignment import Alignment
+from kindsl.robots.comparison.matching import MatchedJoints
 from kindsl.robots.comparison.written import (
     TextPlace,
     WrittenInertia,
@@ -68,6 +71,20 @@ class ComparedSide:
         file = number.at.file if isinstance(number.at, TextPlace) else ""
         name = f"{self.label.rstrip('/')}/{file}" if file else self.label
         return f"in {name} (line {line})"
+
+
+class Pair(NamedTuple):
+    """Two robots, their matching bodies, and the other's conventions beside ours."""
+
+    ours: ComparedSide
+    theirs: ComparedSide
+    matching: MatchedJoints
+    alignment: Alignment
+
+    @property
+    def joints(self) -> list[tuple[int, int]]:
+        """The bodies on matching joints, ours and theirs, in our order."""
+        return [(body, its) for body, its in sorted(self.matching.theirs.items()) if body]
 
 
 def exactly_turned(side: ComparedSide) -> ComparedSide:

@@ -10,9 +10,8 @@ from math import atan2, hypot
 
 from kindsl.mechanics.rigid.pose import RigidPose, Vector3, rotation_from_z
 from kindsl.robots.comparison.number_differences import NumberDifference
-from kindsl.robots.comparison.pair import Pair
 from kindsl.robots.comparison.quantities import AXIS
-from kindsl.robots.comparison.side import ComparedSide
+from kindsl.robots.comparison.side import ComparedSide, Pair
 from kindsl.robots.comparison.written import WrittenInertia, WrittenPose
 from kindsl.robots.mechanism.linkage import Linkage
 

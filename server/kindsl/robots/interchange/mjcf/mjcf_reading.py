@@ -1,4 +1,4 @@
-"""MJCF to a robot description, out of what MuJoCo compiles."""
+"""MJCF to a robot description, out of what MuJoCo compiles; and the places of its numbers."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -12,6 +12,7 @@ from kindsl.language.semantics.parameters import JointProperties
 from kindsl.language.text.phrases import listed
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3, rotation_from_quaternion
+from kindsl.robots.comparison.quantities import AXIS, INERTIA, POSE, TURNS
 from kindsl.robots.interchange.format import FormatError, ReadingChoices, ReadRobot, told_joints
 from kindsl.robots.interchange.mjcf.compiling import compiled, spec_of_file
 from kindsl.robots.interchange.mjcf.losses import (
@@ -21,13 +22,14 @@ from kindsl.robots.interchange.mjcf.losses import (
     physics_losses,
     strip,
 )
-from kindsl.robots.interchange.mjcf.numbers import numbers_of_mjcf
 from kindsl.robots.interchange.rigid_links import BaseKind, RigidLink, about_origin, robot_of_links
+from kindsl.robots.interchange.written_numbers import FileNumbers, XmlNumbers
 
 _WORLD = 0
 _FREE, _SLIDE = 0, 2
 # What has no mass in a document has next to none in MuJoCo, which moves no body without.
 _DUST = 3e-14
+_ORIENTATIONS = ("quat", "euler", "axisangle", "xyaxes", "zaxis")
 
 
 def read_mjcf(path: Path, choices: ReadingChoices) -> ReadRobot:
@@ -237,3 +239,32 @@ def _turn(axis: Any, angle: float) -> RigidPose:
 def _triple(values: Any) -> Vector3:
     x, y, z = map(float, values)
     return x, y, z
+
+
+def numbers_of_mjcf(content: bytes | str) -> FileNumbers:
+    """Return the numbers of inertias along their bodies' axes, and of what carries the bodies."""
+    xml = XmlNumbers(content)
+    for body in xml.root.iter("body"):
+        name, inertial = body.get("name") or "", body.find("inertial")
+        xml.keep("link", name, ("mass",), xml.of_attribute(inertial, "mass"))
+        xml.keep("link", name, INERTIA[1:4], xml.of_attribute(inertial, "pos"))
+        xml.keep("link", name, INERTIA[4:7], xml.of_attribute(inertial, "diaginertia"))
+        xml.keep("link", name, INERTIA[4:], xml.of_attribute(inertial, "fullinertia"))
+        for placed in (body, *body.iterfind("site")):
+            own = placed.get("name") or ""
+            xml.keep_place("frame", own, POSE[:3], xml.of_attribute(placed, "pos"))
+            _keep_turns(xml, "frame", own, placed)
+        joints = [j for j in body.iterfind("joint") if j.get("type") != "free"]
+        for joint, placed in zip(joints, [body, *joints[1:]], strict=False):
+            # The body says where its first joint is, and the joint's own attributes what is left.
+            name, own = joint.get("name") or "", xml.of_attribute(joint, "pos")
+            xml.keep_place("joint", name, POSE[:3], own)
+            xml.keep_place("joint", name, (*TURNS, AXIS), xml.of_attribute(joint, "axis"))
+            xml.keep("joint", name, POSE[:3], xml.of_attribute(placed, "pos"))
+            _keep_turns(xml, "joint", name, placed)
+    return xml.found
+
+
+def _keep_turns(xml: XmlNumbers, kind: str, name: str, placed: Any) -> None:
+    for attribute in _ORIENTATIONS:
+        xml.keep_place(kind, name, TURNS, xml.of_attribute(placed, attribute))

@@ -1,4 +1,4 @@
-"""URDF to a robot description."""
+"""URDF to a robot description, and the places of its numbers."""
 
 import re
 from collections.abc import Iterator
@@ -15,6 +15,7 @@ from kindsl.mechanics.rigid.pose import (
     meant_angle,
     pose_from_fixed_axes,
 )
+from kindsl.robots.comparison.quantities import AXIS, INERTIA, POSE, TURNS
 from kindsl.robots.interchange.format import (
     AS_WRITTEN,
     FormatError,
@@ -31,7 +32,7 @@ from kindsl.robots.interchange.urdf.checking import (
     numbers_of,
     rotation_of,
 )
-from kindsl.robots.interchange.urdf.numbers import numbers_of_urdf
+from kindsl.robots.interchange.written_numbers import FileNumbers, XmlNumbers
 from kindsl.robots.interchange.xml_terms import JOINT_KINDS, TENSOR, drawings_dropped
 from kindsl.robots.mechanism.linkage import Linkage
 
@@ -198,3 +199,27 @@ def _says_nothing(line: str, element: Any) -> bool:
     words = {word.lower() for word in line.replace(":", " ").split()}
     own = {element.tag, (element.get("name") or "").lower()}
     return _RULE.match(line) is not None or words <= own
+
+
+def numbers_of_urdf(content: bytes | str) -> FileNumbers:
+    """Return the numbers of a URDF's links and joints, none of a text that is not XML."""
+    xml = XmlNumbers(content)
+    for link in xml.root.iterfind("link[inertial]"):
+        name, inertial = link.get("name") or "", link.find("inertial")
+        origin, inertia = inertial.find("origin"), inertial.find("inertia")
+        xml.keep("link", name, ("mass",), xml.of_attribute(inertial.find("mass"), "value"))
+        xml.keep("link", name, INERTIA[1:4], xml.of_attribute(origin, "xyz"))
+        moments = [number for m in TENSOR for number in xml.of_attribute(inertia, m)]
+        xml.keep("link", name, INERTIA[4:], moments)
+        xml.keep("link", name, TURNS, xml.of_attribute(origin, "rpy"))
+    for joint in xml.root.iterfind("joint"):
+        name, origin = joint.get("name") or "", joint.find("origin")
+        xml.keep_place("joint", name, (*TURNS, AXIS), xml.of_attribute(joint.find("axis"), "xyz"))
+        at, turned = xml.of_attribute(origin, "xyz"), xml.of_attribute(origin, "rpy")
+        xml.keep("joint", name, POSE[:3], at)
+        xml.keep("joint", name, TURNS, turned)
+        child = joint.find("child")
+        if joint.get("type") == "fixed" and child is not None:
+            xml.keep_place("frame", child.get("link") or "", POSE[:3], at)
+            xml.keep_place("frame", child.get("link") or "", TURNS, turned)
+    return xml.found
