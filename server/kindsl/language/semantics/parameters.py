@@ -104,8 +104,6 @@ class JointProperties(NamedTuple):
 
 
 UNTOLD = JointProperties()
-
-
 _NO_SYMBOLS = Symbols((), ())
 _Use = TypeVar("_Use", Use, ConstantUse)
 

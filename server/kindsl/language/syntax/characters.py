@@ -20,8 +20,6 @@ from kindsl.language.text.decimals import plain_decimal
 from kindsl.language.text.phrases import listed
 
 _BLANKS = re.compile(rf"{COMMENT.pattern}|(?P<blanks>[^\S \t\r\n](?:[ \t]*[^\S \t\r\n])*)")
-
-
 _SIGNS = frozenset("+-")
 _FACTORS = frozenset("*/")
 _CLOSED = OPERANDS | set(")]>")

@@ -16,17 +16,17 @@ from typing import TYPE_CHECKING
 from kindsl.language.syntax.comment_problems import is_open
 from kindsl.language.syntax.parser import parse_island
 from kindsl.language.syntax.splitter import LOOKAHEAD, split
-from kindsl.language.syntax.tables import HOLDS, ORDERS
+from kindsl.language.syntax.tables import ORDERS
 from kindsl.language.syntax.tree import Island
+from kindsl.language.syntax.vocabulary import LETTERS
 from kindsl.language.text.edits import TextEdit, apply_edits
 from kindsl.language.text.facts import Facts
 
 if TYPE_CHECKING:
     from kindsl.language.syntax.block_order import PlacedProblem
 
-_LETTERS = {part: chr(ord("a") + index) for index, part in enumerate(HOLDS["document"])}
-_IN_ORDER = re.compile(
-    "".join(_LETTERS[p.rstrip("?+")] + p[len(p.rstrip("?+")) :] for p in ORDERS["document"])
+IN_ORDER = re.compile(
+    "".join(LETTERS[p.rstrip("?+")] + p[len(p.rstrip("?+")) :] for p in ORDERS["document"])
 )
 _CHUNK = 96
 _MANY_EDITS = 64
@@ -65,7 +65,7 @@ class Chunk:
         """A letter for each block."""
         if self._letters is None:
             nodes = [node for island in self.islands for node in island.nodes]
-            self._letters = "".join([_LETTERS[node.kind] for node in nodes])
+            self._letters = "".join([LETTERS[node.kind] for node in nodes])
         return self._letters
 
 
@@ -140,7 +140,7 @@ class SyntaxDocument:
     @cached_property
     def problems(self) -> "tuple[PlacedProblem, ...]":
         """The problems of the row of blocks as a whole; each island has its own."""
-        if _IN_ORDER.fullmatch("".join([chunk.letters for chunk in self.chunks])):
+        if IN_ORDER.fullmatch("".join([chunk.letters for chunk in self.chunks])):
             return ()
         from kindsl.language.syntax.block_order import order_problems
 
@@ -188,7 +188,7 @@ def paused_collector() -> Iterator[None]:
 def _reparsed(text: str, known: Iterable[Island], versions: Facts) -> SyntaxDocument:
     """Return a document, its islands taken from the known ones where the text is the same."""
     islands = _islands(text, split(text).starts, known)
-    return SyntaxDocument(_chunks(islands), versions)
+    return SyntaxDocument(chunks_of(islands), versions)
 
 
 def _islands(text: str, starts: list[int], known: Iterable[Island]) -> list[Island]:
@@ -204,7 +204,8 @@ def _islands(text: str, starts: list[int], known: Iterable[Island]) -> list[Isla
     return islands
 
 
-def _chunks(islands: Sequence[Island]) -> tuple[Chunk, ...]:
+def chunks_of(islands: Sequence[Island]) -> tuple[Chunk, ...]:
+    """Return islands in chunks."""
     return tuple(
         Chunk(tuple(islands[first : first + _CHUNK])) for first in range(0, len(islands), _CHUNK)
     )
@@ -288,6 +289,6 @@ def _replaced(
     base = indices[low]
     old[first - base : stop - base] = islands
     return SyntaxDocument(
-        (*document.chunks[:low], *_chunks(old), *document.chunks[high:]) or _chunks(islands),
+        (*document.chunks[:low], *chunks_of(old), *document.chunks[high:]) or chunks_of(islands),
         document.versions,
     )

@@ -38,8 +38,6 @@ _SKIPPED = re.compile(r"\s*+(?:<!--(?:[^-]|-(?!->))*+-->|<\?[^<>]*\?>)")
 _ELEMENT = re.compile(r"\s*<(?P<name>[A-Za-z_][\w:.-]*)(?:\s[^<>]*?)?(?P<end>/?)>")
 _FIRST = re.compile(r"^[ \t]*<(?:link|joint|inertial|robot|\?xml|!--)(?=[\s>/-])", re.MULTILINE)
 _OF_URDF = re.compile(r"<(?:link|joint|inertial)\b")
-
-
 SHAPES = ("box", "cylinder", "hollow_cylinder", "sphere", "capsule")
 _NAMED = rf"(?:{'|'.join(SHAPES)})[ \t]*\([^(){{}}\r\n]*"
 _SHAPE = re.compile(

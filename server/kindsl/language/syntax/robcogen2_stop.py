@@ -4,19 +4,18 @@ import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from kindsl.language.syntax.document import Chunk, SyntaxDocument
+from kindsl.language.syntax.document import IN_ORDER, Chunk, SyntaxDocument
 from kindsl.language.syntax.portability import ROBCOGEN2, portability
 from kindsl.language.syntax.strict_robcogen2 import StrictReading, strict_reading
 from kindsl.language.syntax.tree import Island
+from kindsl.language.syntax.vocabulary import LETTERS
 from kindsl.language.text.facts import kept
 
-_IN_ORDER = re.compile("hbl+j+e")
 _UNDECODED = re.compile("[\ud800-\udfff]")
 # Text in which robcogen2 sees the tokens that the grammar's tables have.
 _PLAIN = re.compile(r"[\w\s{}()=,.+*/-]*", re.ASCII)
 _REMARK = re.compile(r"//[^\r\n]*")
 _SPECIAL = re.compile(r"(?<!\w)(?:[\d.]+[A-Za-z_]|[pP][iI](?:\w|(?<!PI)))|/\*", re.ASCII)
-_LETTERS = {"head": "h", "base": "b", "link": "l", "joint": "j", "end": "e"}
 
 
 class Stop(NamedTuple):
@@ -32,7 +31,7 @@ def stop_of_robcogen2(document: SyntaxDocument) -> Stop | None:
     islands = document.islands
     if any(reading.failure is not None for reading in readings):
         return _stop_in(islands)
-    is_whole = _IN_ORDER.fullmatch("".join([reading.blocks for reading in readings]))
+    is_whole = IN_ORDER.fullmatch("".join([reading.blocks for reading in readings]))
     return None if is_whole else Stop(islands[-1], len(islands[-1].text))
 
 
@@ -61,7 +60,7 @@ def _stop_in(islands: Sequence[Island]) -> Stop | None:
         return Stop(islands[first], reading.failure)
     rest = strict_reading("".join(island.text for island in islands[first:]))
     if rest.failure is None:
-        return None if _IN_ORDER.fullmatch(blocks + rest.blocks) else Stop(islands[0], 0)
+        return None if IN_ORDER.fullmatch(blocks + rest.blocks) else Stop(islands[0], 0)
     offset = rest.failure
     for island in islands[first:-1]:
         if offset < len(island.text):
@@ -87,7 +86,7 @@ def _plain_blocks(island: Island) -> str | None:
     notes = portability(island)
     if any(note.target == ROBCOGEN2 or note.kind == "keyword-as-name" for note in notes):
         return None
-    return "".join(_LETTERS[node.kind] for node in island.nodes)
+    return "".join(LETTERS[node.kind] for node in island.nodes)
 
 
 def _undecoded(text: str) -> int | None:

@@ -14,7 +14,7 @@ from kindsl.language.syntax.portability import ROBCOGEN2
 from kindsl.language.syntax.tables import IGNORED, KEYWORDS, ORDERS, PATTERNS, WORDS
 from kindsl.language.syntax.tree import Token
 from kindsl.language.syntax.value_forms import targets_of
-from kindsl.language.syntax.vocabulary import MOMENTS, SECTIONS
+from kindsl.language.syntax.vocabulary import LETTERS, MOMENTS, SECTIONS
 
 _TRIVIA = re.compile(
     f"(?:{'|'.join(PATTERNS[kind] for kind in IGNORED if ROBCOGEN2 in targets_of(kind))})*+"
@@ -36,7 +36,7 @@ class StrictReading(NamedTuple):
     """A piece of text as robcogen2 reads it.
 
     Attributes:
-        blocks: A letter for each block that it reads: `h`, `b`, `l`, `j`, `e`.
+        blocks: A letter for each block that it reads, of `LETTERS`.
         tokens: Its input, of the kinds that the grammar's tables have.
         failure: Where it stops, code points from the start; None where it reads all.
     """
@@ -51,10 +51,10 @@ def strict_reading(text: str) -> StrictReading:
     reader = _CharacterReader(text)
     blocks = ""
     while not reader.is_at_end():
-        letter = next((letter for letter, block in _BLOCKS if block(reader)), None)
-        if letter is None:
+        block = next((kind for kind, forms in _BLOCKS.items() if reader.any_of(*forms)), None)
+        if block is None:
             break
-        blocks += letter
+        blocks += LETTERS[block]
     failure = None if reader.is_at_end() else reader.furthest
     return StrictReading(blocks, tuple(reader.tokens), failure)
 
@@ -234,10 +234,10 @@ _PARTS: dict[str, Callable[[_CharacterReader], bool]] = {
     },
 }
 _BASE, _LINK, _JOINT = (f"{{ {_body(block)} }}" for block in ("base", "link", "joint"))
-_BLOCKS: tuple[tuple[str, Callable[[_CharacterReader], bool]], ...] = (
-    ("b", lambda r: r.any_of(f"RobotBase NAME {_BASE}", f"RobotBase NAME floating {_BASE}")),
-    ("h", lambda r: r.any_of("Robot NAME {")),
-    ("l", lambda r: r.any_of(f"link NAME {_LINK}")),
-    ("j", lambda r: r.any_of(f"JOINT_KEYWORD NAME {_JOINT}")),
-    ("e", lambda r: r.any_of("}")),
-)
+_BLOCKS = {
+    "base": (f"RobotBase NAME {_BASE}", f"RobotBase NAME floating {_BASE}"),
+    "head": ("Robot NAME {",),
+    "link": (f"link NAME {_LINK}",),
+    "joint": (f"JOINT_KEYWORD NAME {_JOINT}",),
+    "end": ("}",),
+}

@@ -39,8 +39,6 @@ _BROKEN = re.compile(
 _WORD = re.compile(rf"(?<!\w)[^\W\d]\w*+(?:{ODD}++\w++)*+[\u0300-\u036f]*+")
 _ONE_WORD = re.compile(r"\w+")
 _DEGREES = "°"
-
-
 _LONGEST_HEXADECIMAL = 15
 _HEXADECIMAL = re.compile(r"[-+]?0[xX](?:_?[0-9a-fA-F])+")
 _DIGITS = re.compile(r"[^0-9]+")

@@ -14,7 +14,6 @@ from kindsl.language.syntax.vocabulary import BLOCKS, VALUE_HOLDERS, of_kind
 from kindsl.language.text.decimals import exact_decimal, significant_decimal
 
 DEEPEST = 60
-
 LARGEST_ID = 2**31 - 1
 _HOLDERS = VALUE_HOLDERS | of_kind("whole")
 _MOST_PARTS = 1000.0

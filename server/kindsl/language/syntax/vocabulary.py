@@ -71,6 +71,8 @@ def token_kinds(constructs: Iterable[str]) -> frozenset[str]:
 
 
 BLOCK_WORDS = tuple(word for word in words_of(*HOLDS["document"]) if word in KEYWORDS)
+# One for each block of a document, so that its order is a text.
+LETTERS = {part: chr(ord("a") + index) for index, part in enumerate(HOLDS["document"])}
 BLOCKS = tuple(name for name in HOLDS["document"] if name in ORDERS)
 BODIES = tuple(name for name in BLOCKS if "inertia" in HOLDS[name])
 SECTIONS = {part: KINDS[part] for name in ORDERS if name != "document" for part in HOLDS[name]}

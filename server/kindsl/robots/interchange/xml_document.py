@@ -13,7 +13,7 @@ from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.lowering import OtherIsland
 from kindsl.language.semantics.places import Name, Place
 from kindsl.language.syntax.comment_problems import UNDECODABLE, bytes_message
-from kindsl.language.syntax.document import Chunk, SyntaxDocument
+from kindsl.language.syntax.document import SyntaxDocument, chunks_of
 from kindsl.language.syntax.tree import Island, Node, Token
 from kindsl.language.text.edits import TextEdit, apply_edits
 from kindsl.language.text.encodings import declared_encoding
@@ -31,7 +31,6 @@ _REST_OF_LINE = re.compile(r"(?:[^\S\r\n]|<!--[^\r\n]*?-->)*")
 _ATTRIBUTE = r"""[\s"']{name}\s*=\s*(["'])(.*?)\1"""
 _WORD = re.compile(r"\S+")
 _LINE_END = re.compile(r"\r\n?|\n")
-_CHUNK = 96
 # A zero without a point is exact: as a decimal it has more digits than any number beside it.
 EXACT_ZERO = "0.000000000000000"
 
@@ -230,9 +229,7 @@ class XmlDocument(SyntaxDocument):
     has_moving_only = False
 
     def __init__(self, islands: Sequence[Island], former: SyntaxDocument | None = None) -> None:
-        firsts = range(0, len(islands), _CHUNK)
-        chunks = (Chunk(tuple(islands[first : first + _CHUNK])) for first in firsts)
-        super().__init__(tuple(chunks), None if former is None else former.versions)
+        super().__init__(chunks_of(islands), None if former is None else former.versions)
         self.flaws: tuple[Flaw, ...] = ()
         self.connections: tuple[Connection, ...] = ()
         self.make: Callable[[str, SyntaxDocument | None], SyntaxDocument] = _unmade

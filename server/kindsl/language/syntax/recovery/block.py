@@ -22,8 +22,6 @@ from kindsl.language.syntax.tree import Token
 
 _BACK = 4
 _GOES_ON = 3
-
-
 _GLUED = (*LONGEST_FIRST, "via")
 
 

@@ -104,7 +104,10 @@ def _span(tokens: Sequence[Token], group: Sequence[RepairStep]) -> tuple[int, in
     gone = [tokens[change.at] for change in group if change.action != "insert"]
     if gone:
         return gone[0].start, gone[-1].end
-    place = insertion_place(tokens, group[0])
+    index, kind = group[0].at, group[0].kind
+    place = tokens[index - 1].end if index > 0 else 0
+    if kind in SPELLINGS and index < len(tokens) and tokens[index].kind in ("{", "="):
+        place = tokens[index].start  # A keyword belongs before these, all else behind a token.
     return place, place
 
 
@@ -155,14 +158,6 @@ def _half_keyword(
     is_last = not behind or "\n" in text[gone[0].end : behind[0].start]
     is_word = gone[0].kind == "NAME" and (len(gone) == 1 or gone[1].kind == "}")
     return nearest_words(gone[0].text, wanted) if is_first and is_last and is_word else ()
-
-
-def insertion_place(tokens: Sequence[Token], change: RepairStep) -> int:
-    """Return where a change belongs: a keyword before its `{` or `=`, all else after tokens."""
-    index = change.at
-    if change.kind in SPELLINGS and index < len(tokens) and tokens[index].kind in ("{", "="):
-        return tokens[index].start
-    return tokens[index - 1].end if index > 0 else 0
 
 
 def _instead(change: RepairStep, word: Word, gone: Sequence[Token], text: str) -> tuple[str, str]:

@@ -8,7 +8,7 @@ one that reads furthest wins.
 import heapq
 import itertools
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from typing import Generic, NamedTuple, TypeVar
 
 from kindsl.language.syntax.automaton import Stack, is_complete
 from kindsl.language.syntax.recovery.costs import COSTS
@@ -16,11 +16,12 @@ from kindsl.language.syntax.recovery.prices import Prices, insertion_cost
 from kindsl.language.syntax.token_names import BLOCK_STARTS
 from kindsl.language.syntax.tree import Token
 
-_MOST_EXPANSIONS = 1200
+_MOST_EXPANSIONS, _MOST_STEPS = 1200, 400
 _MOST_GOALS = 30
 _MOST_COST = 4.2
 _FIT_BEHIND = 4
 _READ_FURTHER = 14
+_T = TypeVar("_T")
 
 
 class RepairStep(NamedTuple):
@@ -68,23 +69,18 @@ class _Goal(NamedTuple):
 
 def completion(stack: Stack, start: str) -> list[str] | None:
     """Return the kinds of the fewest tokens that end a construct, None where there are too many."""
-    queue: list[tuple[float, int, Stack, tuple[str, ...]]] = [(0.0, 0, stack, ())]
+    queue = _Queue[tuple[Stack, tuple[str, ...]]]()
+    queue.add(0.0, (stack, ()))
     seen: set[object] = set()
-    order = 0
-    for _ in range(400):
-        if not queue:
-            return None
-        paid, _, stack, kinds = heapq.heappop(queue)
-        if is_complete(stack, start):
+    for paid, (reached, kinds) in itertools.islice(queue, _MOST_STEPS):
+        if is_complete(reached, start):
             return list(kinds)
-        key = (stack.innermost, len(kinds))
-        if key in seen:
-            continue
-        seen.add(key)
-        for kind, after in stack.losable():
-            order += 1
-            price = COSTS["close at the end"] if kind in "})" else insertion_cost(kind)
-            heapq.heappush(queue, (paid + price, order, after, (*kinds, kind)))
+        key = (reached.innermost, len(kinds))
+        if key not in seen:
+            seen.add(key)
+            for kind, after in reached.losable():
+                price = COSTS["close at the end"] if kind in "})" else insertion_cost(kind)
+                queue.add(paid + price, (after, (*kinds, kind)))
     return None
 
 
@@ -105,7 +101,7 @@ class Search:
         self.failed = failed
         self.start = start
         self.prices = prices
-        self.queue = _Queue()
+        self.queue = _Queue[_Candidate]()
         self.fair = self.limit = _MOST_COST
 
     def best(self, stacks: Sequence[Stack]) -> FoundRepair | None:
@@ -195,14 +191,14 @@ class Search:
         return _READ_FURTHER
 
 
-class _Queue:
-    """Candidates by their cost; of those that cost the same, the one added first comes first."""
+class _Queue(Generic[_T]):
+    """What is tried by its cost; of those that cost the same, the one added first comes first."""
 
     def __init__(self) -> None:
         self._costs: list[float] = []
-        self._alike: dict[float, list[_Candidate]] = {}
+        self._alike: dict[float, list[_T]] = {}
 
-    def add(self, paid: float, candidate: _Candidate) -> None:
+    def add(self, paid: float, candidate: _T) -> None:
         """Add a candidate that costs no less than the one that was last taken."""
         try:
             self._alike[paid].append(candidate)
@@ -210,7 +206,7 @@ class _Queue:
             self._alike[paid] = [candidate]
             heapq.heappush(self._costs, paid)
 
-    def __iter__(self) -> Iterator[tuple[float, _Candidate]]:
+    def __iter__(self) -> Iterator[tuple[float, _T]]:
         """Yield each candidate and its cost, also those added meanwhile."""
         while self._costs:
             paid = heapq.heappop(self._costs)
