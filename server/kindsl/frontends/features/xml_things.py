@@ -20,7 +20,8 @@ from kindsl.language.semantics.declarations import Joint, Link
 from kindsl.language.semantics.lowering import declarations
 from kindsl.language.text.phrases import listed
 from kindsl.mechanics.rigid.body import principal_moments_about_com
-from kindsl.robots.interchange.xml_document import Connection, XmlDocument, XmlIsland
+from kindsl.robots.interchange.robot_island import RobotIsland
+from kindsl.robots.interchange.xml_document import Connection, XmlDocument
 from kindsl.robots.interchange.xml_reading import XmlElement
 
 _MARKS = {Severity.ERROR: "✗ ", Severity.WARNING: "⚠ "}
@@ -109,7 +110,7 @@ def _finding_lines(analysis: Analysis, link: Link) -> Iterator[str]:
 def _of_joint(analysis: Analysis, joint: Joint) -> str:
     document, island = analysis.syntax, joint.island
     connections = document.connections if isinstance(document, XmlDocument) else ()
-    element = island.element if isinstance(island, XmlIsland) else None
+    element = island.element if isinstance(island, RobotIsland) else None
     kind = (element.get("type") if element is not None else None) or ""
     lines = (_joint_lines(c, element) for c in connections if c.joint is joint)
     return paragraph(f"**{kind} joint `{joint.name}`**", next(lines, ()))

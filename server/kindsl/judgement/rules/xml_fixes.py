@@ -3,7 +3,7 @@
 from kindsl.judgement.rules.base import Fix, Replacement
 from kindsl.judgement.rules.xml_shapes import in_words_of_xml
 from kindsl.language.semantics.expressions import half_unit
-from kindsl.robots.interchange.xml_document import XmlIsland
+from kindsl.robots.interchange.robot_island import RobotIsland
 from kindsl.robots.interchange.xml_reading import DECIMAL
 
 _GREATEST_POWER = 9
@@ -21,7 +21,7 @@ def xml_fix(fix: Fix | None) -> Fix | None:
 def _change(change: Replacement) -> Replacement | None:
     island, at = change.at.island, change.at
     word = island.text[at.start : at.end]
-    if not isinstance(island, XmlIsland) or not DECIMAL.fullmatch(word):
+    if not isinstance(island, RobotIsland) or not DECIMAL.fullmatch(word):
         return None
     text = _with_other_sign(change.text) if at.start in island.negated else change.text
     return Replacement(at, _in_its_way(word, text))

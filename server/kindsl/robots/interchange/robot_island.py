@@ -1,9 +1,9 @@
 """An element of a robot in XML, of which a link or joint is made, whatever the format."""
 
-from abc import abstractmethod
+import re
 from collections.abc import Iterable, Iterator
 from math import log10
-from typing import Any, Self
+from typing import Any, NamedTuple, Self
 
 from kindsl.language.semantics.declarations import (
     Declarations,
@@ -16,32 +16,69 @@ from kindsl.language.semantics.declarations import (
     Vector,
 )
 from kindsl.language.semantics.expressions import Expression, half_unit
+from kindsl.language.semantics.lowering import OtherIsland
 from kindsl.language.semantics.places import Name, Place
 from kindsl.language.semantics.sections import JointFrame
 from kindsl.language.syntax.document import SyntaxDocument
-from kindsl.language.syntax.tree import Node
+from kindsl.language.syntax.tree import Node, Token
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.rigid.pose import Rotation, fixed_axis_angles
-from kindsl.robots.interchange.xml_document import EXACT_ZERO, XmlIsland, XmlPiece
-from kindsl.robots.interchange.xml_reading import XmlElement
+from kindsl.robots.interchange.xml_reading import TAG, XmlElement, finite_number
+
+_COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
+_ATTRIBUTE = r"""[\s"']{name}\s*=\s*(["'])(.*?)\1"""
+_WORD = re.compile(r"\S+")
+# A zero without a point is exact: as a decimal it has more digits than any number beside it.
+EXACT_ZERO = "0.000000000000000"
 
 
-class RobotIsland(XmlIsland):
-    """A link or joint of a robot in XML, or what is around them.
+class XmlPiece(NamedTuple):
+    """A piece of a file that is to be an island.
+
+    Attributes:
+        text: Its text.
+        start: Where it begins.
+        element: The element in it, None of the tags around elements.
+    """
+
+    text: str
+    start: int
+    element: Any
+
+    def placed(self) -> XmlElement | None:
+        """Return the element with its offsets in the piece; those in the file are lost."""
+        for each in self.element.iter() if self.element is not None else ():
+            each.offset -= self.start
+            if hasattr(each, "end"):
+                each.end -= self.start
+        found: XmlElement | None = self.element
+        return found
+
+
+class RobotIsland(OtherIsland):
+    """A piece of a robot's XML file: a link or joint with the comments around it, or other tags.
 
     The frame of an `<inertial>` becomes a frame of its link, in which the centre of mass is the
     origin.
 
     Attributes:
+        element: The element, None for the tags around elements.
         prefix: What stands before its name in the document.
+        has_attributes: Whether its values are attributes, as in a URDF.
+        negated: Where numbers begin that have the opposite sign in the document.
     """
 
-    __slots__ = ("_declared", "prefix")
+    __slots__ = ("_declared", "element", "negated", "prefix")
+
+    has_attributes = True
 
     def __init__(self, text: str, element: XmlElement | None, prefix: str = "") -> None:
-        self.prefix = prefix
+        self.element, self.prefix, self.negated = element, prefix, set[int]()
         self._declared = Declarations(None, (), (), (), ())
-        super().__init__(text, element)
+        comments = tuple(match.span() for match in _COMMENT.finditer(text))
+        super().__init__(text, (), (), (), comments, ())
+        if self.element is not None:
+            self.nodes = tuple(self.lowered(self.element))
 
     @classmethod
     def made_of(
@@ -72,9 +109,9 @@ class RobotIsland(XmlIsland):
             self._declared = Declarations(None, (), (), (joint,), (joint,))
             yield joint.node
 
-    @abstractmethod
     def inertia_in(self, inertial: XmlElement, owner: str) -> Inertia | None:
         """Return the inertia of an `<inertial>`, None where it is left to others."""
+        raise NotImplementedError
 
     def inertia_of(
         self,
@@ -90,9 +127,9 @@ class RobotIsland(XmlIsland):
         inertia.moments = moments
         return inertia
 
-    @abstractmethod
     def pose_in(self, parent: XmlElement) -> Pose:
         """Return the pose that an element gives, whatever that is relative to."""
+        raise NotImplementedError
 
     def turned_pose(self, at: Any, position: list[Expression], rotation: Rotation) -> Pose:
         """Return a pose whose turn is written otherwise than by angles, if it is written.
@@ -162,3 +199,114 @@ class RobotIsland(XmlIsland):
         joint.frame = JointFrame(joint.node, self, Name(""), joint.name)
         joint.frame.translation, joint.frame.rotation = self.pose_in(element)
         return joint
+
+    def tag(self, element: Any) -> tuple[int, int]:
+        """Return where the tag is that an element begins with."""
+        found = TAG.match(self.text, element.offset)
+        return element.offset, found.end() if found else element.offset + 1
+
+    def attribute(self, element: Any, name: str) -> tuple[int, int] | None:
+        """Return where the value of an attribute is, between its quotes; None without one."""
+        start, end = self.tag(element)
+        wanted = re.compile(_ATTRIBUTE.format(name=re.escape(name)), re.DOTALL)
+        match = wanted.search(self.text, start, end)
+        return None if match is None else match.span(2)
+
+    def place(self, element: Any, name: str = "") -> Place:
+        """Return the place of an attribute's value, of a child, or of an element's first tag."""
+        span = self.attribute(element, name) if name else None
+        child = element.find(name) if name and span is None else None
+        return Place(self, *(span or self.tag(element if child is None else child)))
+
+    def written(self, element: Any, name: str) -> str | None:
+        """Return what an attribute of an element, or a child, holds; None without either."""
+        held: str | None = element.get(name, element.findtext(name))
+        return held
+
+    def value(self, element: Any, name: str) -> float | None:
+        """Return the number that an attribute of an element, or a child, holds; None without."""
+        held = None if element is None else self.written(element, name)
+        return None if held is None else finite_number(held.strip())
+
+    def name(self, element: Any, attribute: str) -> Name:
+        """Return the name in an attribute, empty where there is none."""
+        at = self.place(element, attribute)
+        return Name.at(element.get(attribute) or "", self, at.start, at.end)
+
+    def numbers(self, element: Any, name: str, sign: int = 1) -> list[Expression]:
+        """Return the numbers in an attribute, none where one of them is not finite.
+
+        Args:
+            element: The element.
+            name: The attribute.
+            sign: -1 where the format has the opposite sign.
+        """
+        span = self.attribute(element, name)
+        if span is None or any(finite_number(w) is None for w in (element.get(name) or "").split()):
+            return []
+        return self._words(*span, sign)
+
+    def numbers_within(self, element: Any, sign: int = 1) -> list[Expression]:
+        """Return the numbers that an element holds, none where one is not finite.
+
+        Args:
+            element: The element.
+            sign: -1 where the format has the opposite sign.
+        """
+        if any(finite_number(word) is None for word in (element.text or "").split()):
+            return []
+        start = self.tag(element)[1]
+        end = getattr(element, "end", start)
+        if len(element) or "<" in self.text[start:end]:
+            return []
+        return self._words(start, max(start, end), sign)
+
+    def _words(self, start: int, end: int, sign: int) -> list[Expression]:
+        words = list(_WORD.finditer(self.text, start, end))
+        if sign < 0:
+            self.negated.update(word.start() for word in words)
+        return [
+            self.number(_with_sign(_as_decimal(word[0]), sign), word.start(), word.end())
+            for word in words
+        ]
+
+    def constants(self, at: Any, texts: Iterable[str]) -> list[Expression]:
+        """Return numbers that an element means without having them written so."""
+        start, end = self.tag(at)
+        return [self.number(text, start, end) for text in texts]
+
+    def zeros(self, at: Any, count: int) -> list[Expression]:
+        """Return numbers that are zero because an element does not say otherwise."""
+        return self.constants(at, [EXACT_ZERO] * count)
+
+    def block(self, kind: str, element: XmlElement) -> Node:
+        """Return the block of an element: its tag, and its end."""
+        start, end = self.tag(element)
+        tag = Token("TAG", self.text[start:end], start, start, end)
+        stop = end_of_element(self.text, element)
+        return Node(kind, [tag, Token("END", "", end, stop, stop)])
+
+    def number(self, text: str, start: int, end: int) -> Expression:
+        """Return a number as it is meant, from where it begins in the island to where it ends."""
+        return Expression(Node("number", [Token("FLOAT", text, start, start, end)]), self)
+
+
+def end_of_element(text: str, element: Any) -> int:
+    """Return where an element ends, behind its last tag."""
+    tag = TAG.match(text, element.offset)
+    if tag is not None and not tag[0].endswith("/>"):
+        tag = TAG.match(text, element.end)
+    return tag.end() if tag else len(text)
+
+
+def _as_decimal(word: str) -> str:
+    """Return a number with the digits that say how exact it is: a plain zero is exactly zero."""
+    if "." in word or "e" in word.lower():
+        return word
+    return f"{word}.0" if float(word) else EXACT_ZERO
+
+
+def _with_sign(word: str, sign: int) -> str:
+    if sign > 0:
+        return word
+    return word[1:] if word.startswith("-") else f"-{word.removeprefix('+')}"

@@ -8,7 +8,7 @@ from kindsl.language.semantics.expressions import half_unit
 from kindsl.language.text.encodings import decoded
 from kindsl.language.text.lines import LineIndex
 from kindsl.robots.comparison.written import TextPlace, WrittenNumber
-from kindsl.robots.interchange.xml_document import XmlIsland
+from kindsl.robots.interchange.robot_island import RobotIsland
 from kindsl.robots.interchange.xml_reading import DECIMAL, XmlElement, XmlError, parsed_xml
 
 _WORD = re.compile(r"\S+")
@@ -27,7 +27,7 @@ class XmlNumbers:
 
     def __init__(self, content: bytes | str) -> None:
         text = content if isinstance(content, str) else decoded(content)
-        self._whole, self._lines = XmlIsland(text, None), LineIndex(text)
+        self._whole, self._lines = RobotIsland(text, None), LineIndex(text)
         self.found: dict[tuple[str, str, str], WrittenNumber] = {}
         try:
             self.root: Any = parsed_xml(text)

@@ -13,8 +13,8 @@ from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.language.syntax.tree import Node
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.rigid.pose import IDENTITY, rotation_from_quaternion
-from kindsl.robots.interchange.robot_island import RobotIsland
-from kindsl.robots.interchange.xml_document import XmlDocument, XmlPiece, rest_of_line, xml_document
+from kindsl.robots.interchange.robot_island import RobotIsland, XmlPiece
+from kindsl.robots.interchange.xml_document import XmlDocument, rest_of_line, xml_document
 from kindsl.robots.interchange.xml_reading import XmlElement, finite_number
 
 _JOINTS = ("joint", "freejoint")

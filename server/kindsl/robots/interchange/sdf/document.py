@@ -17,7 +17,7 @@ from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.rigid.pose import IDENTITY
 from kindsl.robots.interchange.format import FormatError
-from kindsl.robots.interchange.robot_island import RobotIsland
+from kindsl.robots.interchange.robot_island import RobotIsland, XmlPiece
 from kindsl.robots.interchange.sdf.elements import SdfError, is_true, pose_of, text_of
 from kindsl.robots.interchange.sdf.frame_graph import WORLD, FrameGraph
 from kindsl.robots.interchange.sdf.nesting import flatten
@@ -26,7 +26,6 @@ from kindsl.robots.interchange.xml_document import (
     Connection,
     Flaw,
     XmlDocument,
-    XmlPiece,
     rest_of_line,
     xml_document,
 )
