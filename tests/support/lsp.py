@@ -13,6 +13,7 @@ from typing import Any
 
 from tests.delays import injected
 from tests.support.lsp_messages import faults
+from tests.support.prepared import PreparedServer
 
 _LATE = str(Path(injected.__file__).with_name("server.py"))
 SERVER = (
@@ -25,9 +26,13 @@ TIMEOUT = 60.0
 class RawClient:
     """Sends what it is told, well-formed or not, and keeps everything that comes back."""
 
-    def __init__(self, command: Sequence[str] = SERVER, cwd: Path | None = None) -> None:
-        self.process = subprocess.Popen(
-            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=cwd
+    def __init__(self, server: Sequence[str] | PreparedServer = SERVER) -> None:
+        """Talk to a server, or to the one that a command starts."""
+        pipe = subprocess.PIPE
+        self.process = (
+            server
+            if isinstance(server, PreparedServer)
+            else subprocess.Popen(server, stdin=pipe, stdout=pipe, stderr=pipe)
         )
         self.messages: list[dict[str, Any]] = []
         self.asked: dict[Any, str] = {}
@@ -204,9 +209,9 @@ class StrictClient(RawClient):
 
 
 @contextmanager
-def raw_client(*options: str, cwd: Path | None = None) -> Iterator[RawClient]:
+def raw_client(*options: str) -> Iterator[RawClient]:
     """A server with nothing said to it yet."""
-    client = StrictClient((*SERVER, *options), cwd)
+    client = StrictClient((*SERVER, *options) if injected.WHO else PreparedServer(*options))
     try:
         yield client
     finally:
@@ -216,7 +221,7 @@ def raw_client(*options: str, cwd: Path | None = None) -> Iterator[RawClient]:
 @contextmanager
 def running_server() -> Iterator[RawClient]:
     """A server with nothing said to it yet, whose many answers others hold against the rules."""
-    client = RawClient()
+    client = RawClient(SERVER if injected.WHO else PreparedServer())
     try:
         yield client
     finally:
@@ -224,10 +229,8 @@ def running_server() -> Iterator[RawClient]:
 
 
 @contextmanager
-def ready_client(
-    capabilities: dict[str, Any] | None = None, cwd: Path | None = None, **more: Any
-) -> Iterator[RawClient]:
+def ready_client(capabilities: dict[str, Any] | None = None, **more: Any) -> Iterator[RawClient]:
     """A server that has been initialized."""
-    with raw_client(cwd=cwd) as client:
+    with raw_client() as client:
         client.initialize(capabilities, **more)
         yield client
