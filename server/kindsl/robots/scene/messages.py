@@ -49,24 +49,26 @@ class Message:
         cls.type = re.sub(r"\B([A-Z])", r"_\1", words).lower()
 
 
-class SetObject(Message):
-    """Draw a shape."""
+class PlacedMessage(Message):
+    """A message of which there are several of a type, each at its path."""
 
     path: str
+
+
+class SetObject(PlacedMessage):
+    """Draw a shape."""
+
     object: Annotated[Shape, "in meshcat's form"]
 
 
-class SetTransform(Message):
+class SetTransform(PlacedMessage):
     """Place and stretch a mark in the frame of its link, joint or frame."""
 
-    path: str
     matrix: Matrix
 
 
-class Delete(Message):
+class Delete(PlacedMessage):
     """Forget a path and all below it."""
-
-    path: str
 
 
 class ModelMessage(Message):
@@ -82,10 +84,9 @@ class ModelMessage(Message):
     path: str = f"{ROOT}/model"
 
 
-class LinkMessage(Message):
+class LinkMessage(PlacedMessage):
     """A link's numbers, the base's among them; points are in its frame."""
 
-    path: str
     name: str
     index: Annotated[int, "0 for the base; parents come before their children"]
     joint: Annotated[str, "the supporting joint, empty for the base"]
@@ -116,10 +117,9 @@ class Core(NamedTuple):
     ]
 
 
-class SolidMessage(Message):
+class SolidMessage(PlacedMessage):
     """A link as a body: the uniform solid with its inertia, and bones to its joints."""
 
-    path: str
     name: Annotated[str, "the link's"]
     core: Annotated[Core | None, "null where there is no solid to draw"]
     look: Annotated[Look, "`glass` would hide the robot, `doubtful` and `impossible` are judged"]
@@ -132,10 +132,9 @@ class SolidMessage(Message):
     is_shaded: Annotated[bool, "whether a shade tells it from its parent"]
 
 
-class JointMessage(Message):
+class JointMessage(PlacedMessage):
     """A joint and its place; it turns about its z axis or slides along it."""
 
-    path: str
     name: str
     index: Annotated[int, "of the link that it supports"]
     kind: JointKind
@@ -145,37 +144,33 @@ class JointMessage(Message):
     is_guess: Annotated[bool, "whether its place is in part a guess"]
 
 
-class FrameMessage(Message):
+class FrameMessage(PlacedMessage):
     """An optional frame and its place."""
 
-    path: str
     name: Annotated[str, "after the link's name and a dot where the name is taken"]
     link: Annotated[str, "the link that it is attached to"]
     placement: Annotated[Matrix, "its place in the link's frame"]
     is_guess: Annotated[bool, "whether its place is in part a guess"]
 
 
-class LimitsMessage(Message):
+class LimitsMessage(PlacedMessage):
     """The limits of a joint; null where there is none."""
 
-    path: str
     name: str
     minimum: Travel | None
     maximum: Travel | None
 
 
-class ValueMessage(Message):
+class ValueMessage(PlacedMessage):
     """The position of a joint."""
 
-    path: str
     name: str
     value: Travel
 
 
-class PoseMessage(Message):
+class PoseMessage(PlacedMessage):
     """A pose that the configuration names."""
 
-    path: str
     name: str
     joints: Annotated[Mapping[str, Travel], "positions by joint; the other joints are at zero"]
 
@@ -188,10 +183,9 @@ class TrajectoryMessage(Message):
     path: str = f"{ROOT}/trajectory"
 
 
-class ParameterMessage(Message):
+class ParameterMessage(PlacedMessage):
     """A parameter's row in the panel."""
 
-    path: str
     index: Annotated[int, "its place among the document's parameters"]
     name: str
     kind: ValueKind
@@ -204,10 +198,9 @@ class ParameterMessage(Message):
     is_overridden: Annotated[bool, "whether the value was set in the page"]
 
 
-class FormulaMessage(Message):
+class FormulaMessage(PlacedMessage):
     """A place as a formula of parameters, for pages without a server."""
 
-    path: str
     group: Literal["joints", "frames"]
     name: str
     link: Annotated[str, "the link that it is attached to"]
@@ -217,10 +210,9 @@ class FormulaMessage(Message):
     end: Annotated[str, "path of the mark at that rod's end"]
 
 
-class FindingMessage(Message):
+class FindingMessage(PlacedMessage):
     """A finding of the linter, in the list over the picture."""
 
-    path: str
     index: Annotated[int, "its place in the list, the worst first"]
     code: Annotated[str, "of the rule: `KD301`"]
     severity: Annotated[str, "`error`, `warning`, `info` or `hint`"]
@@ -259,10 +251,9 @@ class GhostMessage(Message):
     path: str = f"{ROOT}/ghost"
 
 
-class OtherMessage(Message):
+class OtherMessage(PlacedMessage):
     """Another description of the robot that can be compared."""
 
-    path: str
     index: Annotated[int, "its place in the list"]
     name: Annotated[str, "of its file"]
     is_chosen: Annotated[bool, "whether it is compared now"]
@@ -297,10 +288,9 @@ class ComparisonMessage(Message):
     path: str = f"{ROOT}/comparison"
 
 
-class VisualMessage(Message):
+class VisualMessage(PlacedMessage):
     """A shape that another description gives a link for drawing."""
 
-    path: str
     link: str
     form: Literal["mesh", "box", "cylinder", "sphere"]
     size: Annotated[
@@ -312,10 +302,9 @@ class VisualMessage(Message):
     file: Annotated[str, "name of a mesh's file at the server, with its suffix; else empty"]
 
 
-class MeshDataMessage(Message):
+class MeshDataMessage(PlacedMessage):
     """The content of a mesh's file, for pages without a server."""
 
-    path: str
     file: Annotated[str, "its name in `visual` messages"]
     data: Annotated[str, "its bytes in base 64"]
 
