@@ -7,23 +7,22 @@ import numpy as np
 
 import kindsl
 from kindsl.judgement.analysis.settings import Settings
-from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.robots.interchange.format import AS_WRITTEN, ORDINARY, Format, ReadRobot
 from kindsl.robots.interchange.kindsl_writing import kindsl_text
-from kindsl.robots.mechanism.bodies import linkage_of_bodies
+from kindsl.robots.mechanism.build import Mechanism
 
 
-def mechanism_of(text: str) -> Mechanics:
+def mechanism_of(text: str) -> Mechanism:
     """Return the mechanics of a document that has no error."""
     document = kindsl.parse(text, Settings())
     assert not [f for f in document.findings if f.severity == "error"]
     return document.mechanism()
 
 
-def written(robot: Mechanics, format: Format) -> str:
+def written(robot: Mechanism, format: Format) -> str:
     """Return a robot in a format."""
     assert format.write is not None
-    return format.write("robot", linkage_of_bodies(robot.bodies), ORDINARY).text
+    return format.write("robot", robot.linkage, ORDINARY).text
 
 
 def read(text: str, format: Format, folder: Path) -> ReadRobot:
@@ -34,12 +33,12 @@ def read(text: str, format: Format, folder: Path) -> ReadRobot:
     return format.read(path, AS_WRITTEN)
 
 
-def written_and_read(robot: Mechanics, format: Format, folder: Path) -> Mechanics:
+def written_and_read(robot: Mechanism, format: Format, folder: Path) -> Mechanism:
     """Return a robot that went through a format."""
     return mechanism_of(kindsl_text(read(written(robot, format), format, folder).robot))
 
 
-def gaps(before: Mechanics, after: Mechanics, chance: np.random.Generator) -> Iterator[float]:
+def gaps(before: Mechanism, after: Mechanism, chance: np.random.Generator) -> Iterator[float]:
     """Yield by how much poses, inertia and bias differ, over their size if that is above 1."""
     names = before.joint_names
     q, qd = (dict(zip(names, v, strict=True)) for v in chance.uniform(-1, 1, (2, len(names))))

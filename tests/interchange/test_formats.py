@@ -21,7 +21,6 @@ from kindsl.robots.interchange.format import ORDINARY, Format, FormatError, Writ
 from kindsl.robots.interchange.kindsl_writing import kindsl_text
 from kindsl.robots.interchange.registry import all_formats, format_named, format_of_suffix
 from kindsl.robots.interchange.repairing import repaired
-from kindsl.robots.mechanism.bodies import linkage_of_bodies
 from kindsl.robots.mechanism.errors import ModelError, UnboundParameterError
 
 TOLERANCE = 1e-9
@@ -75,7 +74,7 @@ r_joint jc { ref_frame { translation = (0.0, 0.7, 0.1) rotation = (0.0, 0.2, 0.9
 
 def test_links_without_mass_move_in_mujoco(tmp_path: Path) -> None:
     ours, mjcf = kindsl.parse(MASSLESS, Settings()).mechanism(), format_named("mjcf")
-    found = mjcf.write("arm", linkage_of_bodies(ours.bodies), WritingChoices())
+    found = mjcf.write("arm", ours.linkage, WritingChoices())
     assert [remark.split("'")[1] for remark in found.remarks] == ["a", "b"]
     model = mujoco.MjModel.from_xml_string(found.text)
     data, q, qd = mujoco.MjData(model), [0.3, -0.4, 0.5], [0.7, 0.2, -0.3]
@@ -131,7 +130,7 @@ def test_published_documents_have_our_numbers_in_mujoco(path: Path) -> None:
     except (ModelError, UnboundParameterError) as error:
         assert re.search("same id|no value", str(error))
         return
-    found = format_named("mjcf").write("robot", linkage_of_bodies(ours.bodies), ORDINARY)
+    found = format_named("mjcf").write("robot", ours.linkage, ORDINARY)
     text = found.text
     if any("MuJoCo refuses the file" in remark for remark in found.remarks):
         with pytest.raises(ValueError, match=r"inertia|mass"):
@@ -146,7 +145,7 @@ def test_revolute_joints_of_a_urdf_have_one_coordinate_unless_asked() -> None:
     urdf, ours = format_named("urdf"), mechanism_of(kindsl_text(random_robot(3)))
     plain = pinocchio.buildModelFromXML(written(ours, urdf))
     assert plain.nq == plain.nv == ours.n_joints
-    skeleton = linkage_of_bodies(ours.bodies)
+    skeleton = ours.linkage
     endless = urdf.write("robot", skeleton, WritingChoices(endless_joints=True)).text
     n_turning = ours.bodies.joint_kinds.count("revolute")
     assert n_turning and pinocchio.buildModelFromXML(endless).nq == ours.n_joints + n_turning

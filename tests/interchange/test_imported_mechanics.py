@@ -18,7 +18,6 @@ from kindsl.judgement.analysis.settings import Settings
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.robots.interchange.kindsl_writing import kindsl_text
 from kindsl.robots.interchange.registry import format_named
-from kindsl.robots.mechanism.bodies import linkage_of_bodies
 from kindsl.robots.mechanism.linkage import Linkage
 
 TOLERANCE = 1e-9
@@ -70,7 +69,7 @@ def test_bodies_of_any_size_keep_their_digits(size: float) -> None:
     text = kindsl_text(Linkage((base, body._replace(parent=0).weighing(small)), name="r"))
     (body,) = kindsl.parse(text, Settings()).mechanism().bodies.masses[1:]
     np.testing.assert_allclose(body, small.mass, rtol=1e-13)
-    read_again = linkage_of_bodies(kindsl.parse(text, Settings()).mechanism().bodies).masses[1]
+    read_again = kindsl.parse(text, Settings()).mechanism().linkage.masses[1]
     greatest = max(small.moments)
     np.testing.assert_allclose(read_again.moments, small.moments, rtol=0, atol=1e-13 * greatest)
 

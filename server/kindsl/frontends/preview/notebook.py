@@ -7,11 +7,11 @@ from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.diagnostics import Findings
 from kindsl.language.text.lines import LineIndex
 from kindsl.language.text.phrases import counted, listed
-from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.products.reports.card import card_page
 from kindsl.products.reports.drawing.robot import robot_drawing
 from kindsl.products.reports.drawing.svg import svg_text
 from kindsl.products.reports.page.blocks import Figure
+from kindsl.robots.mechanism.build import Mechanism
 from kindsl.robots.scene.formulas import formula_messages
 
 _HEIGHT = 480  # pixels
@@ -24,7 +24,7 @@ def notebook_html(thing: object) -> str | None:
     """Return a document, mechanism or findings as HTML, None for anything else."""
     if isinstance(thing, Analysis):
         return _document(thing)
-    if isinstance(thing, Mechanics):
+    if isinstance(thing, Mechanism):
         return _mechanics(thing)
     return _findings(thing) if isinstance(thing, Findings) else None
 
@@ -62,9 +62,7 @@ def _preview(analysis: Analysis) -> str:
     return exported_page([*preview.channel.state, *formulas])
 
 
-def _mechanics(mechanics: Mechanics) -> str:
-    from kindsl.robots.mechanism.bodies import linkage_of_bodies
-
+def _mechanics(mechanics: Mechanism) -> str:
     bodies = mechanics.bodies
     base = "floating" if bodies.is_floating else "fixed"
     head = f"{base} base {bodies.base_name}, {counted(bodies.n_links, 'joint')}, "
@@ -83,7 +81,7 @@ def _mechanics(mechanics: Mechanics) -> str:
         )
     )
     return (
-        f"<p>{escape(head)}</p>{svg_text(robot_drawing(linkage_of_bodies(bodies)))}"
+        f"<p>{escape(head)}</p>{svg_text(robot_drawing(mechanics.linkage))}"
         f"<details><summary>Order of q</summary><table><tr><th></th><th>joint</th><th>kind</th>"
         f"<th>link</th></tr>{rows}</table></details>"
     )

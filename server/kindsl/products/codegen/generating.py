@@ -27,7 +27,6 @@ from kindsl.products.codegen.reference import Reference, independent_contacts, s
 from kindsl.products.codegen.resistance import refuse_unresisted
 from kindsl.products.codegen.wanted import restricted, wanted_pairs
 from kindsl.robots.interchange.generated_folder import digest, robot_record
-from kindsl.robots.mechanism.bodies import linkage_of_bodies
 from kindsl.robots.mechanism.build import Mechanism
 from kindsl.robots.mechanism.symbolic import symbolic_robot
 
@@ -80,7 +79,7 @@ def generate(
     parameters = parameter_values(defaults.items())
     mechanics = source.analysis.mechanism(parameters)
     if language.is_rigid:
-        mechanics = Mechanism(replace(mechanics.bodies, drives=None))
+        mechanics = Mechanism(mechanics.linkage)
     values_of_arguments = sample(mechanics.bodies)
     refuse_unresisted(options.quantities, mechanics.bodies, values_of_arguments["q"])
     try:
@@ -108,7 +107,7 @@ def generate(
         files = language.files(library, reference)
     except OverflowError as error:
         raise GenerationError(str(error)) from None
-    numbers = robot_record(linkage_of_bodies(mechanics.bodies))
+    numbers = robot_record(mechanics.linkage)
     files[NAME] = manifest_text(stamp, options, source.bindings, source.transforms, files, numbers)
     return library, files
 

@@ -6,6 +6,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from kindsl.robots.cad.properties import MassProperties
+from kindsl.robots.cad.quantity import plain
 
 _FEWEST_DIGITS = 9
 _LARGEST = 10
@@ -105,8 +106,7 @@ def rounded(value: Fraction, digits: int) -> str:
     """Return a value with so many significant digits at most, trailing zeros left out."""
     with localcontext(Context(prec=digits)):
         number = (Decimal(value.numerator) / Decimal(value.denominator)).normalize()
-    text = format(number + 0, "f") if number else "0.0"
-    return text if "." in text else f"{text}.0"
+    return plain(number + 0)
 
 
 def require_positive(given: Mapping[str, Decimal | None]) -> None:

@@ -29,8 +29,7 @@ def conventions(pair: Pair) -> Iterator[str]:
     for side, known, where in ((ours, other, "here"), (theirs, one, f"in {theirs.label}")):
         own = {frame.name for frame in side.skeleton.frames if _is_elsewhere(frame.pose)}
         only = sorted(name for name in own if writable(name) not in known)
-        if only:
-            yield f"{counted(len(only), 'frame')} only {where}: {_some(only)}"
+        yield from _told(only, "frame", f"only {where}")
 
 
 def _names(pair: Pair) -> Iterator[str]:
@@ -54,9 +53,7 @@ def _joints(pair: Pair) -> Iterator[str]:
     names, kinds = pair.ours.skeleton.joint_names, pair.ours.skeleton.joint_kinds
     label, joints = pair.theirs.label, pair.alignment.joints
     flipped = [names[body - 1] for body, joint in joints.items() if joint.sign < 0.0]
-    if flipped:
-        number = counted(len(flipped), "joint")
-        yield f"{number} of the other sign in {label}: {_some(flipped)}"
+    yield from _told(flipped, "joint", f"of the other sign in {label}")
     for body, joint in joints.items():
         if joint.offset:
             slides = kinds[body - 1] == "prismatic"
@@ -67,9 +64,7 @@ def _joints(pair: Pair) -> Iterator[str]:
 def _link_frames(pair: Pair) -> Iterator[str]:
     names, frames = pair.ours.skeleton.body_names, pair.alignment.frames
     moved = [names[body] for body, pose in frames.items() if _is_elsewhere(pose)]
-    if moved:
-        number = counted(len(moved), "link frame")
-        yield f"{number} elsewhere in {pair.theirs.label}: {_some(moved)}"
+    yield from _told(moved, "link frame", f"elsewhere in {pair.theirs.label}")
 
 
 def rounded_numbers(names: Sequence[str], where: str = "") -> Iterator[str]:
@@ -117,6 +112,8 @@ def _is_elsewhere(pose: RigidPose) -> bool:
     return trace < 3.0 - _NOTHING**2 or hypot(*pose.translation) > _NOTHING
 
 
-def _some(names: list[str]) -> str:
-    shown = [f"'{name}'" for name in names[:_SHOWN]]
-    return ", ".join((*shown, "...")) if names[_SHOWN:] else listed(shown)
+def _told(names: list[str], what: str, how: str) -> Iterator[str]:
+    if names:
+        shown = [f"'{name}'" for name in names[:_SHOWN]]
+        some = ", ".join((*shown, "...")) if names[_SHOWN:] else listed(shown)
+        yield f"{counted(len(names), what)} {how}: {some}"

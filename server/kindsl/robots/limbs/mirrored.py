@@ -10,7 +10,7 @@ from math import dist
 from typing import NamedTuple
 
 from kindsl.mechanics.rigid.body import MassDistribution
-from kindsl.mechanics.rigid.pose import RigidPose, Vector3
+from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3
 from kindsl.robots.limbs.limb import Body, Limbs, matched
 
 # Points nearer than this are the same, m and as a share of the limb: designs are written in
@@ -96,7 +96,7 @@ def _likeness(
     left: Body, right: Body, axes: Collection[int], masses: Mapping[str, MassDistribution]
 ) -> tuple[bool, bool]:
     """Return whether a limb is the mirror image of another, and whether its copy: both if flat."""
-    here, there = (list(_points(head, _AT_CARRIER, masses)) for head in (left, right))
+    here, there = (list(_points(head, IDENTITY, masses)) for head in (left, right))
     if len(here) != len(there) or len(here) < _FEWEST:
         return False, False
     size = max(dist(point, here[0]) for point in here)
@@ -111,9 +111,6 @@ def _likeness(
     own = ([_mirror(point, axis, here[0][axis]) for point in here] for axis in axes)
     is_flat = any(_apart(image, here) <= within for image in own)
     return off <= within or (is_copy and is_flat), is_copy
-
-
-_AT_CARRIER = RigidPose(((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)), (0.0, 0.0, 0.0))
 
 
 def _points(

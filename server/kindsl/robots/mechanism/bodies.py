@@ -1,4 +1,4 @@
-"""From a linkage to the arrays that the dynamics work on, and back."""
+"""From a linkage to the arrays that the dynamics work on."""
 
 from collections.abc import Mapping, Sequence
 
@@ -7,9 +7,9 @@ import numpy as np
 from kindsl.language.semantics.parameters import UNTOLD, JointProperties
 from kindsl.mechanics.dynamics.bodies import Bodies, BodyFrame, Drives
 from kindsl.mechanics.rigid.body import MassDistribution
-from kindsl.mechanics.rigid.pose import RigidPose, Vector3
+from kindsl.mechanics.rigid.pose import RigidPose
 from kindsl.mechanics.spatial.arrays import Array
-from kindsl.robots.mechanism.linkage import BodyPart, Linkage, RigidBody
+from kindsl.robots.mechanism.linkage import Linkage
 
 
 def bodies_of(linkage: Linkage) -> Bodies:
@@ -45,36 +45,6 @@ def drives_of(names: Sequence[str], joints: Mapping[str, JointProperties]) -> Dr
     )
     is_told = drives.armature.any() or drives.damping.any() or drives.friction.any()
     return drives if is_told else None
-
-
-def linkage_of_bodies(bodies: Bodies) -> Linkage:
-    """Return the bodies of arrays in plain numbers, numbered like them."""
-    poses = map(_pose, bodies.p_R_j, bodies.p_r_j)
-    masses = map(_mass_distribution, bodies.masses, bodies.coms, bodies.inertias)
-    parts = [
-        [BodyPart(name, mass=mass)] for name, mass in zip(bodies.body_names, masses, strict=True)
-    ]
-    for f in bodies.frames:
-        pose = _pose(f.body_R_frame, f.body_r_frame)
-        parts[f.body].append(BodyPart(f.name, pose, is_link=False))
-    base, *others = map(tuple, parts)
-    joints = bodies.parents, bodies.joint_names, bodies.joint_kinds, poses
-    return Linkage((RigidBody(base), *map(RigidBody, others, *joints)), bodies.is_floating)
-
-
-def _pose(R: Array, r: Array) -> RigidPose:
-    x, y, z = (_triple(row) for row in R)
-    return RigidPose((x, y, z), _triple(r))
-
-
-def _mass_distribution(mass: float, com: Array, tensor: Array) -> MassDistribution:
-    (Ix, Ixy, Ixz), (_, Iy, Iyz), (_, _, Iz) = tensor.tolist()
-    return MassDistribution(float(mass), _triple(com), (Ix, Iy, Iz, -Ixy, -Ixz, -Iyz))
-
-
-def _triple(values: Array) -> Vector3:
-    x, y, z = values.tolist()
-    return x, y, z
 
 
 def _arrays(pose: RigidPose) -> tuple[Array, Array]:

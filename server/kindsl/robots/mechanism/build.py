@@ -7,9 +7,11 @@ from typing import TYPE_CHECKING
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.parameters import JointProperties
 from kindsl.language.text.display import html_of
+from kindsl.mechanics.dynamics.bodies import Drives
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.robots.mechanism.bodies import bodies_of, drives_of
 from kindsl.robots.mechanism.errors import ModelError
+from kindsl.robots.mechanism.linkage import Linkage
 from kindsl.robots.mechanism.numbering import require_base
 from kindsl.robots.mechanism.reading import whole_linkage
 
@@ -18,9 +20,17 @@ if TYPE_CHECKING:
 
 
 class Mechanism(Mechanics):
-    """The mechanics of a document."""
+    """The mechanics of a document.
 
-    __slots__ = ()
+    Attributes:
+        linkage: Its bodies in plain numbers.
+    """
+
+    __slots__ = ("linkage",)
+
+    def __init__(self, linkage: Linkage, drives: Drives | None = None) -> None:
+        super().__init__(replace(bodies_of(linkage), drives=drives))
+        self.linkage = linkage
 
     def __repr__(self) -> str:
         base = "floating" if self.bodies.is_floating else "fixed"
@@ -62,7 +72,6 @@ def mechanism_of(
     """
     linkage = whole_linkage(model, values)
     try:
-        bodies = bodies_of(linkage)
-        return Mechanism(replace(bodies, drives=drives_of(bodies.joint_names, joints or {})))
+        return Mechanism(linkage, drives_of(linkage.joint_names, joints or {}))
     except ValueError as error:
         raise ModelError(str(error), require_base(model)) from error
