@@ -257,8 +257,9 @@ def test_paths_alone_mean_what_the_parser_says() -> None:
     lint.add_arguments(parser)
     options = only_paths(["a.kindsl", "-"])
     assert options is not None
-    parsed = vars(parser.parse_args(["a.kindsl", "-"]))
-    assert {**vars(options), "param": list(options.param)} == parsed
+    for name, value in vars(parser.parse_args(["a.kindsl", "-"])).items():
+        own = getattr(options, name)
+        assert own == value or not (own or value), name
     assert only_paths(["a.kindsl", "-q"]) is None
 
 

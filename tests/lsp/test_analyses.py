@@ -114,7 +114,7 @@ async def test_what_nobody_waits_for_any_more_is_not_begun(
         await waiting
     release()
     await worker.run(lambda: None, Urgency.BACKGROUND)
-    assert shown.is_parsed is False
+    assert shown._tree is None
     assert (await analyses.of(shown)).syntax.text == TEXT
 
 

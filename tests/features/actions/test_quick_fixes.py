@@ -8,13 +8,12 @@ from tests.support.documents import ROOT
 from kindsl.frontends.features.actions.action import newline_of
 from kindsl.frontends.features.actions.code_actions import (
     code_actions,
-    fix_all,
     fix_all_action,
     line_edits,
     quick_fixes,
 )
 from kindsl.judgement.analysis.analysis import analyse
-from kindsl.judgement.analysis.fixing import disjoint_fixes, is_fixable
+from kindsl.judgement.analysis.fixing import disjoint_fixes, fixed, is_fixable
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.judgement.analysis.text_fix import edits_of
 from kindsl.language.semantics.parameters import Binding
@@ -65,14 +64,13 @@ def test_everything_safe_is_fixed_by_one_action():
 
 
 def test_fixes_that_need_several_rounds_come_to_an_end():
-    analysis = analyse(BAD)
-    edits = fix_all(analysis, is_fixable)
-    assert not fix_all(analyse(apply_edits(BAD, edits)), is_fixable)
+    better = fixed(analyse(BAD), is_fixable).analysis
+    assert not fixed(better, is_fixable).rounds
 
 
 def test_only_the_rules_asked_for():
-    assert fix_all(analyse(BAD), lambda finding: finding.code == "KD101") == ()
-    assert fix_all(analyse(BAD), lambda finding: finding.code == "KD005")
+    assert not fixed(analyse(BAD), lambda finding: finding.code == "KD101").rounds
+    assert fixed(analyse(BAD), lambda finding: finding.code == "KD005").rounds
 
 
 def test_a_finding_can_be_ignored_in_a_comment_above_it():

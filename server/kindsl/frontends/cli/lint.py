@@ -17,32 +17,14 @@ if TYPE_CHECKING:
     import argparse
 
 SUMMARY = "report problems in documents"
-DEFAULTS: dict[str, Any] = {
-    "stdin_filename": None,
-    "no_default_exclude": False,
-    "select": None,
-    "ignore": None,
-    "target": None,
-    "editor_settings": None,
-    "param": (),
-    "params": None,
-    "config": None,
-    "isolated": False,
-    "fix": False,
-    "unsafe_fixes": False,
-    "diff": False,
-    "write_baseline": None,
-    "output_format": "text",
-    "max_warnings": None,
-    "exit_zero": False,
-    "statistics": False,
-    "verbose": False,
-    "quiet": False,
-    "watch": False,
-    "jobs": 0,
-    "explain": None,
-    "list_rules": False,
-}
+DEFAULTS: dict[str, Any] = {"param": (), "output_format": "text", "jobs": 0}
+
+
+class OnlyPaths(SimpleNamespace):
+    """The options where none is given: off, and without a value, but for a few."""
+
+    def __getattr__(self, name: str) -> None:
+        return None
 
 
 def add_arguments(parser: "argparse.ArgumentParser") -> None:
@@ -79,7 +61,7 @@ def only_paths(arguments: list[str]) -> SimpleNamespace | None:
     """
     if any(argument.startswith("-") and argument != "-" for argument in arguments):
         return None
-    return SimpleNamespace(paths=arguments, **DEFAULTS)
+    return OnlyPaths(paths=arguments, **DEFAULTS)
 
 
 def _parsed(arguments: list[str]) -> "argparse.Namespace":

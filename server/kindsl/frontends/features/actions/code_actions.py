@@ -171,11 +171,9 @@ def bind_parameter(analysis: Analysis, start: int, end: int) -> Iterator[CodeAct
     yield CodeAction(title, QUICK_FIX, (), fixed, bindings=((name, value),))
 
 
-def fix_all(
-    analysis: Analysis, is_wanted: Callable[[Diagnostic], bool] = is_safe
-) -> tuple[TextEdit, ...]:
-    """Return the edits that fix what can be fixed."""
-    better, _, rounds = fixed(analysis, is_wanted)
+def fix_all(analysis: Analysis) -> tuple[TextEdit, ...]:
+    """Return the edits that make every safe fix."""
+    better, _, rounds = fixed(analysis, is_safe)
     return rounds[0] if len(rounds) == 1 else line_edits(analysis.text, better.text)
 
 

@@ -35,9 +35,7 @@ async def preview(
     An editor that has no panel of its own for it is told the address. The option `origin` names
     the address under which a tunnel or proxy of the editor shows it.
     """
-    origin = (
-        options.get("origin") if isinstance(options, dict) else getattr(options, "origin", None)
-    )
+    origin = _own(options, "origin", None)
     url = await session.previews.open(_only_document(session) if uri is None else _uri(uri), origin)
     if url.startswith("http") and not session.client.announces(STATUS):
         session.until_told = asyncio.ensure_future(_tell_address(session, url))

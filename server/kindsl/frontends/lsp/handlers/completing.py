@@ -125,11 +125,11 @@ class _Form(NamedTuple):
 
 
 def _form(view: Sight, found: "Completions", position: types.Position) -> _Form:
-    start, end = _position(view, found.start), _position(view, found.end)
-    place: dict[str, Any] = {"range": {"start": start, "end": end}}
+    ranges = view.document.wire_range
+    place = {"range": ranges(found.start, found.end)}
     if view.client.can(f"{_ITEM}.insert_replace_support"):
-        cursor = _position(view, view.offset(position))
-        place = {"insert": {"start": start, "end": cursor}, "replace": place["range"]}
+        before_cursor = ranges(found.start, view.offset(position))
+        place = {"insert": before_cursor, "replace": place["range"]}
     adjusts = types.InsertTextMode.AdjustIndentation
     modes = view.client.values(f"{_ITEM}.insert_text_mode_support.value_set")
     return _Form(
@@ -138,11 +138,6 @@ def _form(view: Sight, found: "Completions", position: types.Position) -> _Form:
         view.client.can(f"{_ITEM}.snippet_support"),
         {"insertTextMode": adjusts.value} if adjusts in modes else {},
     )
-
-
-def _position(view: Sight, offset: int) -> dict[str, int]:
-    position = view.document.position(offset)
-    return {"line": position.line, "character": position.character}
 
 
 def _item(item: "CompletionItem", number: int, form: _Form) -> dict[str, Any]:

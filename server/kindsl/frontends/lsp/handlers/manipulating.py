@@ -47,7 +47,7 @@ def _checked(options: object) -> tuple[str, str, str, float, float | None]:
     Raises:
         JsonRpcInvalidParams: One is missing or of another type.
     """
-    given = options if isinstance(options, Mapping) else getattr(options, "__dict__", {})
+    given = options if isinstance(options, Mapping) else {}
     words = tuple(given.get(key) for key in ("kind", "name", "component"))
     value, step = given.get("value"), given.get("step")
     if not all(isinstance(word, str) for word in words):

@@ -27,7 +27,6 @@ _KINDS = {
     "joint": types.SymbolKind.Method,
     "frame": types.SymbolKind.Property,
 }
-_FOLDS = {"block": types.FoldingRangeKind.Region, "comment": types.FoldingRangeKind.Comment}
 _MOST_SYMBOLS = 1000
 # Of a text until it changes.
 _SYMBOLS: "Fact[tuple[WorkspaceSymbol, ...]]" = Fact("symbols")
@@ -129,14 +128,12 @@ def folding(view: View, _: types.FoldingRangeParams) -> list[types.FoldingRange]
     found = []
     for fold in folds(view.analysis):
         start, end = view.document.position(fold.start), view.document.position(fold.end)
-        last = end.line - 1 if whole_lines and fold.kind == "block" else end.line
+        is_comment = fold.kind == "comment"
+        last = end.line - (whole_lines and not is_comment)
+        left, right = (None, None) if whole_lines else (start.character, end.character)
+        kind = types.FoldingRangeKind.Comment if is_comment else None
         if last > start.line:
-            kind = _FOLDS[fold.kind] if fold.kind == "comment" else None
-            found.append(
-                types.FoldingRange(start.line, last, start.character, end.character, kind)
-                if not whole_lines
-                else types.FoldingRange(start.line, last, kind=kind)
-            )
+            found.append(types.FoldingRange(start.line, last, left, right, kind))
     return found
 
 

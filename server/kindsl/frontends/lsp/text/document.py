@@ -77,11 +77,6 @@ class Document:
         return self.is_robot or self.is_xml
 
     @property
-    def is_parsed(self) -> bool:
-        """True if its syntax is known already."""
-        return self._tree is not None
-
-    @property
     def text(self) -> str:
         """The whole text."""
         return self.lines.text(0, self.lines.length)
