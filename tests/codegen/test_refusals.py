@@ -18,10 +18,15 @@ from kindsl.language.semantics.parameters import Binding, JointProperties
 from kindsl.products.codegen.checking import _compiler, misfit
 from kindsl.products.codegen.generating import Source, generate
 from kindsl.products.codegen.library import GenerationError, Options
-from kindsl.products.codegen.manifest import NAME, Manifest, read_manifest
+from kindsl.products.codegen.manifest import (
+    NAME,
+    Manifest,
+    read_manifest,
+    refuse_foreign,
+    write_files,
+)
 from kindsl.products.codegen.resistance import refuse_unresisted
 from kindsl.products.codegen.robcogen.robot import GeneratedRobot
-from kindsl.products.codegen.writing import refuse_foreign, write_files
 from kindsl.robots.interchange.generated_folder import digest
 from kindsl.robots.mechanism.errors import ModelError
 

@@ -21,8 +21,8 @@ from kindsl.mechanics.dynamics.generation.emitters import cpp_templates
 from kindsl.mechanics.spatial.arrays import Array
 from kindsl.mechanics.spatial.cross_products import skew
 from kindsl.products.codegen.library import Library
-from kindsl.products.codegen.robcogen import long_transforms
 from kindsl.products.codegen.robcogen import robot as generated_robot
+from kindsl.products.codegen.robcogen import transforms
 from kindsl.products.codegen.robcogen.robot import GeneratedRobot
 
 Case = tuple[Mechanics, Library, dict[str, Array]]
@@ -207,7 +207,7 @@ def case(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactor
     with pytest.MonkeyPatch.context() as patch:
         if request.param == "crab":  # as with large robots: in parts, products, one for all loads
             patch.setattr(generated_robot, "MOST_JOINTS_OF_SMALL", 1)
-            patch.setattr(long_transforms, "MOST_JOINTS_OF_LARGE", 1)
+            patch.setattr(transforms, "MOST_JOINTS_OF_LARGE", 1)
             patch.setattr(cpp_templates, "MOST_OPERATIONS", 100)
             patch.setattr(cpp_templates, "OPERATIONS_PER_PART", 70)
         analysis, library = generated(ROBOTS[request.param], VALUES, folder)

@@ -23,7 +23,7 @@ from kindsl.mechanics.spatial.arrays import Array
 from kindsl.mechanics.spatial.cross_products import skew
 from kindsl.products.codegen.generating import Source, generate
 from kindsl.products.codegen.library import GenerationError, Options
-from kindsl.products.codegen.robcogen import long_transforms
+from kindsl.products.codegen.robcogen import transforms
 
 pytestmark = pytest.mark.skipif(not COMPILERS, reason="there is no C++ compiler")
 HAND = (
@@ -79,7 +79,7 @@ class Asked:
         analysis = kindsl.parse(text, Settings(bindings=bindings))
         options = Options("robcogen", PLAIN, "double", False, parameters="all", prefix="crab")
         with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(long_transforms, "MOST_JOINTS", joints)
+            patch.setattr(transforms, "MOST_JOINTS", joints)
             source = Source("crab.kindsl", analysis, {}, TRANSFORMS)
             self.library, self.files = generate(source, options)
         self.kind = kind

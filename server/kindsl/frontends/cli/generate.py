@@ -217,7 +217,7 @@ def _note_unknown_frames(path: str, text: str, model: "Model") -> None:
 def _generate(args: argparse.Namespace, source: "Source") -> int:
     from kindsl.products.codegen.generating import generate
     from kindsl.products.codegen.library import GenerationError
-    from kindsl.products.codegen.writing import refuse_foreign, write_files
+    from kindsl.products.codegen.manifest import refuse_foreign, write_files
 
     with _told(args, source):
         library, files = generate(source, _options(args, source))

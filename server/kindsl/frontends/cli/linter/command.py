@@ -133,7 +133,7 @@ def _report(outcome: RunOutcome, args: Any) -> int:
 
 def _rendered(outcome: RunOutcome, args: Any) -> str:
     if args.statistics:
-        from kindsl.frontends.cli.linter.statistics import statistics
+        from kindsl.frontends.cli.linter.summary import statistics
 
         return statistics(outcome, is_json=args.output_format == "json")
     return renderer(args.output_format)(outcome)

@@ -5,9 +5,8 @@ from pathlib import Path
 
 from kindsl.products.codegen.library import Library
 from kindsl.products.codegen.robcogen import dynamics_kernels as dynamics
-from kindsl.products.codegen.robcogen.jacobians import jacobians
 from kindsl.products.codegen.robcogen.robot import GeneratedRobot
-from kindsl.products.codegen.robcogen.transforms import KINDS, transforms
+from kindsl.products.codegen.robcogen.transforms import KINDS, jacobians, transforms
 from kindsl.products.codegen.robcogen.wanted_names import jacobian_pairs, transform_pairs
 
 RUNTIME = Path(__file__).parent / "runtime"
