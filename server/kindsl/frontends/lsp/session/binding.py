@@ -1,6 +1,8 @@
 """Changes by hand outside the text, written into it or into the project's `kindsl.toml`."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import suppress
+from functools import partial
 from typing import NamedTuple
 
 from lsprotocol import types
@@ -13,7 +15,6 @@ from kindsl.frontends.lsp.wire.client import asked
 from kindsl.frontends.lsp.wire.edits import text_edits, workspace_edit
 from kindsl.judgement.config.errors import ConfigurationError
 from kindsl.judgement.config.file_names import OWN_FILE
-from kindsl.judgement.config.parameter_lines import parameter_lines
 from kindsl.language.text.edits import TextEdit, difference
 
 _CHANGED = "the document has changed in the meantime"
@@ -40,17 +41,7 @@ def bound(
     """Return the edit that binds parameters of a document; None if there is no place for one."""
     from kindsl.judgement.config.toml_edits import binding_edit
 
-    place = _place(state, shown)
-    if place is None:
-        return None
-    document, is_new = place
-    if is_new:
-        text = "\n".join(("[parameters]", *parameter_lines(values), ""))
-        edit: TextEdit | None = difference(document.text, text)
-    else:
-        file, robot = str(uris.path(document.uri)), str(uris.path(shown.uri))
-        edit = binding_edit(file, document.text, robot, values)
-    return None if edit is None else ConfigurationEdit(document, is_new, edit)
+    return _edited(state, shown, partial(binding_edit, values=values))
 
 
 def pose_edit(
@@ -59,19 +50,13 @@ def pose_edit(
     """Return the edit that keeps a pose of a document; None if there is no place for one."""
     from kindsl.judgement.config.document_tables import with_pose
 
-    place = _place(state, shown)
-    if place is None:
+    def edit(file: str, text: str, robot: str) -> TextEdit | None:
+        with suppress(ConfigurationError):
+            new = with_pose(file, text, robot, name, joints)
+            return None if new is None else difference(text, new)
         return None
-    document, is_new = place
-    try:
-        new = with_pose(
-            str(uris.path(document.uri)), document.text, str(uris.path(shown.uri)), name, joints
-        )
-    except ConfigurationError:
-        return None
-    if new is None:
-        return None
-    return ConfigurationEdit(document, is_new, difference(document.text, new))
+
+    return _edited(state, shown, edit)
 
 
 async def request_edits(
@@ -104,6 +89,18 @@ async def request_edits(
     params = types.ApplyWorkspaceEditParams(workspace_edit(view.client, made), label=label)
     answer = await asked(view.state.editor.workspace_apply_edit_async(params))
     return "" if answer is not None and answer.applied else _CHANGED
+
+
+def _edited(
+    state: State, shown: Document, edit_of: Callable[[str, str, str], TextEdit | None]
+) -> ConfigurationEdit | None:
+    place = _place(state, shown)
+    if place is None:
+        return None
+    document, is_new = place
+    file, robot = str(uris.path(document.uri)), str(uris.path(shown.uri))
+    edit = edit_of(file, document.text, robot)
+    return None if edit is None else ConfigurationEdit(document, is_new, edit)
 
 
 def _place(state: State, shown: Document) -> tuple[Document, bool] | None:
