@@ -46,22 +46,17 @@ async def test_a_job_is_done_in_another_process_until_that_ends() -> None:
     helper.stop()
 
 
-async def test_a_process_that_ends_is_told_and_replaced_once(
+async def test_where_a_process_has_ended_the_worker_does_it(
     caplog: pytest.LogCaptureFixture,
 ) -> None:
     helper = Helper(Worker(), 1)
-    first = await helper.run(os.getpid)
-    os.kill(first, signal.SIGKILL)
-    second, also = await asyncio.gather(helper.run(os.getpid), helper.run(os.getpid))
-    assert second == also and second not in (first, os.getpid())
-    assert [record.message.split(": ")[-1] for record in caplog.records] == [
-        "another one is started"
-    ]
-    os.kill(second, signal.SIGKILL)
-    assert await helper.run(os.getpid) == os.getpid() == await helper.run(os.getpid)
-    assert [record.message.split(": ")[-1] for record in caplog.records[1:]] == [
-        "the server does it"
-    ]
+    os.kill(await helper.run(os.getpid), signal.SIGKILL)
+    first, second = await asyncio.gather(helper.run(os.getpid), helper.run(os.getpid))
+    assert first == second == os.getpid() == await helper.run(os.getpid)
+    assert {record.message.partition(":")[0] for record in caplog.records} == {
+        "no process for long work, the server does it"
+    }
+    helper.stop()
 
 
 async def test_who_waits_when_it_is_stopped_is_cancelled() -> None:

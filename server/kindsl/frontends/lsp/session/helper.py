@@ -31,8 +31,8 @@ _LESS_URGENT = 5
 class Helper:
     """Does long work in processes, a thread for each waiting for its answer.
 
-    Where there can be none it is done in the worker, in slices: a job is short, and all others go
-    before it. A process that ends unasked is replaced once.
+    Where there can be none, or one has ended unasked, it is done in the worker, in slices: a job is
+    short, and all others go before it.
     """
 
     def __init__(self, worker: Worker, number: int) -> None:
@@ -50,13 +50,13 @@ class Helper:
         """
         work = partial(self._do, job, arguments)
         if self._threads is not None and not self._is_stopped:
+            running = asyncio.get_running_loop().run_in_executor(self._threads, work)
             try:
-                return cast(
-                    T, await asyncio.get_running_loop().run_in_executor(self._threads, work)
-                )
+                return cast(T, await running)
             except _LostError:
                 if self._is_stopped:
                     raise asyncio.CancelledError from None
+                self._threads = None
         return await self._worker.run(partial(job, *arguments), Urgency.BACKGROUND)
 
     def stop(self) -> None:
@@ -74,57 +74,42 @@ class Helper:
             _LostError: There is none, or none any more.
         """
         request = pickle.dumps((job, arguments))
-        while (process := self._process()) is not None:
-            try:
-                requests = cast(IO[bytes], process.stdin)
-                requests.write(request)
-                requests.flush()
-                is_done, result = pickle.load(cast(IO[bytes], process.stdout))
-            except (EOFError, OSError, ValueError, pickle.UnpicklingError):
-                self._lose(process)
-            else:
-                if is_done:
-                    return result
-                raise result
-        raise _LostError
+        try:
+            process = self._process()
+            requests = cast(IO[bytes], process.stdin)
+            requests.write(request)
+            requests.flush()
+            is_done, result = pickle.load(cast(IO[bytes], process.stdout))
+        except (EOFError, OSError, ValueError, pickle.UnpicklingError) as error:
+            if not self._is_stopped:
+                logger.warning("no process for long work, the server does it: %s", error)
+            raise _LostError from None
+        if is_done:
+            return result
+        raise result
 
-    def _process(self) -> "subprocess.Popen[bytes] | None":
+    def _process(self) -> "subprocess.Popen[bytes]":
         own = self._of_thread.__dict__
-        if "process" not in own and own.setdefault("starts_left", 2) and not self._is_stopped:
-            own["starts_left"] -= 1
+        if "process" not in own:
             code = f"import sys; sys.path[:] = {sys.path!r}; from {__name__} import serve; serve()"
             pipe = subprocess.PIPE
-            try:
-                process = subprocess.Popen([sys.executable, "-c", code], stdin=pipe, stdout=pipe)
-            except OSError as error:
-                logger.warning("no process for long work: %s", error)
-                own["starts_left"] = 0
-            else:
-                own["process"] = process
-                self._processes.append(process)
-                if self._is_stopped:  # meanwhile
-                    _end(process)
-        return own.get("process")
-
-    def _lose(self, process: "subprocess.Popen[bytes]") -> None:
-        status = _end(process)
-        del self._of_thread.process
-        if not self._is_stopped:
-            is_left = self._of_thread.starts_left
-            next_one = "another one is started" if is_left else "the server does it"
-            logger.warning("the process for long work has ended (%d): %s", status, next_one)
+            process = subprocess.Popen([sys.executable, "-c", code], stdin=pipe, stdout=pipe)
+            own["process"] = process
+            self._processes.append(process)
+            if self._is_stopped:  # meanwhile
+                _end(process)
+        return cast("subprocess.Popen[bytes]", own["process"])
 
 
 class _LostError(Exception):
     """There is no process that will answer."""
 
 
-def _end(process: "subprocess.Popen[bytes]") -> int:
-    """End a process, close its pipes and return its exit status."""
+def _end(process: "subprocess.Popen[bytes]") -> None:
+    """End a process and close its pipes."""
     process.kill()
     with contextlib.suppress(OSError), process:
         pass
-    return int(process.returncode)
 
 
 def serve() -> None:
