@@ -17,7 +17,7 @@ from tests.codegen.compiling import (
 from tests.codegen.loaded import Loaded
 from tests.codegen.robots import bodies_of_seed, library, reference, write_c
 from tests.codegen.test_python_modules import CORPUS
-from tests.dynamics.random_bodies import with_drives
+from tests.dynamics.random_bodies import random_bodies, with_drives
 from tests.dynamics.test_compiled import assert_same, calls
 from tests.support.amount import usually
 from tests.support.differences import worst_difference
@@ -67,6 +67,20 @@ def test_numbers_are_those_of_the_mechanics(seed: int, tmp_path: Path) -> None:
             assert worst_difference(found, expected.loaded_results(function)) < 1e-12
             batch = loaded.call(function, _twice(expected.values), n=2)
             assert worst_difference([x[x.size // 2 :] for x in batch], found) == 0.0
+
+
+# More columns than a block has, and bodies that are not numbered depth first.
+@pytest.mark.parametrize("is_floating", [False, True])
+def test_numbers_of_many_bodies(*, is_floating: bool, tmp_path: Path) -> None:
+    names = tuple(name for name in IN_LOOPS if "deriv" in name or "inverse" in name)
+    bodies = random_bodies(np.random.default_rng(7), 25, is_floating=is_floating)
+    bodies = with_drives(bodies, np.random.default_rng(8))
+    folder = write_c(bodies, tmp_path / "robot", names)
+    path = build(COMPILERS[0], folder, ["-shared", "-fPIC"], "robot.so")
+    loaded, expected = Loaded(path, library(bodies, names)), reference(bodies)
+    for function in loaded.library.all_functions:
+        found = loaded.call(function, {**expected.values, "fext": None})
+        assert worst_difference(found, expected.results(function)) < 1e-10, function.name
 
 
 def _twice(values: dict[str, np.ndarray]) -> dict[str, np.ndarray]:

@@ -8,13 +8,14 @@ static const int @P@turns[@NB@] = {@TURNS@};
 /* Which coordinate carries each; none is -1. */
 static const int @P@before[@NV@] = {@BEFORE@};
 
-@FN@ @S@ @P@dot(const @S@ *a, const @S@ *b, int n)
+@FN@ @S@ @P@dot3(const @S@ *a, const @S@ *b)
 {
-    @S@ sum = a[0] * b[0];
-    for (int k = 1; k < n; k++) {
-        sum += a[k] * b[k];
-    }
-    return sum;
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+@FN@ @S@ @P@dot(const @S@ *a, const @S@ *b)
+{
+    return @P@dot3(a, b) + @P@dot3(a + 3, b + 3);
 }
 
 @FN@ void @P@cross(const @S@ *a, const @S@ *b, @S@ *c)
@@ -26,49 +27,41 @@ static const int @P@before[@NV@] = {@BEFORE@};
 
 @FN@ void @P@turned(const @S@ *R, const @S@ *v, @S@ *found)
 {
-    for (int k = 0; k < 3; k++) {
-        found[k] = @P@dot(R + 3 * k, v, 3);
-    }
+    found[0] = @P@dot3(R, v);
+    found[1] = @P@dot3(R + 3, v);
+    found[2] = @P@dot3(R + 6, v);
 }
 
 /* v x s of two motions. */
 @FN@ void @P@moved(const @S@ *v, const @S@ *s, @S@ *found)
 {
-    @S@ x[3];
     @P@cross(v, s, found);
-    @P@cross(v + 3, s, x);
-    @P@cross(v, s + 3, found + 3);
-    for (int k = 0; k < 3; k++) {
-        found[3 + k] += x[k];
-    }
+    found[3] = v[4] * s[2] - v[5] * s[1] + (v[1] * s[5] - v[2] * s[4]);
+    found[4] = v[5] * s[0] - v[3] * s[2] + (v[2] * s[3] - v[0] * s[5]);
+    found[5] = v[3] * s[1] - v[4] * s[0] + (v[0] * s[4] - v[1] * s[3]);
 }
 
 /* Add the rate at which momentum h that moves with v changes. */
 @FN@ void @P@add_moved(const @S@ *v, const @S@ *h, @S@ *f)
 {
-    @S@ x[3], y[3], z[3];
-    @P@cross(v, h, x);
-    @P@cross(v + 3, h + 3, y);
-    @P@cross(v, h + 3, z);
-    for (int k = 0; k < 3; k++) {
-        f[k] += x[k] + y[k];
-        f[3 + k] += z[k];
-    }
+    f[0] += v[1] * h[2] - v[2] * h[1] + (v[4] * h[5] - v[5] * h[4]);
+    f[1] += v[2] * h[0] - v[0] * h[2] + (v[5] * h[3] - v[3] * h[5]);
+    f[2] += v[0] * h[1] - v[1] * h[0] + (v[3] * h[4] - v[4] * h[3]);
+    f[3] += v[1] * h[5] - v[2] * h[4];
+    f[4] += v[2] * h[3] - v[0] * h[5];
+    f[5] += v[0] * h[4] - v[1] * h[3];
 }
 
 /* The momentum of a body, of ten numbers as in the table. */
 @FN@ void @P@momentum(const @S@ *body, const @S@ *v, @S@ *f)
 {
-    const @S@ *h = body + 1, *J = body + 4, trace = J[0] + J[3] + J[5];
-    @S@ x[3], y[3];
-    @P@cross(h, v + 3, x);
-    @P@cross(v, h, y);
-    f[0] = trace * v[0] - (J[0] * v[0] + J[1] * v[1] + J[2] * v[2]) + x[0];
-    f[1] = trace * v[1] - (J[1] * v[0] + J[3] * v[1] + J[4] * v[2]) + x[1];
-    f[2] = trace * v[2] - (J[2] * v[0] + J[4] * v[1] + J[5] * v[2]) + x[2];
-    for (int k = 0; k < 3; k++) {
-        f[3 + k] = body[0] * v[3 + k] + y[k];
-    }
+    const @S@ m = body[0], *h = body + 1, *J = body + 4, trace = J[0] + J[3] + J[5];
+    f[0] = trace * v[0] - (J[0] * v[0] + J[1] * v[1] + J[2] * v[2]) + (h[1] * v[5] - h[2] * v[4]);
+    f[1] = trace * v[1] - (J[1] * v[0] + J[3] * v[1] + J[4] * v[2]) + (h[2] * v[3] - h[0] * v[5]);
+    f[2] = trace * v[2] - (J[2] * v[0] + J[4] * v[1] + J[5] * v[2]) + (h[0] * v[4] - h[1] * v[3]);
+    f[3] = m * v[3] + (v[1] * h[2] - v[2] * h[1]);
+    f[4] = m * v[4] + (v[2] * h[0] - v[0] * h[2]);
+    f[5] = m * v[5] + (v[0] * h[1] - v[1] * h[0]);
 }
 
 /* Rotation and position of each body, the direction of each coordinate, and the bodies. */
@@ -88,10 +81,10 @@ static const int @P@before[@NV@] = {@BEFORE@};
             const @S@ *A = R - 9 * up;
             @S@ *axis = axes + 6 * (@K@ + i - 1);
             @S@ E[9];
-            for (int k = 0; k < 9; k++) {
-                const int row = k / 3 * 3, column = k % 3;
-                E[k] = A[row] * t[column] + A[row + 1] * t[3 + column]
-                    + A[row + 2] * t[6 + column];
+            for (int k = 0; k < 9; k += 3) {
+                E[k] = A[k] * t[0] + A[k + 1] * t[3] + A[k + 2] * t[6];
+                E[k + 1] = A[k] * t[1] + A[k + 1] * t[4] + A[k + 2] * t[7];
+                E[k + 2] = A[k] * t[2] + A[k + 1] * t[5] + A[k + 2] * t[8];
             }
             @P@turned(A, t + 9, r);
             const @S@ z[3] = {E[2], E[5], E[8]};
@@ -123,7 +116,7 @@ static const int @P@before[@NV@] = {@BEFORE@};
         }
         for (int a = 0, k = 4; a < 3; a++) {
             for (int b = a; b < 3; b++, k++) {
-                bodies[k] = @P@dot(half + 3 * a, R + 3 * b, 3)
+                bodies[k] = @P@dot3(half + 3 * a, R + 3 * b)
                     + (h[a] * r[b] + r[a] * bodies[1 + b]);
             }
         }
@@ -210,6 +203,16 @@ static const int @P@before[@NV@] = {@BEFORE@};
     }
 }
 
+/* The same for a floating base that falls. */
+@FN@ void @P@falling(const @S@ *v0, const @S@ *g, @S@ *base)
+{
+    const @S@ *none = (const @S@ *)0;
+    @P@start(v0, none, v0 ? none : g, base);
+    for (int k = 6; k < 9 && v0; k++) {
+        base[k] = (@S@)0;
+    }
+}
+
 /* A floating base's spatial acceleration, from that of its origin as a point that falls. */
 @FN@ void @P@spatial(const @S@ *found, const @S@ *v0, const @S@ *g, @S@ *a0)
 {
@@ -224,38 +227,43 @@ static const int @P@before[@NV@] = {@BEFORE@};
     }
 }
 
-/* Solve A x = -b for a symmetric 6x6 matrix, which is overwritten. */
-@FN@ void @P@resisted(@S@ *A, const @S@ *b, @S@ *x)
+/* Solve A x = b for a symmetric 6x6 matrix, which is overwritten, and n columns, which x has. */
+@FN@ void @P@resisted(@S@ *A, @S@ *x, int n)
 {
-    for (int i = 0; i < 6; i++) {
-        x[i] = -b[i];
-    }
     for (int k = 0; k < 6; k++) {
         for (int i = k + 1; i < 6; i++) {
             const @S@ factor = A[6 * i + k] / A[7 * k];
             for (int j = k + 1; j < 6; j++) {
                 A[6 * i + j] -= factor * A[6 * k + j];
             }
-            x[i] -= factor * x[k];
+            for (int c = 0; c < n; c++) {
+                x[n * i + c] -= factor * x[n * k + c];
+            }
         }
     }
     for (int k = 5; k >= 0; k--) {
-        for (int j = k + 1; j < 6; j++) {
-            x[k] -= A[6 * k + j] * x[j];
+        for (int c = 0; c < n; c++) {
+            for (int j = k + 1; j < 6; j++) {
+                x[n * k + c] -= A[6 * k + j] * x[n * j + c];
+            }
+            x[n * k + c] /= A[7 * k];
         }
-        x[k] /= A[7 * k];
     }
 }
 
 /* The 6x6 inertia of a body. */
 @FN@ void @P@inertia(const @S@ *body, @S@ *found)
 {
-    for (int k = 0; k < 6; k++) {
-        @S@ unit[6];
-        for (int j = 0; j < 6; j++) {
-            unit[j] = (@S@)(j == k);
-        }
-        @P@momentum(body, unit, found + 6 * k);
+    const @S@ m = body[0], *h = body + 1, *J = body + 4, none = (@S@)0;
+    const @S@ rows[36] = {
+        J[3] + J[5], -J[1], -J[2], none, -h[2], h[1],
+        -J[1], J[0] + J[5], -J[4], h[2], none, -h[0],
+        -J[2], -J[4], J[0] + J[3], -h[1], h[0], none,
+        none, h[2], -h[1], m, none, none,
+        -h[2], none, h[0], none, m, none,
+        h[1], -h[0], none, none, none, m};
+    for (int k = 0; k < 36; k++) {
+        found[k] = rows[k];
     }
 }
 
@@ -281,7 +289,7 @@ static const int @P@before[@NV@] = {@BEFORE@};
     @P@wrenches(R, r, bodies, v, a, fext, f);
     @P@carry(f, 6);
     for (int i = 1; i < @NB@; i++) {
-        tau[i - 1] = @P@dot(axes + 6 * (@K@ + i - 1), f + 6 * i, 6) + @P@drive(t, qd, qdd, i);
+        tau[i - 1] = @P@dot(axes + 6 * (@K@ + i - 1), f + 6 * i) + @P@drive(t, qd, qdd, i);
     }
     for (int k = 0; k < 6 && f0; k++) {
         f0[k] = f[k];
@@ -310,11 +318,14 @@ static const int @P@before[@NV@] = {@BEFORE@};
     @P@newton_euler(t, q, qd, qdd, base, fext, tau, wrench, axes, bodies);
     @P@carry(bodies, 10);
     @P@inertia(bodies, whole);
-    @P@resisted(whole, wrench, found);
+    for (int k = 0; k < 6; k++) {
+        found[k] = -wrench[k];
+    }
+    @P@resisted(whole, found, 1);
     for (int i = 1; i < @NB@; i++) {
         @S@ f[6];
         @P@momentum(bodies + 10 * i, found, f);
-        tau[i - 1] += @P@dot(axes + 6 * (@K@ + i - 1), f, 6);
+        tau[i - 1] += @P@dot(axes + 6 * (@K@ + i - 1), f);
     }
     @P@spatial(found, v0, g, a0);
 }
@@ -332,54 +343,76 @@ static const int @P@before[@NV@] = {@BEFORE@};
     @P@bias_torque(t, q, (const @S@ *)0, (const @S@ *)0, g, tau);
 }
 
-/* By articulated bodies. */
-@FN@ void @P@forward_dynamics(const @S@ *t, const @S@ *q, const @S@ *qd, const @S@ *tau,
-    const @S@ *v0, const @S@ *g, const @S@ *fext, @S@ *qdd, @S@ *a0)
+/* Articulated bodies: their inertias, the force of each on its joint for accelerations (and, when
+ * known, for turns), and the inverse of the inertia along the joint. */
+@FN@ void @P@articulate(const @S@ *t, const @S@ *axes, const @S@ *bodies, @S@ *whole, @S@ *along,
+    @S@ *pivots)
 {
-    @S@ R[9 * @NB@], r[3 * @NB@], axes[6 * @NV@], bodies[10 * @NB@], base[9];
-    @S@ v[6 * @NB@], a[6 * @NB@], f[6 * @NB@], whole[36 * @NB@];
-    @S@ along[6 * @NB@], pivots[@NB@], loads[@NB@];
-    const @S@ *none = (const @S@ *)0;
-    @P@place(t, q, R, r, axes, bodies);
-    @P@start(v0, none, v0 ? none : g, base);
-    for (int k = 6; k < 9 && v0; k++) {
-        base[k] = (@S@)0;
-    }
-    @P@motions(axes, qd, none, base, v, a);
-    @P@wrenches(R, r, bodies, v, a, fext, f);
     for (int i = 0; i < @NB@; i++) {
         @P@inertia(bodies + 10 * i, whole + 36 * i);
     }
     for (int i = @NB@ - 1; i > 0; i--) {
         const @S@ *axis = axes + 6 * (@K@ + i - 1), *own = whole + 36 * i;
-        @S@ *U = along + 6 * i, *carrier = whole + 36 * @P@parents[i];
-        for (int k = 0; k < 6; k++) {
-            U[k] = @P@dot(own + 6 * k, axis, 6);
+        @S@ *U = along + 9 * i, *carrier = whole + 36 * @P@parents[i];
+        for (int k = 0; k < 3; k++) {
+            U[6 + k] = (@S@)0;
         }
-        pivots[i] = @P@dot(U, axis, 6) + t[25 * i + 22];
-        loads[i] = tau[i - 1] - @P@drive(t, qd, none, i) - @P@dot(axis, f + 6 * i, 6);
-        const @S@ share = loads[i] / pivots[i];
         for (int k = 0; k < 6; k++) {
-            const @S@ factor = U[k] / pivots[i];
+            U[k] = @P@dot(own + 6 * k, axis);
+        }
+        pivots[i] = (@S@)1 / (@P@dot(U, axis) + t[25 * i + 22]);
+        for (int k = 0; k < 6; k++) {
+            const @S@ factor = U[k] * pivots[i];
             for (int j = 0; j < 6; j++) {
                 carrier[6 * k + j] += own[6 * k + j] - factor * U[j];
             }
-            f[6 * @P@parents[i] + k] += f[6 * i + k] + U[k] * share;
+        }
+    }
+}
+
+/* What joint forces accelerate, with the wrenches f of bodies without, which are overwritten. */
+@FN@ void @P@accelerations(const @S@ *t, const @S@ *qd, const @S@ *tau, const @S@ *axes,
+    const @S@ *whole, const @S@ *along, const @S@ *pivots, @S@ *f, @S@ *qdd, @S@ *a)
+{
+    for (int i = @NB@ - 1; i > 0; i--) {
+        const @S@ *none = (const @S@ *)0, *axis = axes + 6 * (@K@ + i - 1);
+        qdd[i - 1] = tau[i - 1] - @P@drive(t, qd, none, i) - @P@dot(axis, f + 6 * i);
+        const @S@ share = qdd[i - 1] * pivots[i];
+        for (int k = 0; k < 6; k++) {
+            f[6 * @P@parents[i] + k] += f[6 * i + k] + along[9 * i + k] * share;
         }
     }
     for (int k = 0; k < 6; k++) {
-        a[k] = (@S@)0;
+        a[k] = @K@ > 0 ? -f[k] : (@S@)0;
     }
     if (@K@ > 0) {
-        @P@resisted(whole, f, a);
+        @S@ base[36];
+        for (int k = 0; k < 36; k++) {
+            base[k] = whole[k];
+        }
+        @P@resisted(base, a, 1);
     }
     for (int i = 1; i < @NB@; i++) {
         const @S@ *axis = axes + 6 * (@K@ + i - 1), *carrier = a + 6 * @P@parents[i];
-        qdd[i - 1] = (loads[i] - @P@dot(along + 6 * i, carrier, 6)) / pivots[i];
+        qdd[i - 1] = (qdd[i - 1] - @P@dot(along + 9 * i, carrier)) * pivots[i];
         for (int k = 0; k < 6; k++) {
             a[6 * i + k] = carrier[k] + axis[k] * qdd[i - 1];
         }
     }
+}
+
+@FN@ void @P@forward_dynamics(const @S@ *t, const @S@ *q, const @S@ *qd, const @S@ *tau,
+    const @S@ *v0, const @S@ *g, const @S@ *fext, @S@ *qdd, @S@ *a0)
+{
+    @S@ R[9 * @NB@], r[3 * @NB@], axes[6 * @NV@], bodies[10 * @NB@], base[9];
+    @S@ v[6 * @NB@], a[6 * @NB@], f[6 * @NB@], whole[36 * @NB@], along[9 * @NB@], pivots[@NB@];
+    const @S@ *none = (const @S@ *)0;
+    @P@place(t, q, R, r, axes, bodies);
+    @P@falling(v0, g, base);
+    @P@motions(axes, qd, none, base, v, a);
+    @P@wrenches(R, r, bodies, v, a, fext, f);
+    @P@articulate(t, axes, bodies, whole, along, pivots);
+    @P@accelerations(t, qd, tau, axes, whole, along, pivots, f, qdd, a);
     if (@K@ > 0) {
         @P@spatial(a, v0, g, a0);
     }
@@ -398,7 +431,7 @@ static const int @P@before[@NV@] = {@BEFORE@};
         @S@ f[6];
         @P@momentum(bodies + 10 * body, axes + 6 * i, f);
         for (int j = i; j >= 0; j = @P@before[j]) {
-            M[@NV@ * i + j] = M[@NV@ * j + i] = @P@dot(axes + 6 * j, f, 6);
+            M[@NV@ * i + j] = M[@NV@ * j + i] = @P@dot(axes + 6 * j, f);
         }
         if (i >= @K@) {
             M[(@NV@ + 1) * i] += t[25 * body + 22];
@@ -406,221 +439,348 @@ static const int @P@before[@NV@] = {@BEFORE@};
     }
 }
 
-/* Rows of matrices are as long as whole lanes have them. */
-@ROWS@
-enum { @P@length = (@NV@ + @P@width - 1) / @P@width, @P@stride = @P@length * @P@width };
-
-/* Write M = L^T D L, with L unit lower triangular: its entries below D, which is the diagonal. What
- * stands above it is of no use. */
-@FN@ void @P@factorize(const @S@ *M, @ROW@ *factors)
-{
-    @S@ *L = (@S@ *)factors;
-    for (int k = 0; k < @NV@ * @P@stride; k++) {
-        const int i = k / @P@stride, j = k % @P@stride;
-        L[k] = j <= i ? M[@NV@ * i + j] : (@S@)0;
-    }
-    for (int k = @NV@ - 1; k >= 0; k--) {
-        const @S@ pivot = L[@P@stride * k + k];
-        for (int i = @P@before[k]; i >= 0; i = @P@before[i]) {
-            const @S@ factor = L[@P@stride * k + i] / pivot;
-            for (int j = 0; j <= i / @P@width; j++) {
-                factors[@P@length * i + j] -= factor * factors[@P@length * k + j];
-            }
-        }
-        for (int i = @P@before[k]; i >= 0; i = @P@before[i]) {
-            L[@P@stride * k + i] /= pivot;
-        }
-    }
-}
-
+/* M = L^T D L, with L unit lower triangular. */
 @FN@ void @P@inertia_factorization(const @S@ *t, const @S@ *q, @S@ *L, @S@ *D)
 {
-    @ROW@ factors[@NV@ * @P@length];
-    const @S@ *found = (const @S@ *)factors;
     @P@joint_space_inertia(t, q, L);
-    @P@factorize(L, factors);
-    for (int k = 0; k < @NV@ * @NV@; k++) {
-        const int i = k / @NV@, j = k % @NV@;
-        L[k] = j < i ? found[@P@stride * i + j] : (@S@)(i == j);
-    }
-    for (int i = 0; i < @NV@; i++) {
-        D[i] = found[(@P@stride + 1) * i];
-    }
-}
-
-/* Solve M x = b for all columns of a matrix, which are overwritten. */
-@FN@ void @P@solve(const @ROW@ *factors, @S@ *columns)
-{
-    enum { block = 4 * @P@width };
-    const @S@ *L = (const @S@ *)factors;
-    for (int first = 0; first < @NV@; first += block) {
-        const int width = @NV@ - first < block ? @NV@ - first : block;
-        @ROW@ x[4 * @NV@];
-        @S@ *entries = (@S@ *)x;
-        for (int k = 0; k < @NV@ * block; k++) {
-            const int c = k % block;
-            entries[k] = c < width ? columns[k / block * @NV@ + first + c] : (@S@)0;
-        }
-        for (int k = @NV@ - 1; k >= 0; k--) {
-            const @ROW@ *own = x + 4 * k, a = own[0], b = own[1], c = own[2], d = own[3];
-            for (int i = @P@before[k]; i >= 0; i = @P@before[i]) {
-                const @S@ factor = L[@P@stride * k + i];
-                x[4 * i] -= factor * a;
-                x[4 * i + 1] -= factor * b;
-                x[4 * i + 2] -= factor * c;
-                x[4 * i + 3] -= factor * d;
+    for (int k = @NV@ - 1; k >= 0; k--) {
+        @S@ *row = L + @NV@ * k;
+        D[k] = row[k];
+        for (int i = @P@before[k]; i >= 0; i = @P@before[i]) {
+            const @S@ factor = row[i] / D[k];
+            for (int j = i; j >= 0; j = @P@before[j]) {
+                L[@NV@ * i + j] -= factor * row[j];
             }
         }
-        for (int k = 0; k < @NV@; k++) {
-            const @S@ pivot = L[(@P@stride + 1) * k];
-            @ROW@ *own = x + 4 * k, a = own[0] / pivot, b = own[1] / pivot, c = own[2] / pivot,
-                  d = own[3] / pivot;
-            for (int i = @P@before[k]; i >= 0; i = @P@before[i]) {
-                const @S@ factor = L[@P@stride * k + i];
-                a -= factor * x[4 * i];
-                b -= factor * x[4 * i + 1];
-                c -= factor * x[4 * i + 2];
-                d -= factor * x[4 * i + 3];
-            }
-            own[0] = a;
-            own[1] = b;
-            own[2] = c;
-            own[3] = d;
-        }
-        for (int k = 0; k < @NV@; k++) {
-            for (int c = 0; c < width; c++) {
-                columns[@NV@ * k + first + c] = entries[block * k + c];
-            }
+        for (int j = 0; j < @NV@; j++) {
+            row[j] = j < k ? row[j] / D[k] : (@S@)(j == k);
         }
     }
 }
 
-@FN@ void @P@invert(const @ROW@ *factors, @S@ *found)
+/* Columns of matrices lie side by side in rows of some numbers, depth first, each branch from a new
+ * row on: what a coordinate carries is in the rows from its own column's to the last. */
+@ROWS@
+enum { @P@length = (@NV@ + @BRANCHES@ * (@P@width - 1)) / @P@width, @P@block = 4 * @P@width };
+static const int @P@order[@NV@] = {@ORDER@};
+
+@PLAIN@ void @P@columns(int *column, int *end)
 {
-    for (int k = 0; k < @NV@ * @NV@; k++) {
-        found[k] = (@S@)(k % (@NV@ + 1) == 0);
+    for (int k = 0, next = 0; k < @NV@; k++) {
+        const int i = @P@order[k];
+        column[i] = next++;
+        end[i] = 0;
+        if (k + 1 == @NV@ || @P@before[@P@order[k + 1]] != i) {
+            next = (next + @P@width - 1) / @P@width * @P@width;
+        }
     }
-    @P@solve(factors, found);
+    for (int k = @NV@ - 1; k >= 0; k--) {
+        const int i = @P@order[k], up = @P@before[i], own = column[i] / @P@width + 1;
+        end[i] = end[i] < own ? own : end[i];
+        if (up >= 0 && end[up] < end[i]) {
+            end[up] = end[i];
+        }
+    }
+}
+
+/* The inverse of M, a block of its rows at once: what accelerates under a unit force of each
+ * coordinate. Articulated bodies are known, with nine numbers along each joint: the force that it
+ * takes for accelerations of what carries it, and for small turns of all from there on.
+ *
+ * Where some are asked for, the other results are what fields change. Of each coordinate there are
+ * two fields and two wrenches: an acceleration of the coordinate's body and a turn of all that it
+ * carries, and the wrench that these take of the body if it does not accelerate besides. */
+@FN@ void @P@answers(const @S@ *t, const @S@ *axes, const @S@ *whole, const @S@ *along,
+    const @S@ *pivots, const @S@ *asked, @S@ *dq, @S@ *dqd, @S@ *Minv)
+{
+    int column[@NV@], end[@NV@], lanes[@P@block], places[@P@block];
+    @S@ base[36], inverse[36];
+    for (int k = 0; k < 36 && @K@ > 0; k++) {
+        base[k] = whole[k];
+        inverse[k] = (@S@)(k % 7 == 0);
+    }
+    if (@K@ > 0) {
+        @P@resisted(base, inverse, 6);
+    }
+    @P@columns(column, end);
+    for (int first = 0, to = 0; to < @NV@; first += 4) {
+        const int start = first * @P@width, from = to;
+        @ROW@ u[4 * @NV@], p[36], a[24 * @NB@], changes[8 * @NV@];
+        @S@ *forces = (@S@ *)u, *wrench = (@S@ *)p, *rest = (@S@ *)changes;
+        for (; to < @NV@ && column[@P@order[to]] < start + @P@block; to++) {
+            lanes[to - from] = column[@P@order[to]] - start;
+            places[to - from] = @NV@ * @P@order[to];
+        }
+        for (int k = 0; k < @NV@ * @P@block; k++) {
+            forces[k] = rest[k] = rest[@NV@ * @P@block + k] = (@S@)0;
+        }
+        for (int k = 0; k < 9 * @P@block; k++) {
+            wrench[k] = (@S@)0;
+        }
+        for (int k = to - 1; k >= 0; k--) {
+            const int i = @P@order[k], body = i < @K@ ? 0 : i - @K@ + 1, own = column[i] - start;
+            const int last = end[i] - first < 4 ? end[i] - first : 4;
+            const @S@ *s = axes + 6 * i, *U = along + 9 * body;
+            for (int c = own < 0 ? 0 : own / @P@width; c < last; c++) {
+                if (asked) {
+                    const @S@ *X = asked + 30 * i, *Y = X + 9;
+                    changes[8 * i + c] = -(X[0] * p[c] + X[1] * p[4 + c] + X[2] * p[8 + c]
+                        + (X[3] * p[12 + c] + X[4] * p[16 + c] + X[5] * p[20 + c])
+                        + (X[6] * p[24 + c] + X[7] * p[28 + c] + X[8] * p[32 + c]));
+                    changes[8 * i + 4 + c] = -(Y[0] * p[c] + Y[1] * p[4 + c] + Y[2] * p[8 + c]
+                        + (Y[3] * p[12 + c] + Y[4] * p[16 + c] + Y[5] * p[20 + c])
+                        + (Y[6] * p[24 + c] + Y[7] * p[28 + c] + Y[8] * p[32 + c]));
+                }
+                if (i >= @K@) {
+                    const @ROW@ push = s[0] * p[c] + s[1] * p[4 + c] + s[2] * p[8 + c]
+                        + (s[3] * p[12 + c] + s[4] * p[16 + c] + s[5] * p[20 + c]);
+                    const @ROW@ share = pivots[body] * push;
+                    u[4 * i + c] = -push;
+                    for (int row = 0; row < 9; row++) {
+                        p[4 * row + c] -= U[row] * share;
+                    }
+                }
+            }
+            if (i >= @K@ && k >= from) {
+                forces[@P@block * i + own] = (@S@)1;
+                for (int row = 0; row < 9; row++) {
+                    wrench[@P@block * row + own] = U[row] * pivots[body];
+                }
+            }
+        }
+        for (int k = from; k < to && k < @K@; k++) {
+            wrench[@P@block * k + column[k] - start] = (@S@)-1;
+        }
+        for (int k = 0; k < 24; k++) {
+            const @S@ *row = inverse + 6 * (k / 4);
+            const @ROW@ *own = p + k % 4;
+            a[k] = own[0] - own[0];
+            for (int c = 0; c < 6 && @K@ > 0; c++) {
+                a[k] -= row[c] * own[4 * c];
+            }
+        }
+        for (int k = 0; k < @NV@; k++) {
+            const int i = @P@order[k], body = i < @K@ ? 0 : i - @K@ + 1;
+            const @S@ *s = axes + 6 * i, *U = along + 9 * body, pivot = pivots[body];
+            const @ROW@ *carrier = a + 24 * @P@parents[body];
+            @ROW@ *own = a + 24 * body, *found = u + 4 * i;
+            @ROW@ A = found[0], B = found[1], C = found[2], D = found[3];
+            if (i < @K@) {
+                A = own[4 * i];
+                B = own[4 * i + 1];
+                C = own[4 * i + 2];
+                D = own[4 * i + 3];
+            } else {
+                for (int row = 0; row < 6; row++) {
+                    A -= U[row] * carrier[4 * row];
+                    B -= U[row] * carrier[4 * row + 1];
+                    C -= U[row] * carrier[4 * row + 2];
+                    D -= U[row] * carrier[4 * row + 3];
+                }
+                A = pivot * A;
+                B = pivot * B;
+                C = pivot * C;
+                D = pivot * D;
+                for (int row = 0; row < 6; row++) {
+                    own[4 * row] = carrier[4 * row] + s[row] * A;
+                    own[4 * row + 1] = carrier[4 * row + 1] + s[row] * B;
+                    own[4 * row + 2] = carrier[4 * row + 2] + s[row] * C;
+                    own[4 * row + 3] = carrier[4 * row + 3] + s[row] * D;
+                }
+            }
+            found[0] = A;
+            found[1] = B;
+            found[2] = C;
+            found[3] = D;
+            for (int l = 0; l < to - from; l++) {
+                Minv[places[l] + i] = forces[@P@block * i + lanes[l]];
+            }
+            for (int which = 0; which < 2 && asked; which++) {
+                const @S@ *P = asked + 30 * i + 18 + 6 * which;
+                @ROW@ *sum = changes + 8 * i + 4 * which;
+                const @S@ damping = i < @K@ ? (@S@)0 : (@S@)which * t[25 * body + 23];
+                A = sum[0] - damping * found[0];
+                B = sum[1] - damping * found[1];
+                C = sum[2] - damping * found[2];
+                D = sum[3] - damping * found[3];
+                for (int row = 0; row < 6; row++) {
+                    A -= P[row] * own[4 * row];
+                    B -= P[row] * own[4 * row + 1];
+                    C -= P[row] * own[4 * row + 2];
+                    D -= P[row] * own[4 * row + 3];
+                }
+                sum[0] = A;
+                sum[1] = B;
+                sum[2] = C;
+                sum[3] = D;
+            }
+            for (int l = 0; l < to - from && asked; l++) {
+                dq[places[l] + i] = rest[2 * @P@block * i + lanes[l]];
+                dqd[places[l] + i] = rest[2 * @P@block * i + @P@block + lanes[l]];
+            }
+        }
+    }
 }
 
 @FN@ void @P@joint_space_inertia_inverse(const @S@ *t, const @S@ *q, @S@ *Minv)
 {
-    @ROW@ factors[@NV@ * @P@length];
-    @P@joint_space_inertia(t, q, Minv);
-    @P@factorize(Minv, factors);
-    @P@invert(factors, Minv);
+    @S@ R[9 * @NB@], r[3 * @NB@], axes[6 * @NV@], bodies[10 * @NB@];
+    @S@ whole[36 * @NB@], along[9 * @NB@], pivots[@NB@], *none = (@S@ *)0;
+    @P@place(t, q, R, r, axes, bodies);
+    @P@articulate(t, axes, bodies, whole, along, pivots);
+    @P@answers(t, axes, whole, along, pivots, none, none, none, Minv);
+}
+
+/* The wrench that a small turn takes of each body that moves by v: six rows, three columns. */
+@FN@ void @P@flows(const @S@ *bodies, const @S@ *v, @S@ *B)
+{
+    for (int i = 0; i < @NB@; i++, bodies += 10, v += 6, B += 18) {
+        const @S@ *J = bodies + 4;
+        const @S@ second[9] = {J[0], J[1], J[2], J[1], J[3], J[4], J[2], J[4], J[5]};
+        @S@ Q[9], momentum[6];
+        @P@momentum(bodies, v, momentum);
+        for (int k = 0; k < 3; k++) {
+            @S@ column[3];
+            @P@cross(v, second + 3 * k, column);
+            for (int row = 0; row < 3; row++) {
+                Q[3 * row + k] = column[row] + v[3 + row] * bodies[1 + k];
+            }
+        }
+        const @S@ trace = Q[0] + Q[4] + Q[8], *P = momentum + 3, none = (@S@)0;
+        const @S@ rows[18] = {
+            trace - Q[0], -Q[1], -Q[2], -Q[3], trace - Q[4], -Q[5], -Q[6], -Q[7], trace - Q[8],
+            none, P[2], -P[1], -P[2], none, P[0], P[1], -P[0], none};
+        for (int k = 0; k < 18; k++) {
+            B[k] = rows[k] + rows[k];
+        }
+    }
+}
+
+/* What wrenches in a column of three are along an axis. */
+@FN@ @S@ @P@along(const @S@ *B, const @S@ *axis)
+{
+    return B[0] * axis[0] + B[3] * axis[1] + B[6] * axis[2]
+        + (B[9] * axis[3] + B[12] * axis[4] + B[15] * axis[5]);
+}
+
+/* What each coordinate changes: x where its position does, y where its rate does, of nine numbers
+ * each, an acceleration and a turn of what it carries. */
+@FN@ void @P@fields(const @S@ *axes, const @S@ *v, const @S@ *a, const @S@ *v0, const @S@ *g, @S@ *x,
+    @S@ *y)
+{
+    for (int i = 0; i < @NV@; i++, axes += 6, x += 9, y += 9) {
+        for (int k = 0; k < 9; k++) {
+            y[k] = k < 6 ? (@S@)0 : axes[k - 6];
+            x[k] = (@S@)0;
+        }
+        if (i >= @K@) {
+            const int up = 6 * @P@parents[i - @K@ + 1];
+            @S@ further[6];
+            @P@moved(v + up, axes, y);
+            @P@moved(a + up, axes, x);
+            @P@moved(v + up, y, further);
+            for (int k = 0; k < 6; k++) {
+                x[k] += further[k];
+                x[6 + k % 3] = y[k % 3];
+            }
+            for (int k = 0; k < 6; k++) {
+                y[k] += y[k];
+            }
+        } else if (i < 3) {
+            @P@cross(v0, axes, y);
+            @P@cross(axes, v0 + 3, y + 3);
+            if (g) {
+                @P@cross(axes, g, x + 3);
+            }
+        } else {
+            @P@cross(v0, axes + 3, y + 3);
+        }
+    }
 }
 
 /* Derivatives of the forces of bodies alone, without drives.
  *
- * Source: Singh, Russell, Wensing 2022. A coordinate changes accelerations by x where its position
- * changes, by y where its rate does. Of points, only how fast they move and where they are matters
- * besides: Q = integral (velocity r^T) dm, and the momentum P.
+ * Source: Singh, Russell, Wensing 2022.
  */
 @FN@ void @P@force_derivatives(const @S@ *t, const @S@ *q, const @S@ *qd, const @S@ *qdd,
     const @S@ *v0, const @S@ *a0, const @S@ *g, @S@ *dq, @S@ *dqd, @S@ *M)
 {
+    enum { stride = @P@length * @P@width };
     @S@ R[9 * @NB@], r[3 * @NB@], axes[6 * @NV@], bodies[10 * @NB@], base[9];
-    @S@ v[6 * @NB@], a[6 * @NB@], f[6 * @NB@], Q[9 * @NB@], P[3 * @NB@];
-    @S@ x[6 * @NV@], y[6 * @NV@], turning[3 * @NV@];
+    @S@ v[6 * @NB@], a[6 * @NB@], f[6 * @NB@], B[18 * @NB@];
+    @S@ x[9 * @NV@], y[9 * @NV@];
+    @ROW@ carried[21 * @P@length];
+    @S@ *entries = (@S@ *)carried;
+    int column[@NV@], end[@NV@];
     @P@place(t, q, R, r, axes, bodies);
     @P@start(v0, a0, g, base);
     @P@motions(axes, qd, qdd, base, v, a);
     @P@wrenches(R, r, bodies, v, a, (const @S@ *)0, f);
-    for (int i = 0; i < @NB@; i++) {
-        const @S@ *body = bodies + 10 * i, *J = body + 4, *w = v + 6 * i;
-        const @S@ second[9] = {J[0], J[1], J[2], J[1], J[3], J[4], J[2], J[4], J[5]};
-        @S@ momentum[6];
-        @P@momentum(body, w, momentum);
-        for (int k = 0; k < 3; k++) {
-            @S@ column[3];
-            @P@cross(w, second + 3 * k, column);
-            P[3 * i + k] = momentum[3 + k];
-            for (int row = 0; row < 3; row++) {
-                Q[9 * i + 3 * row + k] = column[row] + w[3 + row] * body[1 + k];
-            }
-        }
-    }
+    @P@flows(bodies, v, B);
+    @P@fields(axes, v, a, v0, g, x, y);
+    @P@columns(column, end);
     @P@carry(bodies, 10);
-    @P@carry(Q, 9);
-    @P@carry(P, 3);
+    @P@carry(B, 18);
     @P@carry(f, 6);
-    for (int i = 0; i < @NV@; i++) {
-        const @S@ *axis = axes + 6 * i;
-        @S@ *own = y + 6 * i, *force = x + 6 * i;
-        if (i >= @K@) {
-            const int up = 6 * @P@parents[i - @K@ + 1];
-            @S@ further[6];
-            @P@moved(v + up, axis, own);
-            @P@moved(a + up, axis, force);
-            @P@moved(v + up, own, further);
-            for (int k = 0; k < 6; k++) {
-                force[k] += further[k];
-                turning[3 * i + k % 3] = own[k % 3];
-            }
-            for (int k = 0; k < 6; k++) {
-                own[k] += own[k];
-            }
-            continue;
-        }
-        for (int k = 0; k < 6; k++) {
-            own[k] = force[k] = turning[3 * i + k % 3] = (@S@)0;
-        }
-        if (i < 3) {
-            @P@cross(v0, axis, own);
-            @P@cross(axis, v0 + 3, own + 3);
-            if (g) {
-                @P@cross(axis, g, force + 3);
-            }
-        } else {
-            @P@cross(v0, axis + 3, own + 3);
-        }
+    for (int k = 0; k < 21 * stride; k++) {
+        entries[k] = (@S@)0;
     }
     for (int k = 0; k < @NV@ * @NV@; k++) {
         dq[k] = dqd[k] = M[k] = (@S@)0;
     }
     for (int i = 0; i < @NV@; i++) {
         const int body = i < @K@ ? 0 : i - @K@ + 1;
-        const @S@ *axis = axes + 6 * i, *flow = Q + 9 * body, *moving = P + 3 * body;
-        const @S@ trace = flow[0] + flow[4] + flow[8], *w = turning + 3 * i;
-        @S@ reaction[6], by_position[6], by_rate[6], back[3], u[3], z[3];
-        @P@momentum(bodies + 10 * body, axis, reaction);
-        @P@momentum(bodies + 10 * body, x + 6 * i, by_position);
-        @P@momentum(bodies + 10 * body, y + 6 * i, by_rate);
-        @P@cross(moving, axis + 3, back);
-        for (int k = 0; k < 3; k++) {
-            back[k] += trace * axis[k]
-                - (flow[k] * axis[0] + flow[3 + k] * axis[1] + flow[6 + k] * axis[2]);
-            back[k] += back[k];
-            u[k] = w[k] + w[k];
-            z[k] = axis[k] + axis[k];
-        }
-        for (int k = 0; k < 3; k++) {
-            by_position[k] += trace * u[k] - @P@dot(flow + 3 * k, u, 3);
-            by_rate[k] += trace * z[k] - @P@dot(flow + 3 * k, z, 3);
-        }
-        @S@ push[3];
-        @P@cross(u, moving, push);
-        for (int k = 0; k < 3; k++) {
-            by_position[3 + k] += push[k];
-        }
-        @P@cross(z, moving, push);
-        for (int k = 0; k < 3; k++) {
-            by_rate[3 + k] += push[k];
+        const @S@ *axis = axes + 6 * i, *flow = B + 18 * body;
+        /* The reaction, by position, by rate, and what the reaction has for small turns. */
+        @S@ own[21];
+        @P@momentum(bodies + 10 * body, axis, own);
+        @P@momentum(bodies + 10 * body, x + 9 * i, own + 6);
+        @P@momentum(bodies + 10 * body, y + 9 * i, own + 12);
+        for (int k = 0; k < 6; k++) {
+            own[6 + k] += @P@dot3(flow + 3 * k, x + 9 * i + 6);
+            own[12 + k] += @P@dot3(flow + 3 * k, axis);
         }
         if (i >= @K@) {
-            @P@add_moved(axis, f + 6 * body, by_position);
+            @P@add_moved(axis, f + 6 * body, own + 6);
         }
-        for (int j = i; j >= 0; j = @P@before[j]) {
-            const int here = @NV@ * i + j, there = @NV@ * j + i;
-            M[here] = M[there] = @P@dot(axes + 6 * j, reaction, 6);
-            dq[here] = @P@dot(reaction, x + 6 * j, 6) + @P@dot(back, turning + 3 * j, 3);
-            dqd[here] = @P@dot(reaction, y + 6 * j, 6) + @P@dot(back, axes + 6 * j, 3);
-            dq[there] = @P@dot(axes + 6 * j, by_position, 6);
-            dqd[there] = @P@dot(axes + 6 * j, by_rate, 6);
+        for (int k = 0; k < 3; k++) {
+            own[18 + k] = @P@along(flow + k, axis);
+        }
+        for (int k = 0; k < 21; k++) {
+            entries[stride * k + column[i]] = own[k];
+        }
+    }
+    for (int first = 0; first < @NV@; first++) {
+        const int i = @P@order[first];
+        const @S@ *s = axes + 6 * i, *X = x + 9 * i, *Y = y + 9 * i;
+        for (int row = column[i] / @P@width, next = first; row < end[i]; row++) {
+            enum { n = @P@length };
+            const @ROW@ *c = carried + row;
+            @ROW@ found[5];
+            const @S@ *numbers = (const @S@ *)found;
+            found[0] = s[0] * c[0] + s[1] * c[n] + s[2] * c[2 * n]
+                + (s[3] * c[3 * n] + s[4] * c[4 * n] + s[5] * c[5 * n]);
+            found[1] = s[0] * c[6 * n] + s[1] * c[7 * n] + s[2] * c[8 * n]
+                + (s[3] * c[9 * n] + s[4] * c[10 * n] + s[5] * c[11 * n]);
+            found[2] = s[0] * c[12 * n] + s[1] * c[13 * n] + s[2] * c[14 * n]
+                + (s[3] * c[15 * n] + s[4] * c[16 * n] + s[5] * c[17 * n]);
+            found[3] = X[0] * c[0] + X[1] * c[n] + X[2] * c[2 * n]
+                + (X[3] * c[3 * n] + X[4] * c[4 * n] + X[5] * c[5 * n])
+                + (X[6] * c[18 * n] + X[7] * c[19 * n] + X[8] * c[20 * n]);
+            found[4] = Y[0] * c[0] + Y[1] * c[n] + Y[2] * c[2 * n]
+                + (Y[3] * c[3 * n] + Y[4] * c[4 * n] + Y[5] * c[5 * n])
+                + (s[0] * c[18 * n] + s[1] * c[19 * n] + s[2] * c[20 * n]);
+            for (; next < @NV@ && column[@P@order[next]] < (row + 1) * @P@width; next++) {
+                const int j = @P@order[next], k = column[j] - row * @P@width;
+                M[@NV@ * i + j] = M[@NV@ * j + i] = numbers[k];
+                dq[@NV@ * j + i] = numbers[3 * @P@width + k];
+                dqd[@NV@ * j + i] = numbers[4 * @P@width + k];
+                dq[@NV@ * i + j] = numbers[@P@width + k];
+                dqd[@NV@ * i + j] = numbers[2 * @P@width + k];
+            }
         }
         if (i >= @K@) {
-            M[(@NV@ + 1) * i] += t[25 * body + 22];
+            M[(@NV@ + 1) * i] += t[25 * (i - @K@ + 1) + 22];
         }
     }
 }
@@ -634,25 +794,57 @@ enum { @P@length = (@NV@ + @P@width - 1) / @P@width, @P@stride = @P@length * @P@
     }
 }
 
-/* At the solution M d qdd = -d tau with the accelerations held; what a floating base's turn or
- * linear velocity changes are accelerations of all points alike, which the base's undoes. */
+/* At the solution M d qdd = -d tau with the accelerations held: `answers` to what positions and
+ * rates change. What a floating base's turn or linear velocity changes are accelerations of all
+ * points alike, which the base's undoes. */
 @FN@ void @P@forward_dynamics_derivatives(const @S@ *t, const @S@ *q, const @S@ *qd, const @S@ *tau,
     const @S@ *v0, const @S@ *g, @S@ *dqdd_dq, @S@ *dqdd_dqd, @S@ *dqdd_dtau)
 {
-    @S@ qdd[@NV@], a0[6];
-    @ROW@ factors[@NV@ * @P@length];
+    @S@ R[9 * @NB@], r[3 * @NB@], axes[6 * @NV@], bodies[10 * @NB@], base[9], qdd[@NV@];
+    @S@ v[6 * @NB@], a[6 * @NB@], f[6 * @NB@], whole[36 * @NB@], along[9 * @NB@], pivots[@NB@];
+    @S@ B[18 * @NB@], x[9 * @NV@], y[9 * @NV@], asked[30 * @NV@];
     const @S@ *none = (const @S@ *)0;
-    @P@forward_dynamics(t, q, qd, tau, v0, g, none, qdd, a0);
-    @P@inverse_dynamics_derivatives(
-        t, q, qd, qdd, v0, @K@ > 0 ? a0 : none, g, dqdd_dq, dqdd_dqd, dqdd_dtau);
-    @P@factorize(dqdd_dtau, factors);
-    for (int k = 0; k < @NV@ * @NV@; k++) {
-        dqdd_dq[k] = -dqdd_dq[k];
-        dqdd_dqd[k] = -dqdd_dqd[k];
+    @P@place(t, q, R, r, axes, bodies);
+    @P@falling(v0, g, base);
+    @P@motions(axes, qd, none, base, v, a);
+    @P@wrenches(R, r, bodies, v, a, none, f);
+    @P@articulate(t, axes, bodies, whole, along, pivots);
+    @P@accelerations(t, qd, tau, axes, whole, along, pivots, f, qdd, a);
+    for (int k = 0; k < 6; k++) {
+        base[3 + k] += a[k];
     }
-    @P@solve(factors, dqdd_dq);
-    @P@solve(factors, dqdd_dqd);
-    @P@invert(factors, dqdd_dtau);
+    @P@motions(axes, qd, qdd, base, v, a);
+    @P@wrenches(R, r, bodies, v, a, none, f);
+    @P@carry(f, 6);
+    @P@flows(bodies, v, B);
+    @P@fields(axes, v, a, v0, none, x, y);
+    for (int i = @NB@ - 1; i > 0; i--) {
+        const @S@ *axis = axes + 6 * (@K@ + i - 1), *own = B + 18 * i;
+        @S@ *U = along + 9 * i, *carrier = B + 18 * @P@parents[i];
+        for (int k = 0; k < 3; k++) {
+            U[6 + k] = @P@along(own + k, axis);
+        }
+        for (int k = 0; k < 18; k++) {
+            carrier[k] += own[k] - U[k / 3] * (U[6 + k % 3] * pivots[i]);
+        }
+    }
+    for (int i = 0; i < @NV@; i++) {
+        const int body = i < @K@ ? 0 : i - @K@ + 1;
+        @S@ *X = asked + 30 * i, *Y = X + 9, *P = X + 18;
+        for (int k = 0; k < 9; k++) {
+            X[k] = x[9 * i + k];
+            Y[k] = y[9 * i + k];
+        }
+        for (int k = 0; k < 6; k++) {
+            const @S@ *row = whole + 36 * body + 6 * k, *turn = B + 18 * body + 3 * k;
+            P[k] = @P@dot(row, X) + @P@dot3(turn, X + 6);
+            P[6 + k] = @P@dot(row, Y) + @P@dot3(turn, Y + 6);
+        }
+        if (i >= @K@) {
+            @P@add_moved(axes + 6 * i, f + 6 * body, P);
+        }
+    }
+    @P@answers(t, axes, whole, along, pivots, asked, dqdd_dq, dqdd_dqd, dqdd_dtau);
     for (int column = 0; column < 3 && @K@ > 0; column++) {
         @S@ axis[3], turn[3], moving[3];
         for (int k = 0; k < 3; k++) {
@@ -681,7 +873,7 @@ enum { @P@length = (@NV@ + @P@width - 1) / @P@width, @P@stride = @P@length * @P@
         }
         @P@moved(v0, unit, turned);
         for (int i = 0; i < @NV@; i++) {
-            C[@NV@ * i + column] += @P@dot(M + @NV@ * i, turned, 6);
+            C[@NV@ * i + column] += @P@dot(M + @NV@ * i, turned);
         }
     }
     for (int k = 0; k < @NV@ * @NV@; k++) {
@@ -742,7 +934,7 @@ enum { @P@length = (@NV@ + @P@width - 1) / @P@width, @P@stride = @P@length * @P@
             @P@momentum(body, wd, f);
             @P@add_moved(w, h, f);
             for (int j = i > 0 ? @K@ + i - 1 : @K@ - 1; j >= 0; j = @P@before[j]) {
-                Y[COLUMNS * j + 10 * (i - FIRST) + parameter] = @P@dot(axes + 6 * j, f, 6);
+                Y[COLUMNS * j + 10 * (i - FIRST) + parameter] = @P@dot(axes + 6 * j, f);
             }
         }
     }

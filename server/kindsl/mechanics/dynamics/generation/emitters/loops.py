@@ -58,13 +58,15 @@ def loops_text(
     p, first = dialect.prefix + PREFIX, 6 if tree.is_floating else 0
     n = len(tree.links())
     base = range(-1, first - 1)
-    joints = [first + tree.parents[i] - 1 for i in tree.links()]
+    before = [*base, *(first + tree.parents[i] - 1 for i in tree.links())]
     has_friction = tree.drives is not None and any(tree.drives.friction)
     values = {
-        "P": p, "S": dialect.type, "FN": dialect.head, "NB": n + 1, "K": first, "NV": first + n,
+        "P": p, "S": dialect.type, "FN": dialect.head,
+        "PLAIN": dialect.head.splitlines()[-1], "NB": n + 1, "K": first, "NV": first + n,
         "PARENTS": _listed(tree.parents),
         "TURNS": _listed([int(kind == "revolute") for kind in tree.kinds]),
-        "BEFORE": _listed([*base, *joints]),
+        "BEFORE": _listed(before), "ORDER": _listed(_depth_first(before)),
+        "BRANCHES": first + n - len({*before} - {-1}),
         "SIN": dialect.call.format("sin"), "COS": dialect.call.format("cos"),
         "ROW": f"{p}row" if dialect.lanes else dialect.type,
         "ROWS": _rows(dialect, p),
@@ -126,6 +128,18 @@ def _filled(tree: Tree, dialect: LoopDialect, model: str, place: Callable[[Term]
         f"{dialect.head} void {p}table({model}{dialect.type} *t)\n{{\n"
         f"    static const {dialect.constant} given[] = {{\n{numbers}    }};\n{lines}}}\n"
     )
+
+
+def _depth_first(before: Sequence[int]) -> list[int]:
+    """Return coordinates, each after what carries it and before what that carries further."""
+    carried: dict[int, list[int]] = {}
+    for coordinate, carrier in enumerate(before):
+        carried.setdefault(carrier, []).insert(0, coordinate)
+    order, waiting = list[int](), list(carried[-1])
+    while waiting:
+        order.append(waiting.pop())
+        waiting += carried.get(order[-1], ())
+    return order
 
 
 def _listed(numbers: Sequence[int]) -> str:
