@@ -17,10 +17,9 @@ import kindsl
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.language.semantics.parameters import JointProperties
 from kindsl.robots.interchange.descriptions import read_description
-from kindsl.robots.interchange.format import ORDINARY, Format, FormatError, WritingChoices
+from kindsl.robots.interchange.format import ORDINARY, Format, FormatError, WritingChoices, repaired
 from kindsl.robots.interchange.kindsl_writing import kindsl_text
 from kindsl.robots.interchange.registry import all_formats, format_named, format_of_suffix
-from kindsl.robots.interchange.repairing import repaired
 from kindsl.robots.mechanism.errors import ModelError, UnboundParameterError
 
 TOLERANCE = 1e-9

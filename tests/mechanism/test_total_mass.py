@@ -67,7 +67,7 @@ def test_everything_that_is_missing_is_listed():
     text = LIFT.replace("mass = 1.0", "mass = x").replace("mass = 2.0", "mass = 2.0 +")
     analysis = analyse(text)
     missing = missing_masses(analysis.model, analysis.context.values)
-    assert [one.owner for one in missing] == ["upper", "slider"]
+    assert [owner for owner, _ in missing] == ["upper", "slider"]
     found = weighed(text)
     assert (found.known, found.n_missing) == (0.0, 2)
     assert found.plain_reason == "mass of 'upper' is not a number; 1 more missing"

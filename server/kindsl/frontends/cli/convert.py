@@ -44,10 +44,10 @@ from kindsl.robots.interchange.format import (
     WritingChoices,
     WrittenRobot,
     joints_dropped,
+    repaired,
     suffix_unknown,
 )
 from kindsl.robots.interchange.registry import all_formats, format_named, format_of_suffix
-from kindsl.robots.interchange.repairing import repaired
 from kindsl.robots.mechanism.total_mass import fixed_base_mass
 
 if TYPE_CHECKING:

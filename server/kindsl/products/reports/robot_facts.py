@@ -118,7 +118,7 @@ def mass_text(facts: Mapping[str, Any]) -> str:
 def missing_facts(model: Model, values: Mapping[str, float]) -> list[dict[str, str]]:
     """Return the missing parts of the mass of a robot, with the reason."""
     missing = missing_masses(model, values)
-    return [{"name": one.owner, "reason": one.reason.plain} for one in missing]
+    return [{"name": owner, "reason": why.plain} for owner, why in missing]
 
 
 def _parameter(parameter: Parameter, analysis: Analysis, place: _Place) -> dict[str, Any]:

@@ -140,12 +140,32 @@ def n_mimics(remarks: Iterable[str]) -> int:
     return sum(remark.endswith(_INDEPENDENT) for remark in remarks)
 
 
+def drawings_dropped(parent: Any) -> Iterator[str]:
+    """Yield the note on the shapes of an element's links, which a document does not have."""
+    drawn = {link for tag in ("visual", "collision") for link in parent.iterfind(f"link[{tag}]")}
+    if number := len(drawn):
+        yield f"visuals and collisions of {counted(number, 'link')} dropped"
+
+
 def gravity_dropped(gravity: Sequence[float]) -> str:
     """Return the note on a gravity other than the usual one, m/s^2 in the world's frame."""
     numbers = ",".join(f"{component:.15g}" for component in gravity)
     usual = ", ".join(f"{component:g}" for component in STANDARD_GRAVITY)
     told = f"gravity ({numbers.replace(',', ', ')}) m/s² dropped"
     return f"{told}: kindsl computes with ({usual}) unless given --gravity={numbers}"
+
+
+def repaired(skeleton: "Linkage") -> "tuple[Linkage, tuple[str, ...]]":
+    """Return a robot whose bodies have the nearest possible inertia, and a note on each changed."""
+    from kindsl.mechanics.rigid.body import nearest_possible
+
+    masses = [None if b.mass is None else nearest_possible(b.mass) for b in skeleton.bodies]
+    notes = tuple(
+        f"inertia of '{name}' is impossible: the nearest possible one written"
+        for name, old, new in zip(skeleton.body_names, skeleton.masses, masses, strict=True)
+        if new is not None and new != old
+    )
+    return skeleton.with_masses(masses), notes
 
 
 Reader = Callable[[Path, ReadingChoices], ReadRobot]

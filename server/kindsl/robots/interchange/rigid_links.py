@@ -12,7 +12,7 @@ from kindsl.mechanics.rigid.body import MassDistribution, Symmetric, seen_from
 from kindsl.mechanics.rigid.joint_kind import JointKind
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3, rotation_from_z
 from kindsl.robots.interchange.format import FormatError
-from kindsl.robots.interchange.xml_terms import LinkJoint
+from kindsl.robots.interchange.xml_reading import LinkJoint
 from kindsl.robots.mechanism.linkage import BodyPart, Linkage, RigidBody
 
 BaseKind = Literal["fixed", "floating"]

@@ -7,7 +7,7 @@ since no robot needs them and what they expand to may be without bound.
 
 import re
 from math import isfinite
-from typing import NoReturn, cast
+from typing import Literal, NoReturn, cast
 from xml.etree.ElementTree import Element, TreeBuilder
 from xml.parsers import expat
 
@@ -15,6 +15,16 @@ _DEEPEST = 256
 _LARGEST = 64 * 2**20
 TAG = re.compile(r"""<(?:[^"'>]|"[^"]*"|'[^']*')*>""")
 DECIMAL = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
+LinkJoint = Literal["", "fixed", "revolute", "prismatic"]
+# The kinds of joints that there are here, by what URDF and SDF call them.
+JOINT_KINDS: dict[str, LinkJoint] = {
+    "revolute": "revolute",
+    "continuous": "revolute",
+    "prismatic": "prismatic",
+    "fixed": "fixed",
+}
+# The moments of `Symmetric`, as URDF and SDF call them.
+TENSOR = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 _GREATEST = 1e50
 
 

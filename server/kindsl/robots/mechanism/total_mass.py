@@ -59,13 +59,6 @@ class Weight(NamedTuple):
 NO_MASS = Weight(0.0)
 
 
-class MissingMass(NamedTuple):
-    """A body without a mass that can be read, by name, and why."""
-
-    owner: str
-    reason: Unknown
-
-
 def total_mass(model: Model, values: Mapping[str, float]) -> Weight:
     """Return the mass of all that moves: of a fixed base, nothing.
 
@@ -79,10 +72,10 @@ def total_mass(model: Model, values: Mapping[str, float]) -> Weight:
     return total
 
 
-def missing_masses(model: Model, values: Mapping[str, float]) -> list[MissingMass]:
-    """Return what `total_mass` lacks."""
+def missing_masses(model: Model, values: Mapping[str, float]) -> list[tuple[str, Unknown]]:
+    """Return the bodies by name whose masses `total_mass` lacks, and why."""
     parts = _parts(model, values)
-    return [MissingMass(name, weight.reason) for name, weight in parts if not weight.is_whole]
+    return [(name, weight.reason) for name, weight in parts if not weight.is_whole]
 
 
 def unknown_bodies(model: Model, values: Mapping[str, float]) -> dict[str, Unknown]:

@@ -14,7 +14,7 @@ from kindsl.language.syntax.recovery.lost_heads import lost_head
 from kindsl.language.syntax.recovery.messages import closing_problem, repair_problem
 from kindsl.language.syntax.recovery.prices import Prices, moments_around
 from kindsl.language.syntax.recovery.progress import RepairProgress
-from kindsl.language.syntax.recovery.repair import FoundRepair, RepairStep, Search, completion
+from kindsl.language.syntax.recovery.repair import RepairStep, Search, completion
 from kindsl.language.syntax.recovery.repair_words import fitting_words, is_alike, repair_words
 from kindsl.language.syntax.tables import KEYWORDS
 from kindsl.language.syntax.token_names import BLOCK_STARTS, SPELLINGS, supplied
@@ -120,25 +120,25 @@ class BlockProgress:
         found = Search(island.tokens, island.index, self.start, prices).best(stacks)
         if found is None:
             return self._skip_to_fit()
-        self._apply(found)
+        self._apply(*found)
         return True
 
-    def _apply(self, found: FoundRepair) -> None:
+    def _apply(self, first: int, changes: Sequence[RepairStep]) -> None:
         island = self.island
         present = moments_around(self.read_tokens, island.tokens, island.index)
-        words = repair_words(found.changes, island.tokens, present)
-        self._unread(found.first)
+        words = repair_words(changes, island.tokens, present)
+        self._unread(first)
         read = len(self.read_tokens)
         wanted: tuple[str, ...] = ()
-        for number, (change, word) in enumerate(zip(found.changes, words, strict=True)):
+        for number, (change, word) in enumerate(zip(changes, words, strict=True)):
             while island.index < change.at:
                 self._shift()
             if number == 0:
                 read, wanted = len(self.read_tokens), fitting_words(self.stack)
             self._change(change, word.text)
         before = self.read_tokens[:read]
-        problem = repair_problem(island.text, before, island.tokens, found.changes, words, wanted)
-        is_leftover = all(change.action == "delete" for change in found.changes)
+        problem = repair_problem(island.text, before, island.tokens, changes, words, wanted)
+        is_leftover = all(change.action == "delete" for change in changes)
         (island.leftovers if is_leftover else island.problems).append(problem)
         self.history.clear()
 

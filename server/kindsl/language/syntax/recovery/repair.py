@@ -38,13 +38,6 @@ class RepairStep(NamedTuple):
     kind: str
 
 
-class FoundRepair(NamedTuple):
-    """A repair: from which token on, and what."""
-
-    first: int
-    changes: tuple[RepairStep, ...]
-
-
 # The changes before the last one, and the fields of that one's step.
 _Changes = tuple["_Changes | None", str, int, str]
 # A repair that is tried: the stack and the token that reading has come to with it, its changes, how
@@ -104,8 +97,8 @@ class Search:
         self.queue = _Queue[_Candidate]()
         self.fair = self.limit = _MOST_COST
 
-    def best(self, stacks: Sequence[Stack]) -> FoundRepair | None:
-        """Return the best repair, which may begin before any of the last tokens.
+    def best(self, stacks: Sequence[Stack]) -> tuple[int, tuple[RepairStep, ...]] | None:
+        """Return the best repair, and the token that it begins at, one of the last perhaps.
 
         Args:
             stacks: The stacks before the tokens at and before `failed`, the last one first.
@@ -116,7 +109,7 @@ class Search:
         fair = goals[0].cost + COSTS["read further, slack"]
         good = [g for g in goals if g.cost <= fair or (g.is_gap and g.run == _READ_FURTHER)]
         best = min(good, key=lambda goal: (-goal.run, goal.cost))
-        return FoundRepair(best.first, _steps(best.changes))
+        return best.first, _steps(best.changes)
 
     def _goals(self, stacks: Sequence[Stack]) -> list[_Goal]:
         back = COSTS["go back by a token"]

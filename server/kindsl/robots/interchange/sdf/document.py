@@ -29,8 +29,7 @@ from kindsl.robots.interchange.xml_document import (
     rest_of_line,
     xml_document,
 )
-from kindsl.robots.interchange.xml_reading import XmlElement, parsed_xml
-from kindsl.robots.interchange.xml_terms import TENSOR
+from kindsl.robots.interchange.xml_reading import TENSOR, XmlElement, parsed_xml
 
 _NAMED = ("link", "joint", "frame")
 _TAG_OR_COMMENT = re.compile(r"""<!--.*?-->|<(?:[^"'>]|"[^"]*"|'[^']*')*>""", re.DOTALL)

@@ -5,9 +5,8 @@ from typing import Any
 
 from kindsl.language.text.phrases import counted
 from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY
-from kindsl.robots.interchange.format import gravity_dropped, mimic_dropped
+from kindsl.robots.interchange.format import drawings_dropped, gravity_dropped, mimic_dropped
 from kindsl.robots.interchange.sdf.elements import is_true, name_of, numbers_in
-from kindsl.robots.interchange.xml_terms import drawings_dropped
 
 _ELSEWHERE = (
     ("plugin", "plugin"),

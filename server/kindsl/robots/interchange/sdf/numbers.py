@@ -7,7 +7,7 @@ from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.sdf.frame_graph import FrameGraph
 from kindsl.robots.interchange.sdf.nesting import flatten
 from kindsl.robots.interchange.written_numbers import FileNumbers, XmlNumbers
-from kindsl.robots.interchange.xml_terms import TENSOR
+from kindsl.robots.interchange.xml_reading import TENSOR
 
 
 def numbers_of_sdf(content: bytes | str) -> FileNumbers:

@@ -16,7 +16,12 @@ from kindsl.robots.interchange.format import (
     ReadRobot,
     told_joints,
 )
-from kindsl.robots.interchange.rigid_links import BaseKind, RigidLink, about_origin, robot_of_links
+from kindsl.robots.interchange.rigid_links import (
+    BaseKind,
+    RigidLink,
+    about_origin,
+    robot_of_links,
+)
 from kindsl.robots.interchange.sdf.elements import (
     defect,
     is_true,
@@ -33,7 +38,7 @@ from kindsl.robots.interchange.sdf.joint_properties import joint_properties
 from kindsl.robots.interchange.sdf.losses import losses, world_losses
 from kindsl.robots.interchange.sdf.nesting import flatten
 from kindsl.robots.interchange.sdf.numbers import numbers_of_sdf
-from kindsl.robots.interchange.xml_terms import JOINT_KINDS, TENSOR
+from kindsl.robots.interchange.xml_reading import JOINT_KINDS, TENSOR
 
 _Z = (0.0, 0.0, 1.0)
 _UNIT: Symmetric = (1.0, 1.0, 1.0, 0.0, 0.0, 0.0)

@@ -10,8 +10,13 @@ from typing import Any, NamedTuple
 from kindsl.language.text.nearest import hint, nearest_name, nearest_word
 from kindsl.mechanics.rigid.pose import Rotation, rotation_from_quaternion
 from kindsl.robots.interchange.format import FormatError
-from kindsl.robots.interchange.xml_reading import XmlElement, XmlError, finite_number, parsed_xml
-from kindsl.robots.interchange.xml_terms import TENSOR
+from kindsl.robots.interchange.xml_reading import (
+    TENSOR,
+    XmlElement,
+    XmlError,
+    finite_number,
+    parsed_xml,
+)
 
 WORLD = "world"
 _TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")

@@ -30,8 +30,7 @@ from kindsl.robots.interchange.xml_document import (
     refused,
     xml_document,
 )
-from kindsl.robots.interchange.xml_reading import XmlElement
-from kindsl.robots.interchange.xml_terms import JOINT_KINDS, TENSOR
+from kindsl.robots.interchange.xml_reading import JOINT_KINDS, TENSOR, XmlElement
 
 # A body smaller than a micrometre is a point: moments of 1e-20 are what a program left of zero.
 _DUST = 1e-12

@@ -21,10 +21,16 @@ from kindsl.robots.interchange.format import (
     FormatError,
     ReadingChoices,
     ReadRobot,
+    drawings_dropped,
     mimic_dropped,
     told_joints,
 )
-from kindsl.robots.interchange.rigid_links import BaseKind, RigidLink, about_origin, robot_of_links
+from kindsl.robots.interchange.rigid_links import (
+    BaseKind,
+    RigidLink,
+    about_origin,
+    robot_of_links,
+)
 from kindsl.robots.interchange.urdf.checking import (
     WORLD,
     checked,
@@ -33,7 +39,7 @@ from kindsl.robots.interchange.urdf.checking import (
     rotation_of,
 )
 from kindsl.robots.interchange.written_numbers import FileNumbers, XmlNumbers
-from kindsl.robots.interchange.xml_terms import JOINT_KINDS, TENSOR, drawings_dropped
+from kindsl.robots.interchange.xml_reading import JOINT_KINDS, TENSOR
 from kindsl.robots.mechanism.linkage import Linkage
 
 _OF_LEGS = re.compile(r"(?<![a-z])(foot|feet|leg|ankle|knee|thigh|calf|shank|toe)(?![a-z])", re.I)
