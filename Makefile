@@ -8,6 +8,8 @@ TOOLS := $(VENV)/.installed
 PAGE_TOOLS := web/node_modules/.package-lock.json
 PYTHON ?= python3
 EXAMPLE ?= examples/quadruped.kindsl
+# What one process compiles serves all that tests start, wherever Python is told otherwise.
+export PYTHONDONTWRITEBYTECODE :=
 # Files in order: those of few tests, some of them long, would else come last and run alone.
 BROWSERS := tests/preview tests/typist tests/vscode tests/web
 IN_PARALLEL := $(BIN)/python -m pytest -n 2 --dist loadfile --no-loadscope-reorder
