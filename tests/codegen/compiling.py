@@ -8,6 +8,8 @@ from typing import NamedTuple
 
 import pytest
 
+from kindsl.mechanics.dynamics.evaluation import compiling
+
 EIGEN = next(
     (
         folder
@@ -48,6 +50,13 @@ def _compilers() -> list[Compiler]:
 COMPILERS = _compilers()
 needs_compiler = pytest.mark.skipif(not COMPILERS, reason="there is no C compiler")
 each_compiler = pytest.mark.parametrize("compiler", COMPILERS, ids=lambda c: c.name)
+
+
+@pytest.fixture
+def quickly_compiled(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """Let mechanics be compiled in a folder of the test, straight, for a few calls."""
+    monkeypatch.setenv("KINDSL_CACHE", str(tmp_path))
+    monkeypatch.setattr(compiling, "OPTIONS", (*compiling.OPTIONS, "-O0"))
 
 
 def build(compiler: Compiler, folder: Path, options: list[str], output: str) -> Path:

@@ -12,6 +12,7 @@ from tests.codegen.compiling import (
     build,
     each_compiler,
     needs_compiler,
+    quickly_compiled,  # noqa: F401
     run_tests,
 )
 from tests.codegen.loaded import Loaded
@@ -131,8 +132,8 @@ def _eigen(compiler: Compiler, folder: Path) -> str:
 
 
 @pytest.mark.parametrize("seed", [3, 4])
-def test_compiled_mechanics(seed: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("KINDSL_CACHE", str(tmp_path))
+@pytest.mark.usefixtures("quickly_compiled")
+def test_compiled_mechanics(seed: int) -> None:
     bodies = _bodies(seed)
     mine, other = CompiledMechanics(bodies), Mechanics(bodies)
     for name, given in calls(bodies.n_links, bodies.is_floating):
@@ -172,14 +173,12 @@ def test_what_is_surely_long_is_not_recorded(monkeypatch: pytest.MonkeyPatch) ->
     assert [r.shape for r in loop.results] == [r.shape for r in straight.results]
 
 
-def test_matrices_that_fit_on_no_stack_are_refused(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
+@pytest.mark.usefixtures("quickly_compiled")
+def test_matrices_that_fit_on_no_stack_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(loops, "MOST_VELOCITIES", 1)
     options = Options("c", ("coriolis_matrix",), "double", False, "unbound", "robot")
     with pytest.raises(GenerationError, match="'coriolis_matrix' is not generated for more than 1"):
         generate(Source("r.kindsl", analyse(LIFT), {}), options)
-    monkeypatch.setenv("KINDSL_CACHE", str(tmp_path))
     bodies = bodies_of_seed(4)
     q = np.full(bodies.n_links, 0.3)
     found = CompiledMechanics(bodies).coriolis_matrix(q, q)

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from tests.cli.samples import GOOD
-from tests.codegen.compiling import needs_compiler
+from tests.codegen.compiling import needs_compiler, quickly_compiled  # noqa: F401
 from tests.codegen.robots import bodies_of_seed
 
 import kindsl
@@ -218,8 +218,8 @@ def test_threads_change_nothing(
         assert_same(getattr(threaded, name)(*arguments), getattr(compiled, name)(*arguments))
 
 
-def test_documents_are_compiled(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setenv("KINDSL_CACHE", str(tmp_path))
+@pytest.mark.usefixtures("quickly_compiled")
+def test_documents_are_compiled() -> None:
     mechanism = kindsl.parse(GOOD).mechanism()
     compiled = mechanism.compiled()
     assert_same(compiled.gravity_torque([0.1, 0.2]), mechanism.gravity_torque([0.1, 0.2]))
@@ -233,9 +233,9 @@ def test_a_second_time_nothing_is_compiled(
     np.testing.assert_array_equal(again.gravity_torque(q), pair[0].gravity_torque(q))
 
 
+@pytest.mark.usefixtures("quickly_compiled")
 def test_derivatives_are_compiled_once(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """Also for who has asked for the method before it was compiled."""
-    monkeypatch.setenv("KINDSL_CACHE", str(tmp_path))
     compiled = CompiledMechanics(bodies_of_seed(4, 2))
     method, q = compiled.regressor, np.zeros(compiled.n_joints)
     first = method(q, q, q)
@@ -244,11 +244,9 @@ def test_derivatives_are_compiled_once(monkeypatch: pytest.MonkeyPatch, tmp_path
     assert len(list(tmp_path.iterdir())) == 2
 
 
-def test_robots_that_are_compiled_twice_stay_apart(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
+@pytest.mark.usefixtures("quickly_compiled")
+def test_robots_that_are_compiled_twice_stay_apart() -> None:
     """CPython fills one module with what it loads again; each robot keeps its own functions."""
-    monkeypatch.setenv("KINDSL_CACHE", str(tmp_path))
     robots = [bodies_of_seed(4, 2), bodies_of_seed(12, 2)]
     for bodies in robots:
         CompiledMechanics(bodies)
@@ -270,9 +268,9 @@ def test_with_a_compiler_that_fails(monkeypatch: pytest.MonkeyPatch, tmp_path: P
         CompiledMechanics(bodies_of_seed(4, 2))
 
 
-def test_a_rotor_without_mass_moves(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+@pytest.mark.usefixtures("quickly_compiled")
+def test_a_rotor_without_mass_moves() -> None:
     """Moments alone resist; only the centre of mass is not defined."""
-    monkeypatch.setenv("KINDSL_CACHE", str(tmp_path))
     bodies = bodies_of_seed(4, 2)
     turning = ("revolute",) * bodies.n_links
     rotors = replace(

@@ -8,7 +8,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.codegen.compiling import COMPILERS, build, needs_compiler, run_tests
+from tests.codegen.compiling import (
+    COMPILERS,
+    build,
+    needs_compiler,
+    quickly_compiled,  # noqa: F401
+    run_tests,
+)
 from tests.codegen.robots import ALL, bodies_of_seed, write_c
 from tests.dynamics.random_bodies import tree_of_seed, with_drives
 from tests.dynamics.test_against_pinocchio import _check_tree
@@ -71,8 +77,8 @@ def test_code_in_c_has_them(tmp_path: Path) -> None:
 
 
 @needs_compiler
-def test_compiled_mechanics_have_them(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("KINDSL_CACHE", str(tmp_path))
+@pytest.mark.usefixtures("quickly_compiled")
+def test_compiled_mechanics_have_them() -> None:
     bodies = with_drives(bodies_of_seed(*SMALL), np.random.default_rng(1))
     compiled, mechanics = CompiledMechanics(bodies), Mechanics(bodies)
     for shape in ((), (11,)):
