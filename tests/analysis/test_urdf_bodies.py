@@ -276,6 +276,13 @@ def test_many_densities_are_told_once(number: int) -> None:
         assert "'part_h'" in other and "7 more" in other
 
 
+def test_absent_limits_are_told_once() -> None:
+    text = legs().replace('lower="-1" upper="1" ', "")
+    assert messages(text) == [
+        "limits of joint 'LF_haa' and 11 more are absent, which means 0: they cannot move"
+    ]
+
+
 def test_zero_effort_is_told_once() -> None:
     text = legs().replace('effort="9"', 'effort="0"')
     assert messages(text) == ["greatest effort of joint 'LF_haa' and 11 more are 0"]

@@ -178,6 +178,27 @@ def test_two_mistakes_that_mean_the_same_numbers_are_the_common_one() -> None:
     assert same[0].slips == (Slip.SIGNS,)
 
 
+def test_products_may_have_been_negated_before_they_were_shifted_to_the_origin() -> None:
+    """As a URDF that has them so is converted: only about the CoM do they fit one another."""
+    about_com = MassDistribution(
+        1.7, (0.04, -0.2, 0.03), (0.025, 0.005, 0.024, -0.004, 0.0, -0.005)
+    )
+    meant = shifted(about_com)
+    found = found_slips(shifted(negated(about_com)), Verdict.TRIANGLE)
+    same = [h for h in found if h.body.moments == pytest.approx(meant.moments)]
+    assert [h.slips for h in same] == [(Slip.SIGNS_THERE,)]
+
+
+def test_a_tensor_may_have_been_left_as_it_was_where_the_com_was_mirrored() -> None:
+    tensor = (0.025, 0.005, 0.024, -0.004, 0.001, -0.005)
+    meant = shifted(MassDistribution(1.7, (0.04, 0.2, 0.03), (*tensor[:3], 0.004, 0.001, 0.005)))
+    written = shifted(MassDistribution(1.7, (0.04, 0.2, 0.03), tensor))
+    same = [h for h in hypotheses(written, EXACT) if h.body.moments == pytest.approx(meant.moments)]
+    assert [(h.slips, h.names, h.is_partial) for h in same] == [
+        ((Slip.SIGNS_THERE,), ("Ixy", "Iyz"), True)
+    ]
+
+
 def test_only_what_is_there_can_be_wrong() -> None:
     def slips(com: tuple[float, float, float], *products: float) -> set[tuple[object, ...]]:
         body = BALL._replace(com=com, moments=(0.02, 0.03, 0.04, *products))

@@ -128,6 +128,26 @@ def test_a_finger_is_compared_however_it_is_mounted() -> None:
     assert apply_edits(spoilt, finding.fix.edits) == text
 
 
+def gripper(turn: str) -> str:
+    """Return two fingers whose joints begin at one point of a palm that is turned about z."""
+    inertia = (
+        "inertia_params { mass = 0.015 CoM = (0.0, 0.01, 0.02)"
+        " Ix = 0.00001 Iy = 0.000008 Iz = 0.000004 Ixy = 0.0 Ixz = 0.0 Iyz = 0.000003 }"
+    )
+    turns = {"left": "(-PI/2.0, PI/4.0, 0.0)", "right": turn}
+    heads = " ".join(f"{side}_finger via {side}_joint" for side in turns)
+    links, joints = "", ""
+    for n, (side, rotation) in enumerate(turns.items(), 1):
+        links += f"link {side}_finger {{ id = {n} {inertia} children {{ }} }}\n"
+        place = f"translation = (0.0, 0.0, 0.1654) rotation = {rotation}"
+        joints += f"p_joint {side}_joint {{ ref_frame {{ {place} }} }}\n"
+    return f"Robot gripper {{\nRobotBase palm {{ children {{ {heads} }} }}\n{links}{joints}}}\n"
+
+
+def test_fingers_that_open_away_from_each_other_at_one_place_are_alike() -> None:
+    assert told(analyse(gripper("(PI/2.0, -PI/4.0, PI)"))) == []
+
+
 def star() -> str:
     """Return three numbered limbs whose first joints are at one place, each turned from another."""
     inertia = (

@@ -9,7 +9,14 @@ import pytest
 from kindsl.judgement.diagnosis.evidence import MassShape
 from kindsl.judgement.diagnosis.judge import Cause
 from kindsl.judgement.diagnosis.slips import Hypothesis, Slip
-from kindsl.judgement.rules.inertia.told import clause, likely_cause, rivals, shared_cause, title
+from kindsl.judgement.rules.inertia.told import (
+    clause,
+    is_plausible,
+    likely_cause,
+    rivals,
+    shared_cause,
+    title,
+)
 from kindsl.language.text.quantities import sum_below, with_unit
 from kindsl.mechanics.rigid.body import MassDistribution, eigensystem
 from kindsl.mechanics.rigid.pose import Vector3
@@ -66,6 +73,11 @@ def of(*slips: Slip, names: tuple[str, ...] = (), **given: Any) -> Hypothesis:
             of(Slip.SIGNS, names=("Ixy",)),
             "the sign of Ixy were changed",
             "Change sign of Ixy",
+        ),
+        (
+            of(Slip.SIGNS_THERE, names=("Ixy", "Iyz")),
+            "the signs of Ixy and Iyz were changed about the CoM",
+            "Change sign of Ixy, Iyz about the CoM",
         ),
         (
             of(Slip.COM_SIGN, names=("the x of the CoM",)),
@@ -195,6 +207,13 @@ def test_words_are_as_sure_as_the_cause_is(probability: float, verb: str) -> Non
     assert f"inertia of 'arm' {verb} consistent if {REFERENCE}" in likely_cause(
         "inertia of 'arm'", [cause]
     )
+
+
+def test_that_a_body_is_long_does_not_make_it_plausible() -> None:
+    light = ball((0.0, 0.0, 0.0), "long towards its next joint")
+    light = light._replace(hypothesis=light.hypothesis._replace(body=BODY._replace(mass=9.0)))
+    assert not is_plausible(light)
+    assert is_plausible(light._replace(log_likelihood=3.0))  # by what its counterparts say
 
 
 def test_what_leaves_no_trace_is_told_without_reasons() -> None:

@@ -12,7 +12,7 @@ from typing import NamedTuple, TypeVar
 
 from kindsl.judgement.diagnosis.fitted import TABLES, WEIGHTS
 from kindsl.language.syntax.vocabulary import MOMENTS
-from kindsl.mechanics.rigid.body import MassDistribution, Symmetric, shifted
+from kindsl.mechanics.rigid.body import ROUNDING_OF_MOMENTS, MassDistribution, Symmetric, shifted
 from kindsl.mechanics.rigid.pose import Vector3
 
 _Values = TypeVar("_Values", Symmetric, Vector3)
@@ -45,6 +45,7 @@ class Slip(StrEnum):
     """A simple mistake."""
 
     SIGNS = "signs"
+    SIGNS_THERE = "signs about the CoM"
     REFERENCE = "reference"
     TWICE = "shifted twice"
     SCALE = "scale"
@@ -181,6 +182,23 @@ def _other_signs(h: Hypothesis) -> Iterator[Hypothesis]:
             )
 
 
+def _other_signs_about_com(h: Hypothesis) -> Iterator[Hypothesis]:
+    """Yield products about the CoM negated: all, or two, as of a side that was not mirrored."""
+    about_com = shifted(h.body, -1.0)
+    least = ROUNDING_OF_MOMENTS * max(map(abs, h.body.moments))
+    present = [index for index in _PRODUCTS if abs(about_com.moments[index]) > least]
+    if not present or not h.has_products or not any(h.body.com):
+        return
+    for chosen, share in ((_PRODUCTS, 1.0), *((two, 0.1) for two in combinations(_PRODUCTS, 2))):
+        negated = about_com._replace(moments=_negated(about_com.moments, chosen))
+        yield h._replace(
+            body=shifted(negated),
+            weight=share * h.weight,
+            names=tuple(MOMENTS[index] for index in chosen),
+            is_partial=share < 1.0,
+        )
+
+
 def _about_origin(h: Hypothesis) -> Iterator[Hypothesis]:
     if any(h.body.com):
         yield h._replace(body=shifted(h.body))
@@ -301,6 +319,9 @@ class SlipRow(NamedTuple):
 TABLE = {
     Slip.REFERENCE: SlipRow("KD306", 1.0, "corrected so in 3 published histories", _about_origin),
     Slip.SIGNS: SlipRow("KD307", 1.0, "URDF, MJCF and most CAD programs negate them", _other_signs),
+    Slip.SIGNS_THERE: SlipRow(
+        "KD307", 0.5, "URDFs that have them so, converted", _other_signs_about_com
+    ),
     Slip.SCALE: SlipRow("KD308", 0.4, "each unit as CAD programs have it; else a digit", _scaled),
     Slip.COM_UNIT: SlipRow("KD502", 0.1, "CAD programs have mm, some cm or in", _com_scaled),
     Slip.MOMENT: SlipRow("KD308", 0.02, "a digit is lost, a point is moved", _one_scaled),

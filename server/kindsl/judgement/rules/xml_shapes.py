@@ -56,7 +56,11 @@ def body_findings(model: Model, bodies: Sequence[XmlBody], context: Context) -> 
     for code, cause in told_causes(model, context):
         is_sign_of_impossible = code == "KD307" and cause.severity is Severity.INFORMATION
         if code in _CAUSES and (is_sign_of_impossible or (cause.probability or 0.0) >= _SURE):
-            yield code, cause._replace(message=in_words_of_xml(cause.message))
+            others = (
+                each._replace(message=in_words_of_xml(each.message)) for each in cause.related
+            )
+            told = in_words_of_xml(cause.message)
+            yield code, cause._replace(message=told, related=tuple(others))
     told_of = set(odd)
     for body in bodies:
         links = {part.link for part in body.parts}

@@ -95,6 +95,9 @@ def mounts(how: str, one: Body, other: Body) -> Iterator[Mount]:
                 yield from (Mount(matrix, along, 0.0, axis) for matrix in (mirror, _SAME))
             continue
         yield Mount(mirror, place, 0.0)
+        if how == "LR" and here == there:
+            # The fingers of a gripper begin at one place, and open away from each other.
+            yield Mount(_HALF_TURNS[axis], there, _TURNED)
         if how == "LR" and apart[axis]:
             # The same limb at the mirrored place, on a like, a mirrored or a turned mount.
             yield Mount(mirror, place, _LIKE, is_copy=True)

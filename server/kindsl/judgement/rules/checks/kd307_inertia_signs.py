@@ -9,7 +9,8 @@ axes. KD306 tells how causes are weighed.
 ## Why is this bad?
 The language wants the products themselves, `Ixy = sum m x y`. The off-diagonal entries of an
 inertia tensor, as in URDF, MJCF and most CAD programs, are `-Ixy`. A pasted tensor has all signs
-wrong, a mirrored leg often one.
+wrong, a mirrored leg often one. One that was shifted to the frame origin afterwards, or comes from
+a URDF with such signs, has them wrong about the CoM alone.
 
 ## Example
 ```kindsl

@@ -2,8 +2,8 @@
 
 ## What it does
 Reports a revolute joint with a limit beyond two full turns where both limits are whole multiples of
-five up to 720, as degrees are. Limits that are equal but for the sign and powers of ten, as `100`,
-are taken to mean none.
+five up to 720, as degrees are. Limits of 1, 2 or 5 times a power of ten that are equal but for the
+sign, as `-20` and `20`, are taken to mean none.
 
 ## Why is this bad?
 URDF and SDF have radians here: 90 are fourteen turns, so nothing keeps the joint within its range.
@@ -15,7 +15,7 @@ URDF and SDF have radians here: 90 are fourteen turns, so nothing keeps the join
 """
 
 from collections.abc import Iterator
-from math import log10, pi
+from math import pi
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.xml_elements import limited_joints
@@ -39,7 +39,9 @@ def check_document(model: Model, _: object) -> Iterator[Finding]:
 
 def _are_degrees(ends: list[float]) -> bool:
     greatest = max(map(abs, ends))
-    is_none = log10(greatest).is_integer() if greatest else True
+    # Those of bases that float, and of rings closed by a simulator, are such.
+    is_round = f"{greatest:e}".startswith(("1.000000e", "2.000000e", "5.000000e"))
+    is_none = is_round and {abs(end) for end in ends if end} == {greatest}
     are_whole = all(end % _STEP == 0.0 for end in ends)
     return _MOST < greatest <= _DEGREES and are_whole and not is_none
 

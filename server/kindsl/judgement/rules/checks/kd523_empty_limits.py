@@ -2,7 +2,7 @@
 
 ## What it does
 Reports a revolute or prismatic joint whose limits are equal, or absent in its `<limit>`, where a
-URDF takes zero for both.
+URDF takes zero for both; those of all joints that have none once a file.
 
 ## Why is this bad?
 The joint cannot move in any program that heeds its limits. A joint that must not move is `fixed`,
@@ -16,22 +16,31 @@ one without limits `continuous`.
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Finding, Rule, Severity
-from kindsl.judgement.rules.xml_elements import limited_joints
+from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
+from kindsl.judgement.rules.xml_elements import A_FEW, limited_joints
 from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each joint that its limits keep at one place."""
+    """Yield a finding for each joint that its limits keep at one place, one for all without any."""
+    absent = []
     for joint in limited_joints(model):
         if joint.limit is None or joint.is_broken or not joint.is_needed:
             continue
         lower, upper = joint.lower or 0.0, joint.upper or 0.0
-        if lower == upper:
-            is_absent = joint.lower is None and joint.upper is None
-            why = "are absent, which means 0" if is_absent else f"are both {lower:g} {joint.unit}"
-            message = f"limits of joint '{joint.name}' {why}: it cannot move"
-            yield Finding(joint.at("" if is_absent else "upper"), message)
+        if joint.lower is None and joint.upper is None:
+            absent.append(joint)
+        elif lower == upper:
+            message = f"limits of joint '{joint.name}' are both {lower:g} {joint.unit}"
+            yield Finding(joint.at("upper"), f"{message}: it cannot move")
+    if absent:
+        first, *others = absent
+        more, they = (f" and {len(others)} more", "they") if others else ("", "it")
+        message = (
+            f"limits of joint '{first.name}'{more} are absent, which means 0: {they} cannot move"
+        )
+        related = tuple(Related(o.at(""), f"joint '{o.name}'") for o in others[:A_FEW])
+        yield Finding(first.at(""), message, related)
 
 
 RULE = Rule(__name__, Severity.WARNING, check_document=check_document)

@@ -57,7 +57,7 @@ def is_plausible(cause: Cause) -> bool:
     Points, and rods without width, have no density to go by.
     """
     h, pairs = cause.hypothesis, cause.shape.pairs
-    if h.slips[0] in _WITHOUT_MEANING or cause.reasons:
+    if h.slips[0] in _WITHOUT_MEANING or cause.log_likelihood > cause.log_alone:
         return True
     is_body = verdict_of(h.body, h.half, pairs) is Verdict.POSSIBLE
     return not is_body or can_be_of_matter(h.body, h.half, pairs)
@@ -138,6 +138,8 @@ def clause(hypothesis: Hypothesis) -> str:
 def _slip(slip: Slip, h: Hypothesis) -> str:
     if slip in (Slip.SIGNS, Slip.COM_SIGN, Slip.MINUS):
         return f"the {'sign' if len(h.names) == 1 else 'signs'} of {listed(h.names)} were changed"
+    if slip is Slip.SIGNS_THERE:
+        return f"the signs of {listed(h.names)} were changed about the CoM"
     if slip in (Slip.SWAP, Slip.COM_ORDER):
         return f"{listed(h.names)} were swapped"
     if slip is Slip.MOMENT:
@@ -162,6 +164,8 @@ def _step(slip: Slip, h: Hypothesis) -> str:
         return f"Set {h.names[0]} to {_meant(h):.4g}"
     if slip in (Slip.SIGNS, Slip.COM_SIGN, Slip.MINUS):
         return f"Change sign of {', '.join(h.names)}"
+    if slip is Slip.SIGNS_THERE:
+        return f"Change sign of {', '.join(h.names)} about the CoM"
     return _STEPS.get(slip, "").format(*h.names)
 
 
