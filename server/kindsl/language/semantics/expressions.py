@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple, cast
 
 from kindsl.language.semantics.places import Construct, Name
-from kindsl.language.syntax.arithmetic import FLOATS, evaluate, number_of
+from kindsl.language.syntax.arithmetic import FLOATS, evaluate, name_token, number_of
 from kindsl.language.syntax.tree import Island, Node, Token
 from kindsl.language.syntax.value_forms import is_signed_product
 from kindsl.language.syntax.vocabulary import NO_MEANING, Meaning
@@ -101,17 +101,12 @@ _USES: dict[str, type[ParameterUse | ConstantUse]] = {
 
 def _symbols(node: Node, island: Island) -> Iterator[ParameterUse | ConstantUse]:
     parts = [child for child in node.children if isinstance(child, Node)]
-    token = _name_token(node) if node.kind in _USES else None
+    token = name_token(node) if node.kind in _USES else None
     if token is not None and token.text:
         name = Name.at(token.text.lstrip("^"), island, token.start, token.end)
         yield _USES[node.kind](name, Expression(parts[0], island) if parts else None)
     for part in parts:
         yield from _symbols(part, island)
-
-
-def _name_token(node: Node) -> Token | None:
-    tokens = (child for child in node.children if isinstance(child, Token))
-    return next((token for token in tokens if token.kind == "NAME"), None)
 
 
 def _rounding(node: Node, bindings: Mapping[str, float]) -> float:

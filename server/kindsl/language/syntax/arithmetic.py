@@ -35,10 +35,15 @@ def number_of(token: Node | Token) -> float | None:
         return None
 
 
+def name_token(node: Node) -> Token | None:
+    """Return the name directly in a node, None where there is none."""
+    return cast(Token | None, next((c for c in node.children if c.kind == "NAME"), None))
+
+
 def name_of(node: Node) -> str:
-    """Return the name directly in a node, empty where there is none."""
-    names = (child for child in node.children if child.kind == "NAME")
-    return cast(Token, next(names, None) or Token("NAME", "", 0, 0, 0)).text.lstrip("^")
+    """Return the text of the name directly in a node, empty where there is none."""
+    token = name_token(node)
+    return "" if token is None else token.text.lstrip("^")
 
 
 def evaluate(node: Node, names: Mapping[str, T], by: Arithmetic[T]) -> T | None:

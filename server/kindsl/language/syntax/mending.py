@@ -39,14 +39,15 @@ def mended(
         about_comments: Problems in them.
     """
     passages = foreign_passages(text)
-    tokens = tokens_as_meant(text, _outside(tokens, passages), spans)
+    ours = [t for t in tokens if not _is_within(t.start, passages)] if passages else tokens
+    tokens = tokens_as_meant(text, ours, spans)
     if len(tokens) > _MOST_TOKENS:
         tokens = _shortened(text, tokens)
     good, invalid, problems = without_invalid(text, tokens)
     usual = put_right(text, good, HABITS)
     is_cut = any(problem.code == OPEN_COMMENT for problem in about_comments)
     recovered = recover(text, usual.tokens, is_cut=is_cut)
-    foreign = [_foreign(text, passage) for passage in passages]
+    foreign = [Token(BAD, text[p.start : p.end], 0, p.start, p.end) for p in passages]
     invalid += [*usual.skipped, *foreign]
     written = [*recovered.written, *invalid]
     if invalid:
@@ -63,16 +64,8 @@ def mended(
     return Island(text, nodes, _with_leads(written), skipped, spans, tuple(found))
 
 
-def _outside(tokens: list[Token], passages: Sequence[Passage]) -> list[Token]:
-    return [t for t in tokens if not _is_within(t.start, passages)] if passages else tokens
-
-
 def _is_within(position: int, passages: Sequence[Passage]) -> bool:
     return any(passage.start <= position < passage.end for passage in passages)
-
-
-def _foreign(text: str, passage: Passage) -> Token:
-    return Token(BAD, text[passage.start : passage.end], 0, passage.start, passage.end)
 
 
 def _taken_over(passage: Passage) -> Problem:

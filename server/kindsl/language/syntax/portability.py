@@ -36,10 +36,6 @@ _CALLED = {
     "KEYWORD_NAME": ("keyword-as-name", "the keyword '{}' as a name"),
     "UNICODE_NAME": ("non-ascii-name", "the letters of the name '{}'"),
 }
-_REASONS = {
-    ROBCOGEN: "robcogen does not take the form of '{}'",
-    ROBCOGEN2: "robcogen2 does not take the form of '{}'",
-}
 
 
 class PortabilityNote(NamedTuple):
@@ -81,10 +77,8 @@ def _notes(island: Island) -> Iterator[PortabilityNote]:
 
 
 def _notes_within(island: Island, blocks: Sequence[Node]) -> Iterator[PortabilityNote]:
-    is_all = not island.skipped
-    yield from _token_notes(
-        island.tokens if is_all else [token for block in blocks for token in block.tokens()]
-    )
+    in_blocks = [token for block in blocks for token in block.tokens()] if island.skipped else ()
+    yield from _token_notes(in_blocks if island.skipped else island.tokens)
     yield from _value_notes(island)
     for block in blocks:
         yield from _id_notes(block)
@@ -185,7 +179,7 @@ def _value_notes(island: Island) -> Iterator[PortabilityNote]:
         if any(note.target == target for token in tokens for note in _name_notes(token)):
             continue
         start, end = node.start, node.end
-        message = _REASONS[target].format(shown(text[start:end]))
+        message = f"{target} does not take the form of '{shown(text[start:end])}'"
         if node.kind == "parameter" and target == ROBCOGEN2:
             message = f"robcogen2 reads '{shown(text[start:end])}' as 'pi' and stops"
         # Decimals cost the linter's start, and most documents need none.

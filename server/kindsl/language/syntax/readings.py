@@ -122,25 +122,21 @@ def _undecided(node: Node, is_value: bool) -> Node | None:
 
 
 def _for_robcogen(node: Node, is_value: bool) -> Node | None:
-    token = node.children[0]
-    if not isinstance(token, Token):
+    first, last = node.children[0], node.children[-1]
+    if not (isinstance(first, Token) and isinstance(last, Token)):
         return None
-    if node.kind == "pi" and token.kind == "LOWER_PI":
-        return Node("parameter", [Token("NAME", token.text, token.lead, token.start, token.end)])
+    if last.kind == "LOWER_PI" and node.kind in ("pi", "juxtaposed_pi"):
+        name = Token("NAME", last.text, last.lead, last.start, last.end)
+        kind = "parameter" if first is last else "juxtaposed_parameter"
+        return Node(kind, [name] if first is last else [first, name])
     # Within an expression robcogen refuses `1.0e3`.
     power = _power(node) if is_value else None
-    if node.kind == "juxtaposed_pi" and isinstance(node.children[1], Token):
-        second = node.children[1]
-        if second.kind == "LOWER_PI":
-            name = Token("NAME", second.text, second.lead, second.start, second.end)
-            return Node("juxtaposed_parameter", [token, name])
     if power is None:
         return None
-    middle = token.start + power.end(1)
-    factor = Token("FLOAT", power[1], token.lead, token.start, middle)
-    return Node(
-        "juxtaposed_parameter", [factor, Token("NAME", power[2], middle, middle, token.end)]
-    )
+    middle = first.start + power.end(1)
+    factor = Token("FLOAT", power[1], first.lead, first.start, middle)
+    name = Token("NAME", power[2], middle, middle, first.end)
+    return Node("juxtaposed_parameter", [factor, name])
 
 
 def _power(node: Node) -> re.Match[str] | None:

@@ -71,16 +71,12 @@ def opening(tokens: Sequence[Token], index: int, previous: str = "") -> Opening 
     following = tokens[index + 1] if index + 1 < len(tokens) else None
     if following is None:
         return None
-    if following.kind in _BODY and _is_word(token):
+    if following.kind in _BODY and token.kind in NAMES:
         return _unglued(token) or _without_keyword(tokens, index, previous)
     behind = tokens[index + 2] if index + 2 < len(tokens) else None
-    if _is_word(following) and behind is not None and behind.kind in _BODY:
+    if following.kind in NAMES and behind is not None and behind.kind in _BODY:
         return _misspelt(tokens, index, previous)
     return None
-
-
-def _is_word(token: Token) -> bool:
-    return token.kind in NAMES
 
 
 def _checked(tokens: Sequence[Token], index: int, start: str) -> Opening:
@@ -173,7 +169,7 @@ def block_words(word: str) -> tuple[str, ...]:
 def _in_place_of_junk(tokens: Sequence[Token], index: int, previous: str) -> Opening | None:
     """Return the opening of a block whose keyword is a number or a sign."""
     behind = tokens[index + 1 : index + 3]
-    if len(behind) < 2 or not _is_word(behind[0]) or behind[1].kind not in _BODY:
+    if len(behind) < 2 or behind[0].kind not in NAMES or behind[1].kind not in _BODY:
         return None
     start = _guess(tokens, index + 1, previous)
     return None if start is None else _replaced(tokens[index], start, "KD001")
