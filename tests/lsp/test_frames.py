@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from kindsl.frontends.lsp.server import KindslLanguageServer
-from kindsl.frontends.lsp.wire.frames import read_messages
+from kindsl.frontends.lsp.wire.transport import read_messages
 
 BODIES = [b'{"a": 1}', b'{"b": "\xc3\xa9"}', b"[]"]
 

@@ -10,8 +10,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from kindsl.frontends.lsp.wire.frames import read_messages
 from kindsl.frontends.lsp.wire.protocol import Editor, KindslProtocol
+from kindsl.frontends.lsp.wire.transport import read_messages
 
 
 class _Output:

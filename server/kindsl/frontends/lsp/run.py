@@ -9,8 +9,7 @@ import sys
 from kindsl.frontends.lsp.server import KindslLanguageServer
 from kindsl.frontends.lsp.session import memory
 from kindsl.frontends.lsp.session.worker import start_task
-from kindsl.frontends.lsp.wire.frames import read_messages
-from kindsl.frontends.lsp.wire.transport import MessageWriter, open_stdio
+from kindsl.frontends.lsp.wire.transport import MessageWriter, open_stdio, read_messages
 
 _POLL_SECONDS = 2.0
 
