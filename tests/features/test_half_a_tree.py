@@ -35,5 +35,5 @@ def test_a_joint_that_is_used_twice_is_listed_once():
 
 def test_a_search_finds_no_nameless_thing():
     text = "Robot R { link { frames { { } } } r_joint { } link a { } }"
-    assert [s.name for s in workspace_symbols(analyse(text), "")] == ["R", "a"]
-    assert [s.name for s in workspace_symbols(analyse("link a { }"), "")] == ["a"]
+    assert [s.name for s in workspace_symbols(analyse(text))] == ["R", "a"]
+    assert [s.name for s in workspace_symbols(analyse("link a { }"))] == ["a"]

@@ -271,7 +271,7 @@ def test_the_letters_of_a_query_stand_in_a_name_in_this_order(
 @pytest.mark.parametrize("path", SOUND_EXAMPLES, ids=lambda path: path.stem)
 def test_names_of_a_text_are_those_of_its_analysis(path: Path) -> None:
     text = path.read_text()
-    assert sorted(symbols_in_text(text)) == sorted(workspace_symbols(analyse(text), ""))
+    assert sorted(symbols_in_text(text)) == sorted(workspace_symbols(analyse(text)))
 
 
 def test_names_are_read_past_comments_and_escapes() -> None:
@@ -289,13 +289,13 @@ def test_names_are_read_past_comments_and_escapes() -> None:
 
 
 def test_symbols_of_a_workspace_are_what_has_a_name() -> None:
-    found = [(s.name, s.kind, s.container) for s in workspace_symbols(analyse(ARM), "")]
+    found = [(s.name, s.kind, s.container) for s in workspace_symbols(analyse(ARM))]
     assert found == [
         ("Arm", "robot", ""), ("base", "base", "Arm"), ("upper", "link", "Arm"),
         ("lower", "link", "Arm"),
         ("tip", "frame", "Arm"), ("shoulder", "joint", "Arm"), ("elbow", "joint", "Arm"),
     ]  # fmt: skip
-    for symbol in workspace_symbols(analyse(ARM), ""):
+    for symbol in workspace_symbols(analyse(ARM)):
         assert ARM[symbol.start : symbol.end] == symbol.name
     nameless = "Robot { RobotBase {} link {} r_joint {} link l { frames { { } f {} } } }"
-    assert [s.name for s in workspace_symbols(analyse(nameless), "")] == ["l", "f"]
+    assert [s.name for s in workspace_symbols(analyse(nameless))] == ["l", "f"]

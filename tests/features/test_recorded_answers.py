@@ -26,7 +26,12 @@ from kindsl.frontends.features.navigation import (
     references,
     successors,
 )
-from kindsl.frontends.features.outline import document_symbols, kinematic_outline, workspace_symbols
+from kindsl.frontends.features.outline import (
+    document_symbols,
+    is_match,
+    kinematic_outline,
+    workspace_symbols,
+)
 from kindsl.frontends.features.ranges import folds, selection_ranges
 from kindsl.frontends.features.rename import rename, rename_range
 from kindsl.frontends.features.semantic_tokens import semantic_tokens
@@ -92,7 +97,10 @@ FEATURES = (
     of_all("symbols", document_symbols),
     of_all("tree", kinematic_outline),
     of_all("neighbours", lambda a: list(neighbours(a))),
-    of_all("symbols that match", lambda a: workspace_symbols(a, "E")),
+    of_all(
+        "symbols that match",
+        lambda a: (*(s for s in workspace_symbols(a) if is_match("E", s.name)),),
+    ),
     of_all("folds", folds),
     of_all("colours", semantic_tokens),
     of_all("lenses", code_lenses),

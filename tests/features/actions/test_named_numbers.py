@@ -62,13 +62,6 @@ def test_the_name_is_one_that_nothing_has(taken: str) -> None:
     assert extracted(marked, settings)[0] == "lower_mass_3"
 
 
-def test_the_cursor_stands_behind_the_new_name() -> None:
-    """To give it another: an editor asks for the name there."""
-    _, text, action = extracted("link hip { inertia_params { mass = 2.0$0 } }")
-    assert text[: action.cursor].endswith("hip_mass")
-    assert text[action.cursor :].startswith("[2.0]")
-
-
 @pytest.mark.parametrize(
     ("value", "written", "bound"),
     [

@@ -157,13 +157,8 @@ class WorkspaceSymbol(NamedTuple):
     end: int
 
 
-def workspace_symbols(analysis: Analysis, query: str) -> tuple[WorkspaceSymbol, ...]:
-    """Return what matches: the letters of the query in this order, whatever their case."""
-    return tuple(s for s in _all(analysis) if is_match(query, s.name))
-
-
 def is_match(query: str, name: str) -> bool:
-    """Return whether the letters of a query stand in a name in this order."""
+    """Return whether the letters of a query stand in a name in this order, whatever their case."""
     folded, place = name.casefold(), 0
     for letter in query.casefold():
         place = place if letter.isspace() else folded.find(letter, place) + 1
@@ -172,7 +167,8 @@ def is_match(query: str, name: str) -> bool:
     return True
 
 
-def _all(analysis: Analysis) -> Iterator[WorkspaceSymbol]:
+def workspace_symbols(analysis: Analysis) -> Iterator[WorkspaceSymbol]:
+    """Yield what a document names, the robot first, then in the order of the text."""
     robot = analysis.model.name
     for declared in analysis.model.declared:
         if declared.robot:

@@ -33,7 +33,6 @@ class CodeAction(NamedTuple):
         edits: The change, disjoint.
         diagnostics: The findings that it fixes.
         is_preferred: Whether an editor may do it unasked, by one key.
-        cursor: Where to put the cursor in the new text, to rename what was made; None for nowhere.
         bindings: Values to give to parameters in `kindsl.toml` along with the change; without
             them the document does not mean the same.
         other_file: The path of another file to change, empty for none.
@@ -45,7 +44,6 @@ class CodeAction(NamedTuple):
     edits: tuple[TextEdit, ...]
     diagnostics: tuple[Diagnostic, ...] = ()
     is_preferred: bool = False
-    cursor: int | None = None
     bindings: tuple[tuple[str, float], ...] = ()
     other_file: str = ""
     other_edits: tuple[OtherEdit, ...] = ()

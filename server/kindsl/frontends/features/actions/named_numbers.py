@@ -38,18 +38,17 @@ def extract_parameter(analysis: Analysis, start: int, end: int) -> Iterator[Code
     name = _new_name(analysis, place)
     if ROBCOGEN in analysis.settings.targets:
         title = f"Extract to a parameter '{name}', bound in kindsl.toml"
-        yield _action(title, found, name, name, ((name, expression.literal),))
+        yield _action(title, found, name, ((name, expression.literal),))
     else:
         text = f"{name}[{found.token.text.removeprefix('+')}]"
-        yield _action(f"Extract to a parameter '{name}' with default", found, name, text, ())
+        yield _action(f"Extract to a parameter '{name}' with default", found, text, ())
 
 
 def _action(
-    title: str, found: TokenAt, name: str, text: str, bindings: tuple[tuple[str, float], ...]
+    title: str, found: TokenAt, text: str, bindings: tuple[tuple[str, float], ...]
 ) -> CodeAction:
     edit = TextEdit(found.start, found.end, text)
-    cursor = found.start + len(name)
-    return CodeAction(title, "refactor.extract", (edit,), cursor=cursor, bindings=bindings)
+    return CodeAction(title, "refactor.extract", (edit,), bindings=bindings)
 
 
 def _new_name(analysis: Analysis, place: ValuePlace) -> str:

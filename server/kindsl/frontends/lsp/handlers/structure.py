@@ -107,7 +107,7 @@ async def _symbols(session: Session, robot: Document) -> "tuple[WorkspaceSymbol,
 
     if robot.version is None:
         return tuple(symbols_in_text(robot.text))
-    return workspace_symbols(await session.analyses.of(robot), "")
+    return tuple(workspace_symbols(await session.analyses.of(robot)))
 
 
 def _found_in(robot: Document, symbol: "WorkspaceSymbol") -> dict[str, Any]:
