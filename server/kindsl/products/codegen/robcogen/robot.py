@@ -50,12 +50,6 @@ class GeneratedParameter(NamedTuple):
     name: str
     value: float | None
 
-    @property
-    def default(self) -> str:
-        """Its value in C++."""
-        missing = "std::numeric_limits<double>::quiet_NaN()"
-        return missing if self.value is None else repr(self.value)
-
 
 class MatrixMember(NamedTuple):
     """A transform or Jacobian as a member of a class.
@@ -269,11 +263,6 @@ class GeneratedRobot:
             for parameter in found:
                 texts[parameter.place] = f"Scalar({group}_values.{parameter.name})"
         return texts
-
-    @property
-    def inertial_names(self) -> list[str]:
-        """The names of the bodies whose inertia matters."""
-        return [self.bodies[i] for i in self.inertial_bodies]
 
     def header(self, file: str, template: str = "", /, **values: object) -> str:
         """Return a header: its guard, where it is from, a template's text."""

@@ -1,4 +1,4 @@
-{% set names = robot.inertial_names %}
+{% set names = robot.bodies[(0 if robot.is_floating else 1):] %}
 #include <iit/rbd/rbd.h>
 #include <iit/rbd/InertiaMatrix.h>
 #include <iit/rbd/utils.h>

@@ -2,7 +2,7 @@
 {% macro struct(name, parameters) %}
 struct @name@ {
 {% for x in parameters %}
-    double @x.name@ = @x.default@;
+    double @x.name@ = @"std::numeric_limits<double>::quiet_NaN()" if x.value is none else x.value@;
 {% endfor %}
     void defaults() { *this = @name@(); }
 };
