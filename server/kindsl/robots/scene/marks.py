@@ -21,6 +21,8 @@ TORQUE = 0xB0408F
 GHOST = 0x5B7BD5
 WHITE = 0xFFFFFF
 
+SLAB, FRAME = Shape(Form.SLAB, BASE), Shape(Form.TRIAD, WHITE)
+ROBOT_BALL = Shape(Form.BALL, ROBOT_COM, on_top=True)
 JOINT_FORMS = {"revolute": Form.DRUM, "prismatic": Form.BLOCK}
 _X, _Y, _Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 # Turns meshcat's cylinders, which lie along y, to z; blocks lie there already.
@@ -58,16 +60,9 @@ def body_marks(
 
 
 @lru_cache(maxsize=_MOST_KNOWN)
-def base_mark(link: str) -> Part:
-    """Return the slab under a fixed base."""
-    return SetObject(path_of("robot", "links", link, "base", "slab"), Shape(Form.SLAB, BASE))
-
-
-@lru_cache(maxsize=_MOST_KNOWN)
-def link_frame(link: str) -> Part:
-    """Return a link's frame."""
-    path = path_of("robot", "links", link, "link-frame", "triad")
-    return SetObject(path, Shape(Form.TRIAD, WHITE))
+def mark(shape: Shape, *place: str) -> Part:
+    """Return one shape of a robot: a frame, the slab under a fixed base, the robot's CoM."""
+    return SetObject(path_of("robot", *place), shape)
 
 
 @lru_cache(maxsize=_MOST_KNOWN)
@@ -105,20 +100,6 @@ def joint_marks(joint: str, kind: str) -> tuple[Part, ...]:
         marks.append(SetObject(rail, Shape(Form.CYLINDER, JOINT_COLORS[kind])))
         marks.append(SetTransform(rail, _Y_TO_Z))
     return tuple(marks)
-
-
-@lru_cache(maxsize=_MOST_KNOWN)
-def frame_mark(frame: str) -> Part:
-    """Return an optional frame's triad."""
-    path = path_of("robot", "frames", frame, "optional-frame", "triad")
-    return SetObject(path, Shape(Form.TRIAD, WHITE))
-
-
-@lru_cache(maxsize=1)
-def robot_com_mark() -> Part:
-    """Return the mark of the whole robot's centre of mass, which the page places."""
-    path = path_of("robot", "total", "robot", "robot-com", "ball")
-    return SetObject(path, Shape(Form.BALL, ROBOT_COM, on_top=True))
 
 
 def _at(position: Vector3) -> tuple[float, ...]:

@@ -14,14 +14,14 @@ from kindsl.robots.mechanism.linkage import Linkage
 from kindsl.robots.scene.ellipsoids import InertiaEllipsoid, inertia_ellipsoid
 from kindsl.robots.scene.guesses import NO_GUESSES, Guesses
 from kindsl.robots.scene.marks import (
-    base_mark,
+    FRAME,
+    ROBOT_BALL,
+    SLAB,
     body_marks,
     column_major,
-    frame_mark,
     joint_marks,
-    link_frame,
+    mark,
     mass_marks,
-    robot_com_mark,
 )
 from kindsl.robots.scene.messages import (
     Core,
@@ -98,17 +98,18 @@ def _robot_marks(
 ) -> Iterator[Part]:
     for body, link in enumerate(skeleton.body_names):
         yield from body_marks("robot", link, size.segments[body], "body" if body else "base")
-        yield link_frame(link)
+        yield mark(FRAME, "links", link, "link-frame", "triad")
         # A fixed base's inertia does not matter.
         if body or skeleton.is_floating:
             yield from mass_marks(link, skeleton.masses[body].com, ellipsoids[body])
     if not skeleton.is_floating:
-        yield base_mark(skeleton.base_name)
+        yield mark(SLAB, "links", skeleton.base_name, "base", "slab")
     for joint, kind in zip(skeleton.joint_names, skeleton.joint_kinds, strict=True):
         yield from joint_marks(joint, kind)
     for frame in skeleton.frames:
-        yield frame_mark(frame.name)
-    yield robot_com_mark()
+        yield mark(FRAME, "frames", frame.name, "optional-frame", "triad")
+    # The page places it.
+    yield mark(ROBOT_BALL, "total", "robot", "robot-com", "ball")
 
 
 def _numbers(
