@@ -2,7 +2,6 @@
 
 import random
 import re
-import sys
 import unicodedata
 
 from kindsl.language.syntax.scanner import comments
@@ -15,7 +14,8 @@ _NUMBER = re.compile(r"(?<![\w.])-?[0-9]+\.[0-9]+(?![\w.])")
 
 def digit_sets() -> list[str]:
     """Return the ten digits of each script, those of mathematics included."""
-    zeros = (chr(n) for n in range(128, sys.maxunicode) if unicodedata.decimal(chr(n), None) == 0)
+    # Behind the second plane there are ideographs and what has no meaning.
+    zeros = (chr(n) for n in range(128, 0x20000) if unicodedata.decimal(chr(n), None) == 0)
     return ["".join(chr(ord(zero) + n) for n in range(10)) for zero in zeros]
 
 
