@@ -11,7 +11,7 @@ EXAMPLE ?= examples/quadruped.kindsl
 # What one process compiles serves all that tests start, wherever Python is told otherwise.
 export PYTHONDONTWRITEBYTECODE :=
 # Files in order: those of few tests, some of them long, would else come last and run alone.
-BROWSERS := tests/preview tests/typist tests/vscode tests/web
+BROWSERS := tests/typist tests/web tests/vscode tests/preview
 IN_PARALLEL := $(BIN)/python -m pytest -n 2 --dist loadfile --no-loadscope-reorder
 RUN_TESTS = $(IN_PARALLEL) $(BROWSERS:%=--ignore=%); others=$$?; \
 	$(IN_PARALLEL) $(BROWSERS) && exit $$others

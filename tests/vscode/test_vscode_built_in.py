@@ -57,23 +57,16 @@ def test_a_machine_without_python_needs_nothing(
         assert page.evaluate("kindsl.isOfArm") is None
 
 
-def test_an_old_python_is_passed_over(browser: Browser, vsix: Path, tmp_path: Path) -> None:
+def test_an_old_python_is_passed_over_and_a_good_one_beside_it_used(
+    browser: Browser, vsix: Path, tmp_path: Path
+) -> None:
     machine = bare_machine(tmp_path, python3=OLD_PYTHON)
     with window(browser, vsix, tmp_path, {}, machine) as workbench:
         workbench.open("broken.kindsl", models.BROKEN)
         expect(workbench.squiggles("error")).to_have_count(2)
         expect(language_status(workbench)).to_contain_text("built-in Python")
         expect(workbench.notifications()).to_have_count(0)
-
-
-def test_a_good_python_beside_an_old_one_is_used(
-    browser: Browser, vsix: Path, tmp_path: Path
-) -> None:
-    good = f'#!/bin/sh\nexec "{sys.executable}" "$@"\n'
-    machine = bare_machine(tmp_path, **{"python3": OLD_PYTHON, "python3.12": good})
-    with window(browser, vsix, tmp_path, {}, machine) as workbench:
-        workbench.open("broken.kindsl", models.BROKEN)
-        expect(workbench.squiggles("error")).to_have_count(2)
+        add_program(tmp_path, "python3.12", f'#!/bin/sh\nexec "{sys.executable}" "$@"\n')
 
         def find() -> None:
             # A Python that is slow to answer is not waited for.
@@ -228,8 +221,7 @@ def bare_machine(work: Path, **programs: str) -> Machine:
     # VS Code takes its PATH from a login shell.
     (home / ".profile").write_text(f'PATH="{path}:/usr/bin:/bin"\n')
     for name, text in programs.items():
-        (path / name).write_text(text)
-        (path / name).chmod(0o755)
+        add_program(work, name, text)
     installed = [
         python.resolve()
         for folder in ("/usr/bin", "/usr/local/bin")
@@ -240,6 +232,13 @@ def bare_machine(work: Path, **programs: str) -> Machine:
     script = " && ".join([*hidden, 'exec "$@"'])
     before = ["unshare", "--mount", "sh", "-c", script, "sh"]
     return Machine(before, {"PATH": f"{path}:/usr/bin:/bin", "HOME": str(home), "SHELL": "/bin/sh"})
+
+
+def add_program(work: Path, name: str, text: str) -> None:
+    """Let a program be found on the machine."""
+    program = work / "path" / name
+    program.write_text(text)
+    program.chmod(0o755)
 
 
 @contextmanager

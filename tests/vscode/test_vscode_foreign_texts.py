@@ -1,12 +1,14 @@
-"""What is pasted from a CAD program becomes the inertia of a link, in a real VS Code."""
+"""What other programs wrote, in a real VS Code: reports of CAD programs that are pasted, a URDF."""
 
 from functools import partial
 from pathlib import Path
 
 from playwright.sync_api import expect
+from tests.analysis.test_urdf_fixes import LEGS, spoilt
 from tests.cad.test_reports import REPORTS
 from tests.vscode.workbench import Workbench
 
+MOMENT = 'iyy="0.0046023457"'
 LINKS = ("upper", "lower", "hand")
 NAMES = ("SolidWorks_upper_arm", "Fusion 360_hip", "Creo_shank")
 POSE = "translation = (0.0, 0.0, 0.5) rotation = (0.0, 0.0, 0.0)"
@@ -64,3 +66,20 @@ def test_ignore_shows_no_bulb_of_a_fix(workbench: Workbench) -> None:
     fix = workbench.page.locator(".action-widget .monaco-list-row", has_text="Convert to metres")
     expect(fix.locator(".codicon-light-bulb, .codicon-lightbulb")).to_have_count(1)
     workbench.press("Escape")
+
+
+def test_a_urdf_is_underlined_explained_and_fixed(workbench: Workbench) -> None:
+    path = workbench.open("legs.urdf", spoilt(MOMENT, MOMENT.replace('"0', '"-0')))
+    expect(workbench.squiggles("error")).to_have_count(1)
+    expect(workbench.problems().filter(has_text="KD301")).to_contain_text("'left_thigh'")
+    workbench.hide_panel()
+    workbench.go_to('link name="left_thigh"', path)
+    workbench.hover("carried by joint left_hip")
+    workbench.screenshot("urdf")
+    workbench.press("Escape")
+    workbench.go_to("<inertial>", path, 1)
+    fix = workbench.fixes("Change sign of iyy").and_(workbench.page.locator(".focused"))
+    expect(fix).to_be_visible()
+    workbench.press("Enter")
+    expect(workbench.squiggles("error")).to_have_count(0)
+    assert workbench.text_of(path) == LEGS
