@@ -7,8 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kindsl.frontends.lsp.text.lines import Lines
-from kindsl.frontends.lsp.text.row import PlainPiece, Row, Sums, edits_between, in_common, n_same
-from kindsl.language.text.edits import apply_edits
+from kindsl.frontends.lsp.text.row import PlainPiece, Row, Sums, edits_between
+from kindsl.language.text.edits import apply_edits, in_common, n_same
 from kindsl.language.text.lines import LineIndex
 
 ALPHABET = "ab\r\né😀"

@@ -5,12 +5,12 @@ Both texts are read as tolerantly as everywhere; of what is equal in both nothin
 
 from collections import Counter
 from collections.abc import Sequence
-from itertools import takewhile
 from typing import NamedTuple
 
 from kindsl.judgement.analysis.contents import Contents, Number, contents
 from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.language.syntax.tree import Island
+from kindsl.language.text.edits import in_common
 
 # Four units in the last place of a double: what writing a number in other words may cost.
 _SAME = 1e-15
@@ -66,15 +66,8 @@ def _kinds(said: Contents) -> Counter[str]:
 def _differing(
     before: Sequence[Island], after: Sequence[Island]
 ) -> tuple[Sequence[Island], Sequence[Island]]:
-    n_first = _n_same(before, after)
-    before, after = before[n_first:], after[n_first:]
-    n_last = _n_same(before[::-1], after[::-1])
-    return before[: len(before) - n_last], after[: len(after) - n_last]
-
-
-def _n_same(before: Sequence[Island], after: Sequence[Island]) -> int:
-    pairs = zip(before, after, strict=False)
-    return sum(1 for _ in takewhile(lambda pair: pair[0] is pair[1], pairs))
+    n_first, n_last = in_common(before, after)
+    return before[n_first : len(before) - n_last], after[n_first : len(after) - n_last]
 
 
 def _n_problems(document: SyntaxDocument, islands: Sequence[Island]) -> int:

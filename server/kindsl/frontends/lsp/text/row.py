@@ -6,15 +6,12 @@ copy of three lists and what it touches.
 """
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import accumulate
 from typing import Protocol, Self
 
-from kindsl.language.text.edits import TextEdit
+from kindsl.language.text.edits import TextEdit, difference, in_common
 from kindsl.language.text.facts import Fact, Facts
-
-# What is compared in one go: of ten thousand pieces nearly all are the same.
-_BLOCK = 256
 
 _LINE_ENDS = Fact[int]("line ends")
 
@@ -145,7 +142,7 @@ class Row:
         if not pieces:
             return self
         row = self.copy()
-        before, after = in_common(self.pieces, pieces)
+        before, after = in_common(self.pieces, [*pieces])
         row._put(before, len(self.pieces) - after, pieces[before : len(pieces) - after])
         return row
 
@@ -164,7 +161,7 @@ def edits_between(pieces: Sequence[Piece], starts: Sequence[int], row: Row) -> I
         starts: Their offsets, and its length.
         row: The text after.
     """
-    before, after = in_common(pieces, row.pieces)
+    before, after = in_common([*pieces], row.pieces)
     stop = len(pieces) - after
     numbers = {id(pieces[number]): number for number in range(before, stop)}
     done, new = before, ""
@@ -178,45 +175,13 @@ def edits_between(pieces: Sequence[Piece], starts: Sequence[int], row: Row) -> I
     yield from _edit(pieces[done:stop], starts[done], new)
 
 
-def in_common(some: Sequence[Piece], others: Sequence[Piece]) -> tuple[int, int]:
-    """Return how many pieces two rows share from the start, and how many of the rest at the end."""
-    n_some, n_others = len(some), len(others)
-    shorter = min(n_some, n_others)
-    before = n_same(shorter, lambda a, b: [*some[a:b]] == [*others[a:b]])
-    after = n_same(
-        shorter - before,
-        lambda a, b: [*some[n_some - b : n_some - a]] == [*others[n_others - b : n_others - a]],
-    )
-    return before, after
-
-
-def n_same(limit: int, are_same: Callable[[int, int], bool]) -> int:
-    """Return for how many of some places, from the first, two rows are the same.
-
-    Args:
-        limit: How many places there are.
-        are_same: Whether they are the same between two places, the second exclusive.
-    """
-    for first in range(0, limit, _BLOCK):
-        stop = min(first + _BLOCK, limit)
-        if not are_same(first, stop):
-            longer = range(first + 1, stop)
-            return first + bisect_left(longer, True, key=lambda end: not are_same(first, end))
-    return limit
-
-
 def _edit(pieces: Sequence[Piece], start: int, new: str) -> Iterator[TextEdit]:
     """Yield the smallest edit that replaces the text of some pieces, if it changes."""
     old = "".join([piece.text for piece in pieces])
     if old == new:
         return
-    shorter = min(len(old), len(new))
-    n_old, n_new = len(old), len(new)
-    before = n_same(shorter, lambda a, b: old[a:b] == new[a:b])
-    after = n_same(
-        shorter - before, lambda a, b: old[n_old - b : n_old - a] == new[n_new - b : n_new - a]
-    )
-    yield TextEdit(start + before, start + n_old - after, new[before : n_new - after])
+    edit = difference(old, new)
+    yield TextEdit(start + edit.start, start + edit.end, edit.text)
 
 
 def _line_ends(piece: Piece) -> int:
