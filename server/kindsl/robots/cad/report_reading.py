@@ -196,7 +196,7 @@ class _ReportReader:
     def _coordinates(self, line: str, begin: int) -> None:
         labelled = list(self._labelled(line, begin, _PLACE, LENGTH))
         found = [(label[0], _INDEX[label[1].casefold()], number) for label, number in labelled]
-        bare = [] if labelled else list(self._bare(line, begin, LENGTH))
+        bare = [] if labelled else self._bare(line, begin, LENGTH)
         if len(bare) == 3:
             found = [("XYZ"[index], index, number) for index, number in enumerate(bare)]
         for name, index, number in found:
@@ -214,7 +214,7 @@ class _ReportReader:
         if not labelled and self._is_tensor_whole():
             self.section = ""
         elif not labelled:
-            self._matrix_rows(list(self._bare(line, begin, INERTIA)))
+            self._matrix_rows(self._bare(line, begin, INERTIA))
 
     def _is_tensor_whole(self) -> bool:
         """Return whether a further row, as of a signature or page number, is none of the tensor."""
@@ -262,7 +262,7 @@ class _ReportReader:
             index = _INDEX[label[1].casefold()]
             self.report.principal.setdefault(index, []).append(number._replace(name=label[0]))
         if not labelled:
-            numbers = list(self._bare(line, begin, INERTIA))
+            numbers = self._bare(line, begin, INERTIA)
             if len(numbers) == 3 and not self.report.principal:
                 for index, number in enumerate(numbers):
                     self.report.principal[index] = [number._replace(name=f"I{index + 1}")]
@@ -273,27 +273,26 @@ class _ReportReader:
         """Yield labels with their numbers: `X = 1 Y = 2`, or `X Y 1 2`."""
         labels = [(match.start(), match) for match in label.finditer(line, begin)]
         waiting: list[re.Match[str]] = []
-        places: list[int] = []
-        for number in self._bare(line, begin, dimension, places):
-            start = places[-1]
+        for start, number in self._placed(line, begin, dimension):
             while labels and labels[0][0] < start:
                 waiting.append(labels.pop(0)[1])
             if waiting:
                 yield waiting.pop(0), number
 
-    def _bare(
-        self, line: str, begin: int, dimension: Dimension, places: list[int] | None = None
-    ) -> Iterator[Quantity]:
-        """Yield the numbers of a line with their units, zeros as exact as their neighbours."""
+    def _bare(self, line: str, begin: int, dimension: Dimension) -> list[Quantity]:
+        return [number for _, number in self._placed(line, begin, dimension)]
+
+    def _placed(
+        self, line: str, begin: int, dimension: Dimension
+    ) -> Iterator[tuple[int, Quantity]]:
+        """Yield where each number of a line begins, and the number with its unit."""
         found = [one for one in self.style.numbers(line) if one[0] >= begin]
         ends = [*(start for start, _, _ in found[1:]), len(line)][: len(found)]
         trailing = _factor(line[found[-1][1] :], dimension) if found else None
         for (start, end, number), stop in zip(found, ends, strict=True):
             own = _factor(line[end:stop], dimension)
             factor = own or _factor(self.unit_text, dimension) or trailing
-            if places is not None:
-                places.append(start)
-            yield number._replace(factor=factor or Fraction(0))
+            yield start, number._replace(factor=factor or Fraction(0))
 
 
 def _end_of_heading(line: str) -> int:

@@ -59,10 +59,11 @@ def _taken_over(report: Report) -> MassProperties:
     is_proved = len(signs) == 1 or not has_products
     sign = signs[0] if is_proved else documented_sign(report.program)
     first, second = (_moments(numbers, one) for one in (sign or 1, -1))
+    x, y, z = (one.text() for one in numbers.center)
     return MassProperties(
         report.program,
         numbers.mass.text(),
-        _three([one.text() for one in numbers.center]),
+        (x, y, z),
         first,
         sign,
         second if sign is None else None,
@@ -268,7 +269,3 @@ def _density(report: Report, numbers: Numbers) -> list[str]:
         return []
     mass = float(Fraction(numbers.mass.value))
     return [f"the mass is {mass:.9g} kg, but density times volume is {float(found.value):.9g} kg"]
-
-
-def _three(texts: list[str]) -> tuple[str, str, str]:
-    return texts[0], texts[1], texts[2]

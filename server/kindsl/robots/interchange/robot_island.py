@@ -39,11 +39,13 @@ class XmlPiece(NamedTuple):
         text: Its text.
         start: Where it begins.
         element: The element in it, None of the tags around elements.
+        prefix: What stands before its name in the document.
     """
 
     text: str
     start: int
     element: Any
+    prefix: str = ""
 
     def placed(self) -> XmlElement | None:
         """Return the element with its offsets in the piece; those in the file are lost."""
@@ -81,19 +83,17 @@ class RobotIsland(OtherIsland):
             self.nodes = tuple(self.lowered(self.element))
 
     @classmethod
-    def made_of(
-        cls, pieces: Iterable[tuple[XmlPiece, str]], former: SyntaxDocument | None
-    ) -> list[Self]:
-        """Return an island of each piece and prefix, those of an earlier version where equal."""
+    def made_of(cls, pieces: Iterable[XmlPiece], former: SyntaxDocument | None) -> list[Self]:
+        """Return an island of each piece, those of an earlier version where equal."""
         known: dict[tuple[str, bool, str], list[Self]] = {}
         for island in former.islands if former is not None else ():
             if isinstance(island, cls):
                 key = island.text, island.element is not None, island.prefix
                 known.setdefault(key, []).append(island)
         islands = []
-        for piece, prefix in pieces:
-            same = known.get((piece.text, piece.element is not None, prefix))
-            islands.append(same.pop(0) if same else cls(piece.text, piece.placed(), prefix))
+        for piece in pieces:
+            same = known.get((piece.text, piece.element is not None, piece.prefix))
+            islands.append(same.pop(0) if same else cls(piece.text, piece.placed(), piece.prefix))
         return islands
 
     def declared(self) -> Declarations:

@@ -15,6 +15,7 @@ from kindsl.language.syntax.document import SyntaxDocument, chunks_of
 from kindsl.language.syntax.tree import Island
 from kindsl.language.text.edits import TextEdit, apply_edits
 from kindsl.language.text.encodings import declared_encoding
+from kindsl.language.text.lines import LineIndex
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3
 from kindsl.robots.interchange.robot_island import RobotIsland, XmlPiece, end_of_element
 from kindsl.robots.interchange.xml_reading import (
@@ -25,7 +26,6 @@ from kindsl.robots.interchange.xml_reading import (
 )
 
 _REST_OF_LINE = re.compile(r"(?:[^\S\r\n]|<!--[^\r\n]*?-->)*")
-_LINE_END = re.compile(r"\r\n?|\n")
 
 
 class Connection(NamedTuple):
@@ -164,10 +164,9 @@ def unreadable(text: str, error: XmlError) -> XmlDocument:
         else:
             message = bytes_message(strange[0], f"in UTF-8 and the declared encoding '{declared}'")
         return refused(text, "KD004", message, *strange.span())
-    ends = [match.span() for match in _LINE_END.finditer(text)]
-    starts, stops = [0, *(end for _, end in ends)], [*(start for start, _ in ends), len(text)]
-    start, stop = starts[error.line - 1], stops[error.line - 1]
-    return refused(text, "KD001", str(error), start, max(stop, start + 1))
+    start = LineIndex(text).offset(error.line - 1, 0)
+    line = re.split(r"[\r\n]", text[start:], maxsplit=1)[0]
+    return refused(text, "KD001", str(error), start, start + max(len(line), 1))
 
 
 def refused(text: str, code: str, message: str, start: int, end: int) -> XmlDocument:

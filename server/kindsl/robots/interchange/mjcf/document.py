@@ -59,7 +59,7 @@ def _of_elements(text: str, root: XmlElement, former: SyntaxDocument | None) -> 
     return document
 
 
-def _pieces(text: str, root: XmlElement) -> Iterator[tuple[XmlPiece, str]]:
+def _pieces(text: str, root: XmlElement) -> Iterator[XmlPiece]:
     """Yield what ends with the inertia of a body, with the body's name, and then the rest."""
     start = 0
     for body in _moving_bodies(root):
@@ -67,9 +67,9 @@ def _pieces(text: str, root: XmlElement) -> Iterator[tuple[XmlPiece, str]]:
         is_frame = inertial is not None and not _has_joint(body) and _is_nothing(inertial)
         if inertial is not None and not is_frame and inertial.offset >= start:
             end = rest_of_line(text, inertial)
-            yield XmlPiece(text[start:end], start, inertial), body.get("name") or ""
+            yield XmlPiece(text[start:end], start, inertial, body.get("name") or "")
             start = end
-    yield XmlPiece(text[start:], start, None), ""
+    yield XmlPiece(text[start:], start, None)
 
 
 def _moving_bodies(root: XmlElement) -> Iterator[XmlElement]:

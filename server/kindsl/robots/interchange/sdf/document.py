@@ -123,7 +123,7 @@ def _elements(model: Any, prefix: str) -> Iterator[tuple[Any, str]]:
             yield child, prefix
 
 
-def _pieces(text: str, root: Any) -> Iterator[tuple[XmlPiece, str]]:
+def _pieces(text: str, root: Any) -> Iterator[XmlPiece]:
     """Yield elements with the comments around them and what stands before names, and the rest."""
     done = 0
     for model, prefix in _models(root):
@@ -132,12 +132,12 @@ def _pieces(text: str, root: Any) -> Iterator[tuple[XmlPiece, str]]:
             around = [tag.end() for tag in tags if not tag[0].startswith("<!--")]
             if around or not done:
                 start = around[-1] if around else element.offset
-                yield XmlPiece(text[done:start], done, None), ""
+                yield XmlPiece(text[done:start], done, None)
                 done = start
             end = rest_of_line(text, element)
-            yield XmlPiece(text[done:end], done, element), before
+            yield XmlPiece(text[done:end], done, element, before)
             done = end
-    yield XmlPiece(text[done:], done, None), ""
+    yield XmlPiece(text[done:], done, None)
 
 
 def _connections(
