@@ -226,7 +226,7 @@ def test_one_leg_of_four() -> None:
         ("KD509", '<joint name="RH_hfe" type="revolute"><origin xyz="0 -0.0823 -0.3"/>')
     ]
     told = messages(legs(RH="0 0.08 -0.3"))
-    assert told == ["translation of 'RH_hfe' differs from its twins: it would be 0 -0.08 -0.3"]
+    assert told == ["translation of 'RH_hfe' is (0, 0.08, -0.3), by its twins (0, -0.08, -0.3)"]
 
 
 def test_one_leg_of_two() -> None:
@@ -236,11 +236,10 @@ def test_one_leg_of_two() -> None:
     ]
     assert found(robot(*two).format("0.08")) == []
     told = messages(robot(*two).format("-0.08"))
-    assert told == [
-        "translation of 'RF_hfe' does not mirror the other side: it would be 0.02 0.08 -0.3"
-    ]
+    meant = "by translation of 'LF_hfe' it would be (0.02, 0.08, -0.3)"
+    assert len(told) == 1 and meant in told[0]
     (other,) = messages(robot(*two).format("0.09"))
-    assert other.endswith("does not mirror the other side: it would be 0.02 -0.09 -0.3")
+    assert "by translation of 'LF_hfe' it would be (0.02, -0.09, -0.3)" in other
 
 
 def test_the_cause_in_words_of_xml() -> None:

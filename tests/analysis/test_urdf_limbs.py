@@ -1,9 +1,12 @@
 """Limbs of a URDF that are attached otherwise than their counterparts."""
 
+import re
+
 import pytest
 from tests.analysis.test_urdf_in_place import joint, link, robot
 
 from kindsl.judgement.analysis.analysis import analyse
+from kindsl.language.text.edits import apply_edits
 
 LEGS = ("LF", "RF", "LH", "RH")
 
@@ -53,6 +56,77 @@ def test_links_attached_unlike_their_twins_are_told_at_the_name(
 
 def test_legs_that_are_alike_have_no_such_finding() -> None:
     assert [each.code for each in analyse(legs()).findings] == []
+
+
+PLACED = {"HAA": "{x} {y} 0", "HFE": "0.02 {knee} -0.05", "KFE": "0 0 -0.3"}
+TENSOR = 'ixx="0.0121" ixy="0" ixz="0" iyy="0.0131" iyz="0" izz="0.0017"'
+
+
+def placed_legs(axis: str = "0 1 0", rpy: str = "") -> str:
+    """Return legs that are mirrored, of numbers that differ from joint to joint."""
+    blocks = []
+    for leg in LEGS:
+        x, y = ("0.31" if "F" in leg else "-0.31"), ("0.17" if "L" in leg else "-0.17")
+        knee = "0.0623" if "L" in leg else "-0.0623"
+        above = "base"
+        for part, name in (("hip", "HAA"), ("thigh", "HFE"), ("shank", "KFE")):
+            place = PLACED[name].format(x=x, y=y, knee=knee)
+            blocks.append(link(f"{leg}_{part}", TENSOR, "1.2", '<origin xyz="0.01 0 -0.1"/>'))
+            blocks.append(
+                joint(f"{leg}_{name}", above, f"{leg}_{part}")
+                .replace("</joint>", f'<axis xyz="{axis}"/></joint>')
+                .replace("<parent", f'<origin xyz="{place}"{rpy}/><parent', 1)
+            )
+            above = f"{leg}_{part}"
+    return robot(*blocks)
+
+
+@pytest.mark.parametrize(
+    ("joint_name", "old", "new", "told"),
+    [
+        ("RH_HFE", "0.02 -0.0623 -0.05", "0.02 0.0623 -0.05", "KD509"),
+        ("RH_HFE", "0.02 -0.0623 -0.05", "0.02 -0.0623 0", "KD509"),
+        ("LF_KFE", "0 0 -0.3", "0 -0.3 0", "KD509"),
+        ("LF_KFE", 'type="revolute"', 'type="prismatic"', "KD210"),
+        ("LF_HAA", 'rpy="0 0 0"', 'rpy="1.5708 0 0"', "KD509"),
+        ("RF_KFE", '<parent link="RF_thigh"', '<parent link="LF_thigh"', "KD208"),
+    ],
+)
+@pytest.mark.parametrize("axis", ["0 0 1", "0 1 0", "1 0 0"])
+def test_what_three_legs_say_of_the_fourth_is_restored_to_the_byte(
+    joint_name: str, old: str, new: str, told: str, axis: str
+) -> None:
+    text = placed_legs(axis, ' rpy="0 0 0"')
+    assert analyse(text).findings == ()
+    before, name, after = text.partition(f'<joint name="{joint_name}"')
+    assert old in after
+    spoilt = before + name + after.replace(old, new, 1)
+    (found,) = (each for each in analyse(spoilt).findings if each.code == told)
+    assert found.fix is not None and apply_edits(spoilt, found.fix.edits) == text
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [('xyz="0.01 0 -0.1"', 'xyz="0.01 0 0.1"'), ('value="1.2"', 'value="2.1"')],
+)
+def test_an_inertia_that_three_legs_have_otherwise_is_restored(old: str, new: str) -> None:
+    text = placed_legs()
+    before, name, after = text.partition('<link name="RH_thigh"')
+    spoilt = before + name + after.replace(old, new, 1)
+    (found,) = (each for each in analyse(spoilt).findings if each.fix is not None)
+    assert found.code == "KD509" and apply_edits(spoilt, found.fix.edits) == text
+
+
+def test_of_two_legs_either_may_be_wrong() -> None:
+    text = placed_legs("0 1 0", ' rpy="0 0 0"')
+    for name in ("LH", "RH"):
+        text = re.sub(rf'<(link|joint) name="{name}_.*?</\1>', "", text, flags=re.DOTALL)
+    spoilt = text.replace(
+        '<joint name="RF_KFE" type="revolute"', '<joint name="RF_KFE" type="prismatic"'
+    )
+    assert analyse(text).findings == ()
+    (found,) = analyse(spoilt).findings
+    assert "its twin" in found.message and found.fix is None and found.choices == ()
 
 
 SEGMENT = 'ixx="5.44698e-05" ixy="-1.6668e-06" ixz="0" iyy="0.00010235" iyz="0" izz="9.79711e-05"'

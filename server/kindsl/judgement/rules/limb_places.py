@@ -1,5 +1,7 @@
 """Places of the numbers of a limb, and their names."""
 
+from typing import TYPE_CHECKING
+
 from kindsl.judgement.diagnosis.judgements import TEN, keyword
 from kindsl.language.semantics.declarations import Child, Joint, Vector
 from kindsl.language.semantics.expressions import Expression
@@ -7,6 +9,9 @@ from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Located, has_problem_within
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.robots.limbs.weighing import Suspect
+
+if TYPE_CHECKING:
+    from kindsl.robots.interchange.xml_document import Connection
 
 # Places in the inertia of a link, by which of its ten numbers they have.
 PARTS = {"mass": slice(1), "com": slice(1, 4), "moments": slice(4, 10), "inertia": slice(10)}
@@ -28,6 +33,9 @@ def place_at(model: Model, link: str, what: str) -> Suspect:
 
 def joint_of(model: Model, link: str) -> Joint | None:
     """Return the joint that supports a link."""
+    if model.document.is_xml:
+        connection = carrying(model, link)
+        return connection.joint if connection is not None else None
     edge = model.tree.supporting_edge(model.body_named[link])
     return edge.joint if edge is not None else None
 
@@ -37,10 +45,40 @@ def child_of(model: Model, link: str) -> Child:
     return model.tree.above[model.body_named[link]][0].child
 
 
+def carrying(model: Model, link: str) -> "Connection | None":
+    """Return what connects a link of a robot in XML to the one that carries it."""
+    from kindsl.robots.interchange.xml_document import XmlDocument
+
+    connections = model.document.connections if isinstance(model.document, XmlDocument) else ()
+    return next((each for each in connections if each.child == link), None)
+
+
+def place_of_parent(model: Model, link: str) -> Located:
+    """Return where it is written what carries a link."""
+    if not model.document.is_xml:
+        return child_of(model, link)
+    from kindsl.robots.interchange.robot_island import RobotIsland
+
+    connection = carrying(model, link)
+    island = connection.joint.island if connection is not None else None
+    at_link = model.body_named[link].name
+    return island.reference("parent") if isinstance(island, RobotIsland) else at_link
+
+
+def place_of_joint(model: Model, link: str) -> Located:
+    """Return where it is written by which joint a link moves."""
+    if not model.document.is_xml:
+        return child_of(model, link).joint
+    joint = joint_of(model, link)
+    return joint.name if joint is not None else model.body_named[link].name
+
+
 def vector_at(model: Model, place: Suspect) -> Vector | None:
     """Return three numbers, None where others are meant."""
     inertia, joint = model.body_named[place.link].inertia, joint_of(model, place.link)
     if place.what == "com":
+        if inertia is not None and model.document.is_xml:
+            return model.body_named[place.link].frames[0].pose.translation
         return inertia.com if inertia is not None else None
     if joint is None or place.what not in ("translation", "angles"):
         return None
@@ -52,10 +90,13 @@ def numbers_at(model: Model, place: Suspect) -> tuple[Expression, ...]:
     vector, inertia = vector_at(model, place), model.body_named[place.link].inertia
     if place.what not in OF_A_LINK:
         return vector.components if vector is not None else ()
-    if inertia is None or inertia.frame is not None or inertia.mass is None or inertia.com is None:
+    is_xml = model.document.is_xml
+    if inertia is None or inertia.mass is None or (inertia.frame is not None and not is_xml):
         return ()
+    com = vector_at(model, place._replace(what="com"))
     moments = (inertia.moments.get(name) for name in MOMENTS)
-    ten = (inertia.mass, *inertia.com.components, *(m for m in moments if m is not None))
+    three = com.components if com is not None else ()
+    ten = (inertia.mass, *three, *(m for m in moments if m is not None))
     return ten[PARTS[place.what]] if len(ten) == len(TEN) else ()
 
 

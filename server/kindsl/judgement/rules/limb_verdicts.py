@@ -58,6 +58,10 @@ _VERDICTS = Fact[tuple[object, list[LimbVerdict]]]("verdicts on limbs")
 
 def limb_names(model: Model) -> LimbNames:
     """Return the names of links and joints, from which misplaced links are found."""
+    if model.document.is_xml:
+        from kindsl.judgement.rules.xml_limbs import xml_limb_names
+
+        return xml_limb_names(model)
     structure = model.edition.facts(Aspect.STRUCTURE)
     return structure.made_of(_NAMES, (), partial(_names, model))
 
@@ -77,8 +81,12 @@ def limb_slips(model: Model, context: Context) -> LimbSlips:
 def _slips(model: Model, context: Context) -> LimbSlips:
     assignments = _assignments(model, context)
     names = limb_names(model)
-    if model.base is None or names.elsewhere or names.crossed:
+    if names.elsewhere or names.crossed:
         return LimbSlips([], assignments)
+    if model.document.is_xml:
+        from kindsl.judgement.rules.xml_limbs import xml_limb_verdicts
+
+        return LimbSlips(xml_limb_verdicts(model), assignments)
     places = model.edition.facts(Aspect.STRUCTURE | Aspect.PLACES)
     given = context.targets, assignments
     limbs = places.made_of(_LIMBS, given, partial(_compared_limbs, model, assignments))
@@ -154,6 +162,9 @@ _MIRRORED = Fact[tuple[object, list[list[Limbs]]]]("limbs by carrier, where some
 
 def copied_limbs(model: Model, context: Context) -> list[PairOfLimbs]:
     """Return the pair of limbs that is copied where all others are mirrored, if there is one."""
+
+    if model.document.is_xml:
+        return []
 
     def found() -> list[PairOfLimbs]:
         places = model.edition.facts(Aspect.STRUCTURE | Aspect.PLACES)

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from kindsl.judgement.rules.base import Fix, Replacement
 from kindsl.judgement.rules.number_writing import as_fraction_of_pi, decimals, opposite
-from kindsl.language.semantics.expressions import Expression
+from kindsl.language.semantics.expressions import EXACT_ZERO, Expression
 from kindsl.language.text.decimals import fixed_decimal
 from kindsl.robots.limbs.comparison import LOOSE
 
@@ -48,6 +48,7 @@ def written(
 def as_numbers(numbers: Sequence[Expression | str]) -> str:
     """Return some numbers for people, as they are written."""
     texts = [e if isinstance(e, str) else e.text for e in numbers]
+    texts = ["0" if text.lstrip("-") == EXACT_ZERO else text for text in texts]
     return f"({', '.join(texts)})" if len(texts) > 1 else texts[0]
 
 
@@ -80,7 +81,8 @@ def _said(
         fraction = as_fraction_of_pi(wanted[0], _NEAR_PI)
         if fraction is not None:
             return fraction
-    n_decimals = max(decimals(e.text) for e in (own, *words) if e.literal is not None)
+    literals = (e for e in (own, *words) if e.literal is not None and e.text != EXACT_ZERO)
+    n_decimals = max(map(decimals, (e.text for e in literals)), default=1)
     return fixed_decimal(
         wanted[0], min(n_decimals, _MOST_DECIMALS) if exactly == _SAME else n_decimals
     )

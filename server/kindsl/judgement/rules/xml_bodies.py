@@ -1,14 +1,20 @@
 """The bodies of a robot in XML: links that are fixed together, and the joint that moves them."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from math import hypot
 from typing import NamedTuple
 
-from kindsl.language.semantics.declarations import Joint, Link
+from kindsl.judgement.diagnosis.judgements import IMPOSSIBLE, Verdict, judgements
+from kindsl.language.semantics.declarations import Joint, Link, Vector
+from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.numbers import written_pose
 from kindsl.language.semantics.unknown import Unknown
+from kindsl.language.text.facts import kept
 from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3, rotation_from_z
 from kindsl.robots.interchange.xml_document import Connection, XmlDocument
+from kindsl.robots.mechanism.body_verdicts import DOUBTFUL_LENGTH
 from kindsl.robots.mechanism.link_inertia import link_inertia
 
 _AT_ORIGIN = (0.0, 0.0, 0.0)
@@ -72,6 +78,7 @@ class XmlBody(NamedTuple):
         return IDENTITY if axis is None else RigidPose(rotation_from_z(axis), _AT_ORIGIN)
 
 
+@kept
 def xml_bodies(model: Model) -> list[XmlBody]:
     """Return the bodies of a robot in XML, parents first.
 
@@ -87,6 +94,33 @@ def xml_bodies(model: Model) -> list[XmlBody]:
         if carried.setdefault(connection.child, connection) is connection:
             below.setdefault(connection.parent, []).append(connection)
     return _BodyWalk(links, below, carried).bodies()
+
+
+def odd_links(model: Model, bodies: Sequence[XmlBody]) -> set[Link]:
+    """Return the parts whose inertia is impossible, of no material, or far: more is not said."""
+    odd = {*IMPOSSIBLE, Verdict.IMPLAUSIBLE}
+    found = (j for island in model.islands for j in judgements(declarations(island), {}))
+    return {*(j.link for j in found if j.verdict in odd), *(link for link, _ in far_coms(bodies))}
+
+
+def far_coms(bodies: Sequence[XmlBody]) -> Iterator[tuple[Link, Vector]]:
+    """Yield the CoMs that lie farther from their links than all joints together reach.
+
+    Of 3,199 published parts none lies farther than nine tenths of that; a robot whose only joint
+    is next to its base has longer links, of which none is as long as `DOUBTFUL_LENGTH`.
+    """
+    reaches: list[float] = []
+    for body in bodies:
+        above = 0.0 if body.parent is None else reaches[body.parent]
+        reaches.append(above + hypot(*body.placement.translation))
+    reach = max(reaches, default=0.0)
+    for part in (part for body in bodies for part in body.parts if reach > 0.0):
+        frame, inertia = next(iter(part.link.frames), None), part.link.inertia
+        pose = written_pose(frame.pose, {}) if frame is not None else None
+        if inertia is None or frame is None or pose is None or frame.pose.translation is None:
+            continue
+        if hypot(*pose.translation) > max(reach, DOUBTFUL_LENGTH):
+            yield part.link, frame.pose.translation
 
 
 class _BodyWalk:

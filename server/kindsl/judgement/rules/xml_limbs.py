@@ -1,110 +1,145 @@
-"""Limbs of a robot in XML that differ from their counterparts."""
+"""The limbs of a robot in XML, and what its own numbers would be by their counterparts."""
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from kindsl.judgement.rules.base import Finding, Related
-from kindsl.judgement.rules.limb_attachments import crossed_findings, elsewhere_findings
-from kindsl.judgement.rules.limb_places import OF_A_LINK, told
-from kindsl.judgement.rules.xml_bodies import XmlBody
-from kindsl.language.semantics.declarations import Link
+from kindsl.judgement.rules.limb_places import OF_A_LINK, PARTS, numbers_at, place_at
+from kindsl.judgement.rules.xml_bodies import XmlBody, odd_links, xml_bodies
+from kindsl.language.semantics.declarations import FixedAxes
+from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import written_pose
-from kindsl.language.semantics.places import Located
-from kindsl.mechanics.rigid.body import seen_from
-from kindsl.mechanics.rigid.pose import angles
-from kindsl.robots.interchange.robot_island import RobotIsland
+from kindsl.language.text.facts import kept
+from kindsl.mechanics.rigid.body import MassDistribution, seen_from, shifted
+from kindsl.mechanics.rigid.pose import (
+    RigidPose,
+    Vector3,
+    angles,
+    pose_from,
+    product,
+    transposed,
+)
 from kindsl.robots.limbs.attachments import Attachment, LimbNames
 from kindsl.robots.limbs.limb import Body, Limbs, assembled, groups_of
-from kindsl.robots.limbs.verdicts import ComparedLimbs, LimbVerdict, verdicts
-from kindsl.robots.limbs.weighing import Suspect
+from kindsl.robots.limbs.slips import angles_near
+from kindsl.robots.limbs.verdicts import ComparedLimbs, LimbVerdict, MeantNumbers, verdicts
 
 _WITHIN = 1e-9
+# Right angles are written with five digits or more: what is as near to a number is that number.
+_ROUNDED = 2e-5
 
 
-def limb_findings(
-    bodies: Sequence[XmlBody], odd: set[Link]
-) -> Iterator[tuple[str, Finding, tuple[Link, ...]]]:
-    """Yield numbers of limbs that do not fit the others, and the links that these are of."""
-    named = {str(body.link.name): body for body in bodies}
-    names = LimbNames(
+@kept
+def xml_limb_names(model: Model) -> LimbNames:
+    """Return the names of links and joints, links that are fixed together as one."""
+    bodies = xml_bodies(model)
+    return LimbNames(
         [
             Attachment(*(str(each.name) for each in (b.link, bodies[b.parent].link, b.joint)))
             for b in bodies
             if b.parent is not None and b.joint is not None
         ]
     )
-    if names.elsewhere or names.crossed:
-        elsewhere = elsewhere_findings(names, lambda name: _parent_name(named[name]))
-        crossed = crossed_findings(names, lambda name: _joint_name(named[name]))
-        yield from (("KD208", finding, ()) for finding, _ in elsewhere)
-        yield from (("KD209", finding, ()) for finding, _ in crossed)
-        return
+
+
+def xml_limb_verdicts(model: Model) -> list[LimbVerdict]:
+    """Return what does not fit in the limbs of a robot, with the numbers that would be written.
+
+    Bodies whose own inertia is impossible, or of no material, are left out.
+    """
+    bodies = xml_bodies(model)
+    named = {str(body.link.name): body for body in bodies}
+    odd = odd_links(model, bodies)
     masses = {
-        name: seen_from(body.mass, body.axis_pose.inverse())
+        # Moments about the CoM, as they are written: a slip in the latter is no slip in them.
+        name: shifted(seen_from(body.mass, body.axis_pose.inverse()), -1.0)
         for name, body in named.items()
         if body.mass is not None
     }
+    written = _LimbsAsWritten(model, bodies, named, masses)
+    found = []
     for limbs in _limbs_in(bodies):
         compared = ComparedLimbs(limbs)
         for group in (compared, *compared.held):
             for verdict in verdicts(group, masses):
-                links = tuple(part.link for p in verdict.places for part in named[p.link].parts)
+                links = (part.link for p in verdict.places for part in named[p.link].parts)
                 if odd.isdisjoint(links):
-                    yield from ((*each, links) for each in _told(verdict, named, bodies))
+                    repairs = tuple(map(written.repair, verdict.repairs))
+                    known = tuple(each for each in repairs if each is not None)
+                    whole = known if len(known) == len(repairs) else ()
+                    found.append(verdict._replace(repairs=whole))
+    return found
 
 
-def _joint_name(body: XmlBody) -> Located:
-    return body.joint.name if body.joint is not None else body.link.name
+class _LimbsAsWritten:
+    """Translates numbers of limbs into those of the file."""
+
+    def __init__(
+        self,
+        model: Model,
+        bodies: Sequence[XmlBody],
+        named: Mapping[str, XmlBody],
+        masses: Mapping[str, MassDistribution],
+    ) -> None:
+        self._model, self._bodies, self._named, self._masses = model, bodies, named, masses
+
+    def repair(self, repair: MeantNumbers) -> MeantNumbers | None:
+        """Return what is to be written at a place, None where its numbers do not tell alone."""
+        place = repair.place
+        own = [value.literal or 0.0 for value in numbers_at(self._model, place)]
+        if place.what == "kind":
+            return repair
+        found = self._of_link(repair) if place.what in OF_A_LINK else self._of_joint(repair)
+        if found is None or len(found) != len(own):
+            return None
+        twins = (place_at(self._model, name, place.what) for name in self._named)
+        near = [*own, *(v.literal or 0.0 for t in twins for v in numbers_at(self._model, t))]
+        size = 1.0 if place.what == "angles" else max(map(abs, (*found, *own)))
+        return MeantNumbers(place, (tuple(_rounded(x, near, _ROUNDED * size) for x in found),))
+
+    def _of_joint(self, repair: MeantNumbers) -> Vector3 | None:
+        (link, _, what), (meant, *_) = repair
+        body = self._named[link]
+        carrier, parent = body.carrier, self._bodies[body.parent or 0]
+        if carrier is None or not carrier.is_told or len(meant) != 3:
+            return None
+        part = next(p for p in parent.parts if p.link.name == carrier.parent)
+        above = part.pose.inverse().then(parent.axis_pose)
+        if what == "translation":
+            x, y, z = meant
+            return above.point((x, y, z))
+        if not isinstance(carrier.joint.pose.rotation, FixedAxes):
+            return None
+        x, y, z = meant
+        turn = product(above.rotation, pose_from((0.0, 0.0, 0.0), (x, y, z)).rotation)
+        turn = product(turn, transposed(body.axis_pose.rotation))
+        # Turns about fixed axes are those about own axes of the reverse, backwards.
+        a, b, c = (v.literal or 0.0 for v in carrier.joint.pose.rotation.components)
+        x, y, z = angles_near(transposed(turn), (-a, -b, -c), (-a, -b, -c))
+        return 0.0 - x, 0.0 - y, 0.0 - z
+
+    def _of_link(self, repair: MeantNumbers) -> Sequence[float] | None:
+        (link, _, what), (meant, *_) = repair
+        body = self._named[link]
+        frame = next(iter(body.link.frames), None)
+        pose = written_pose(frame.pose, {}) if frame is not None else None
+        heavy = [part for part in body.parts if part.mass is not None and part.mass.mass]
+        if pose is None or [part.link for part in heavy] != [body.link]:
+            return None
+        seen = self._masses[link]
+        ten = [seen.mass, *seen.com, *seen.moments]
+        ten[PARTS[what]] = meant
+        mass, x, y, z, *moments = ten
+        limb = shifted(MassDistribution(mass, (x, y, z), tuple(moments)))  # type: ignore[arg-type]
+        in_link = seen_from(limb, heavy[0].pose.inverse().then(body.axis_pose))
+        turned = RigidPose(pose.rotation, in_link.com)
+        there = seen_from(in_link, turned.inverse())
+        return [mass, *in_link.com, *there.moments][PARTS[what]]
 
 
-def _parent_name(body: XmlBody) -> Located:
-    """Return where the joint that carries a body names its parent."""
-    island = body.carrier.joint.island if body.carrier is not None else None
-    return island.reference("parent") if isinstance(island, RobotIsland) else body.link.name
-
-
-def _told(
-    verdict: LimbVerdict, named: Mapping[str, XmlBody], bodies: Sequence[XmlBody]
-) -> Iterator[tuple[str, Finding]]:
-    # The one of which it is known what is meant comes first.
-    place = verdict.repairs[0].place if verdict.repairs else verdict.places[0]
-    body = named[place.link]
-    meant = _meant(verdict, body, bodies[body.parent or 0])
-    others = [(p, f"or {told(p)}") for p in verdict.places if p != place]
-    if verdict.is_convicted:
-        verb = "differ" if place.what == "moments" else "differs"
-        message = f"{told(place)} {verb} from its twins{meant}"
-        twins = [place._replace(link=twin) for twin in verdict.twins if twin in named]
-        others += [(p, f"the same of '{p.link}'") for p in twins]
-        code = "KD210" if place.what == "kind" else "KD509"
-    elif meant:
-        message = f"{told(place)} does not mirror the other side{meant}"
-        code = "KD510"
-    else:
-        return
-    related = (Related(_located(named[p.link], p), words) for p, words in others)
-    yield code, Finding(_located(body, place), message, tuple(related))
-
-
-def _meant(verdict: LimbVerdict, body: XmlBody, parent: XmlBody) -> str:
-    """Return a translation as it would be written, nothing of anything else."""
-    carrier = body.carrier
-    if not verdict.repairs or carrier is None or not carrier.is_told:
-        return ""
-    (_, _, what), (meant, *_) = verdict.repairs[0]
-    if what != "translation" or written_pose(carrier.joint.pose, {}) is None:
-        return ""
-    x, y, z = meant
-    part = next(p for p in parent.parts if p.link.name == carrier.parent)
-    there = part.pose.inverse().point(parent.axis_pose.turn((x, y, z)))
-    return f": it would be {' '.join(f'{round(each, 9) + 0.0:.5g}' for each in there)}"
-
-
-def _located(body: XmlBody, place: Suspect) -> Located:
-    """Return where a finding on numbers of a limb is shown."""
-    inertia = body.heaviest.link.inertia
-    if place.what in OF_A_LINK and inertia is not None:
-        return inertia
-    return (body.joint.pose.translation if body.joint is not None else None) or _joint_name(body)
+def _rounded(value: float, near: Sequence[float], within: float) -> float:
+    """Return the number that is meant, of those that stand there and their opposites."""
+    signed = (sign * each for each in near for sign in (1.0, -1.0))
+    nearest = min(signed, key=lambda each: abs(each - value))
+    return nearest if abs(nearest - value) <= within else value
 
 
 def _limbs_in(bodies: Sequence[XmlBody]) -> Iterator[Limbs]:

@@ -2,20 +2,18 @@
 
 import re
 from collections.abc import Container, Iterator, Sequence
-from math import hypot
 
 from kindsl.judgement.diagnosis.counterparts import images, unlike_numbers
-from kindsl.judgement.diagnosis.judgements import IMPOSSIBLE, Verdict, judgements
 from kindsl.judgement.diagnosis.unlike import unlike_among
 from kindsl.judgement.rules.base import Finding, Related, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.geometry import converted
 from kindsl.judgement.rules.inertia.mirror_images import mirror_difference, sided_pairs
 from kindsl.judgement.rules.inertia.told_causes import told_causes
+from kindsl.judgement.rules.registry import rules_with
 from kindsl.judgement.rules.units import LENGTH_UNITS
-from kindsl.judgement.rules.xml_bodies import XmlBody
+from kindsl.judgement.rules.xml_bodies import XmlBody, far_coms, odd_links
 from kindsl.language.semantics.declarations import Link, Vector
-from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import mass_distribution, written_pose
 from kindsl.mechanics.rigid.body import MassDistribution
@@ -23,7 +21,6 @@ from kindsl.mechanics.rigid.pose import IDENTITY
 from kindsl.robots.limbs.comparison import Tolerance
 from kindsl.robots.limbs.weighing import differing
 from kindsl.robots.mechanism.body_verdicts import (
-    DOUBTFUL_LENGTH,
     GREATEST_LENGTH,
     body_verdicts,
     is_as_large,
@@ -31,6 +28,7 @@ from kindsl.robots.mechanism.body_verdicts import (
 
 _NEARLY = Tolerance(5e-4, 0.05, 0.05)
 _MOMENT = re.compile(r"\bI([xyz])([xyz]?)\b(?=(?:[^']*'[^']*')*[^']*$)")
+_OF_LIMBS = frozenset(("KD208", "KD209", "KD210", "KD509", "KD510"))
 _SHAPES = ("KD309", "KD313", "KD511")
 _CAUSES = ("KD307", "KD308", "KD314")
 # From which probability on a cause is told, signs of an impossible body apart: as a fix is.
@@ -39,7 +37,6 @@ _SURE = 0.9
 _ENOUGH = 2
 
 Found = Iterator[tuple[str, Finding]]
-LimbsFound = Iterator[tuple[str, Finding, tuple[Link, ...]]]
 
 
 def body_findings(model: Model, bodies: Sequence[XmlBody], context: Context) -> Found:
@@ -50,9 +47,9 @@ def body_findings(model: Model, bodies: Sequence[XmlBody], context: Context) -> 
         bodies: Its bodies.
         context: Without values, since XML has no parameters.
     """
-    far = dict(_far_coms(bodies))
-    odd = _odd(model, context) | set(far)
-    yield from (("KD502", finding) for finding in (*far.values(), *_far_joints(bodies)))
+    far = (_in_another_unit(com, is_com=True) for _, com in far_coms(bodies))
+    odd = odd_links(model, bodies)
+    yield from (("KD502", finding) for finding in (*far, *_far_joints(bodies)))
     for code, cause in told_causes(model, context):
         is_sign_of_impossible = code == "KD307" and cause.severity is Severity.INFORMATION
         if code in _CAUSES and (is_sign_of_impossible or (cause.probability or 0.0) >= _SURE):
@@ -68,9 +65,10 @@ def body_findings(model: Model, bodies: Sequence[XmlBody], context: Context) -> 
         yield from shapes
         if shapes:
             told_of |= links
-    limbs = list(_limb_findings(bodies, odd))
-    yield from ((code, finding) for code, finding, _ in limbs)
-    told_of.update(*(links for *_, links in limbs))
+    branches = _branches(bodies)
+    yield from _limb_findings(model, context) if branches else ()
+    if branches:
+        told_of |= _links_of_slips(model, bodies, context)
     for link, finding in _unlike(model, told_of):
         told_of.add(link)
         yield "KD509", finding
@@ -82,22 +80,25 @@ def in_words_of_xml(message: str) -> str:
     return _MOMENT.sub(lambda found: f"i{found[1]}{found[2] or found[1]}", message)
 
 
-def _limb_findings(bodies: Sequence[XmlBody], odd: set[Link]) -> LimbsFound:
-    """Yield what does not fit in limbs, nothing of a robot that does not branch."""
+def _branches(bodies: Sequence[XmlBody]) -> bool:
     parents = [body.parent for body in bodies if body.parent is not None]
-    if len(parents) == len(set(parents)):
-        return
-    # Imported for branches only, since it delays the linter's start.
-    from kindsl.judgement.rules.xml_limbs import limb_findings
-
-    yield from limb_findings(bodies, odd)
+    return len(parents) > len(set(parents))
 
 
-def _odd(model: Model, context: Context) -> set[Link]:
-    """Return the parts whose inertia is impossible, or of no material: more is not said of them."""
-    odd = {*IMPOSSIBLE, Verdict.IMPLAUSIBLE}
-    found = (j for i in model.islands for j in judgements(declarations(i), context.values))
-    return {each.link for each in found if each.verdict in odd}
+def _limb_findings(model: Model, context: Context) -> Found:
+    """Yield what does not fit in limbs, as the rules of a document tell it."""
+    # Imported for branches only, since they delay the linter's start.
+    for rule in rules_with(_OF_LIMBS):
+        for finding in rule.check_document(model, context) if rule.check_document else ():
+            yield rule.code, finding._replace(message=in_words_of_xml(finding.message))
+
+
+def _links_of_slips(model: Model, bodies: Sequence[XmlBody], context: Context) -> set[Link]:
+    from kindsl.judgement.rules.limb_verdicts import limb_slips
+
+    verdicts = limb_slips(model, context).verdicts
+    accused = {place.link for verdict in verdicts for place in verdict.places}
+    return {part.link for b in bodies if b.link.name in accused for part in b.parts}
 
 
 def _shapes(body: XmlBody) -> Found:
@@ -109,26 +110,6 @@ def _shapes(body: XmlBody) -> Found:
     for verdict in body_verdicts(str(body.link.name), mass, body.ends, frames):
         if verdict.code in _SHAPES:
             yield verdict.code, Finding(inertia, verdict.sentence)
-
-
-def _far_coms(bodies: Sequence[XmlBody]) -> Iterator[tuple[Link, Finding]]:
-    """Yield the CoMs that lie farther from their links than all joints together reach.
-
-    Of 3,199 published parts none lies farther than nine tenths of that; a robot whose only joint
-    is next to its base has longer links, of which none is as long as `DOUBTFUL_LENGTH`.
-    """
-    reaches: list[float] = []
-    for body in bodies:
-        above = 0.0 if body.parent is None else reaches[body.parent]
-        reaches.append(above + hypot(*body.placement.translation))
-    reach = max(reaches, default=0.0)
-    for part in (part for body in bodies for part in body.parts if reach > 0.0):
-        frame, inertia = next(iter(part.link.frames), None), part.link.inertia
-        pose = written_pose(frame.pose, {}) if frame is not None else None
-        if inertia is None or frame is None or pose is None or frame.pose.translation is None:
-            continue
-        if hypot(*pose.translation) > max(reach, DOUBTFUL_LENGTH):
-            yield part.link, _in_another_unit(frame.pose.translation, is_com=True)
 
 
 def _far_joints(bodies: Sequence[XmlBody]) -> Iterator[Finding]:

@@ -10,6 +10,8 @@ from kindsl.language.syntax.value_forms import is_signed_product
 from kindsl.language.syntax.vocabulary import NO_MEANING, Meaning
 
 _MOST_DECIMALS = 300
+# A zero without a point in XML is exact: as a decimal it has more digits than any number beside it.
+EXACT_ZERO = "0.000000000000000"
 
 
 class Expression(Construct):

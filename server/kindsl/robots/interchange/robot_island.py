@@ -15,7 +15,7 @@ from kindsl.language.semantics.declarations import (
     Pose,
     Vector,
 )
-from kindsl.language.semantics.expressions import Expression, half_unit
+from kindsl.language.semantics.expressions import EXACT_ZERO, Expression, half_unit
 from kindsl.language.semantics.lowering import OtherIsland
 from kindsl.language.semantics.places import Name, Place
 from kindsl.language.semantics.sections import JointFrame
@@ -28,8 +28,6 @@ from kindsl.robots.interchange.xml_reading import TAG, XmlElement, finite_number
 _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _ATTRIBUTE = r"""[\s"']{name}\s*=\s*(["'])(.*?)\1"""
 _WORD = re.compile(r"\S+")
-# A zero without a point is exact: as a decimal it has more digits than any number beside it.
-EXACT_ZERO = "0.000000000000000"
 
 
 class XmlPiece(NamedTuple):

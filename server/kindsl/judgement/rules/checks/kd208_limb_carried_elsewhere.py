@@ -30,7 +30,7 @@ from functools import partial
 from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.limb_attachments import elsewhere_findings
-from kindsl.judgement.rules.limb_places import child_of
+from kindsl.judgement.rules.limb_places import carrying, child_of, place_of_parent
 from kindsl.judgement.rules.limb_verdicts import limb_names
 from kindsl.judgement.rules.subject import link_subject
 from kindsl.language.semantics.aspects import Aspect
@@ -42,7 +42,7 @@ from kindsl.robots.limbs.attachments import Misplaced
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each link that another body carries than its twins let expect."""
     names = limb_names(model)
-    for finding, odd in elsewhere_findings(names, partial(child_of, model)):
+    for finding, odd in elsewhere_findings(names, partial(place_of_parent, model)):
         moves = [_moved(model, each) for each in odd] if len(odd) == len(names.elsewhere) else []
         fixes = tuple(fix for fix in moves if fix is not None)
         subject = link_subject(odd[0].attachment.link)
@@ -54,6 +54,8 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
 
 def _moved(model: Model, misplaced: Misplaced) -> Fix | None:
     """Return the fix that lists a child elsewhere, None where no section of children is there."""
+    if model.document.is_xml:
+        return _moved_in_xml(model, misplaced)
     child = child_of(model, misplaced.attachment.link)
     parent = model.body_named.get(misplaced.meant or "")
     section = next(parent.node.nodes("children"), None) if parent is not None else None
@@ -71,6 +73,16 @@ def _moved(model: Model, misplaced: Misplaced) -> Fix | None:
         Replacement(Place(parent.island, closing.start, closing.start), added),
     )
     return Fix(f"Move '{child.link}' to '{parent.name}'", changes)
+
+
+def _moved_in_xml(model: Model, misplaced: Misplaced) -> Fix | None:
+    """Return the fix that names another parent, None of one that is fixed to what carries it."""
+    (link, parent, _), meant, _ = misplaced
+    connection = carrying(model, link)
+    if connection is None or connection.parent != parent or meant not in model.body_named:
+        return None
+    change = Replacement(place_of_parent(model, link), str(meant))
+    return Fix(f"Move '{link}' to '{meant}'", (change,))
 
 
 RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.STRUCTURE)

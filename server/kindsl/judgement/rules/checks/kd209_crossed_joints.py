@@ -23,11 +23,12 @@ the robot.
 """
 
 from collections.abc import Iterator
+from functools import partial
 
 from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.limb_attachments import crossed_findings
-from kindsl.judgement.rules.limb_places import child_of
+from kindsl.judgement.rules.limb_places import child_of, place_of_joint
 from kindsl.judgement.rules.limb_verdicts import limb_names
 from kindsl.judgement.rules.subject import link_subject
 from kindsl.language.semantics.aspects import Aspect
@@ -37,9 +38,9 @@ from kindsl.robots.limbs.attachments import Misplaced
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each link that moves by another joint than its twins let expect."""
-    found = crossed_findings(limb_names(model), lambda name: child_of(model, name).joint)
+    found = crossed_findings(limb_names(model), partial(place_of_joint, model))
     for finding, odd in found:
-        fix = _exchanged(model, *odd) if len(odd) > 1 else None
+        fix = None if len(odd) < 2 or model.document.is_xml else _exchanged(model, *odd)
         yield finding._replace(fix=fix, subject=link_subject(odd[0].attachment.link))
 
 

@@ -28,6 +28,7 @@ from kindsl.judgement.rules.limb_places import joint_of
 from kindsl.judgement.rules.limb_verdicts import limb_slips
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Joint
+from kindsl.language.semantics.lowering import OtherIsland
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Place
 
@@ -44,18 +45,31 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
             message = f"joint '{odd.name}' is {odd.kind}, "
             if verdict.is_convicted:
                 message += f"its twins are {_OTHER[odd.kind]}"
-                yield Finding(odd.name, message, related, _as_other(odd))
+                yield Finding(odd.name, message, related, _as_other(odd, others[0]))
             else:
                 message += f"its twin '{others[0].name}' is {others[0].kind}"
-                choices = _as_other(odd), _as_other(others[0])
+                choices = _as_other(odd, others[0]), _as_other(others[0], odd)
                 yield Finding(odd.name, message, related, choices=choices)
 
 
-def _as_other(joint: Joint) -> Fix:
-    kind = _OTHER[joint.kind]
+def _as_other(joint: Joint, twin: Joint) -> Fix:
+    written = _type(twin)
     word = next(joint.node.tokens())
-    place = Place(joint.island, word.start, word.end)
-    return Fix(f"Make joint '{joint.name}' {kind}", (Replacement(place, f"{kind[0]}_joint"),))
+    place = _type(joint) or Place(joint.island, word.start, word.end)
+    kind = f"{twin.kind[0]}_joint"
+    if written is not None:
+        kind = twin.island.text[written.start : written.end]
+    return Fix(f"Make joint '{joint.name}' {twin.kind}", (Replacement(place, kind),))
+
+
+def _type(joint: Joint) -> Place | None:
+    """Return where the type of a joint in XML is written."""
+    if not isinstance(joint.island, OtherIsland):
+        return None
+    from kindsl.robots.interchange.robot_island import RobotIsland
+
+    island = joint.island
+    return island.place(island.element, "type") if isinstance(island, RobotIsland) else None
 
 
 RULE = Rule(

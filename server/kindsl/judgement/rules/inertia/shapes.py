@@ -34,8 +34,9 @@ def shape_doubts(
 
 def is_told_of(body: Link, model: Model, context: Context) -> bool:
     """Return whether a body is reported as impossible, or behind its joint."""
-    joints = model.tree.joints_on(body)
-    return is_impossible(body, context.values) or any(shape_doubts(body, joints, context, "KD511"))
+    if is_impossible(body, context.values) or model.document.is_xml:
+        return is_impossible(body, context.values)
+    return any(shape_doubts(body, model.tree.joints_on(body), context, "KD511"))
 
 
 def shape_verdicts(
