@@ -36,12 +36,16 @@ def numbered_by_tree(model: Model) -> list[Edge]:
     Raises:
         ModelError: There is no base.
     """
-    edges = []
+    edges: list[Edge] = []
+    known: set[Link] = set()
     for link in model.tree.in_topological_order(require_base(model)):
         edge = model.tree.supporting_edge(link)
-        if edge is not None and edge.joint is not None and not link.is_base:
+        if edge is None or edge.joint is None or link.is_base:
+            continue
+        if edge.predecessor.is_base or edge.predecessor in known:
+            known.add(link)
             edges.append(edge)
-    return _connected(edges)
+    return edges
 
 
 def require_base(model: Model) -> Link:
@@ -53,16 +57,6 @@ def require_base(model: Model) -> Link:
     if model.base is None:
         raise ModelError("the document has no 'RobotBase'")
     return model.base
-
-
-def _connected(edges: list[Edge]) -> list[Edge]:
-    known = {edge.predecessor for edge in edges if edge.predecessor.is_base}
-    kept = []
-    for edge in edges:
-        if edge.predecessor in known and edge.link is not None:
-            known.add(edge.link)
-            kept.append(edge)
-    return kept
 
 
 def _check_edges(model: Model) -> None:
