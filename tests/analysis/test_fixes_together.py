@@ -10,7 +10,7 @@ from tests.support.kept import errors
 
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.judgement.analysis.diagnostics import Diagnostic
-from kindsl.judgement.analysis.fixing import Made, announced, fixed, is_fixable, is_safe, made
+from kindsl.judgement.analysis.fixing import Fixed, announced, fixed, is_fixable, is_safe, made
 from kindsl.judgement.analysis.proof import effect
 from kindsl.judgement.analysis.text_fix import TextFix
 from kindsl.judgement.rules.base import Severity
@@ -32,7 +32,7 @@ def fix(text: str, old: str, new: str, *, safe: bool = True) -> Diagnostic:
     return Diagnostic("KD500", "x", Severity.HINT, "is odd", edit.start, edit.end, fix=proposed)
 
 
-def made_of(text: str, *findings: Diagnostic) -> Made | None:
+def made_of(text: str, *findings: Diagnostic) -> Fixed | None:
     return made(analyse(text), findings)
 
 

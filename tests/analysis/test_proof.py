@@ -105,13 +105,12 @@ def test_the_order_of_links_is_kept_that_of_joints_is_not() -> None:
     assert done(one + two, two + one).is_kept is CHANGES
 
 
-def test_what_is_lost_is_named() -> None:
+def test_an_effect_is_whole_if_no_comment_and_no_block_is_lost() -> None:
     frames = "frames { tip { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }"
     text = link("a", 1).replace("\n}", f"\n// of the tool\n{frames}\n}}", 1)
-    lost = done(text, text.replace(frames, "").replace("of the tool", "of"))
-    assert sorted(lost.lost_remarks) == ["the", "tool"]
-    assert lost.lost_blocks == ("frame",)
-    assert not lost.is_whole
+    assert done(text, text).is_whole
+    assert not done(text, text.replace(frames, "")).is_whole
+    assert not done(text, text.replace("of the tool", "of")).is_whole
 
 
 def claimed(text: str, *edits: tuple[str, str]) -> list[TextFix]:
@@ -190,4 +189,4 @@ def test_halves_are_tried_where_all_together_do_harm() -> None:
     assert result is not None
     assert result.n_findings == len(findings)
     assert "// the upper" in result.analysis.text
-    assert result.analysis.text == apply_edits(text, result.edits)
+    assert result.analysis.text == apply_edits(text, result.rounds[0])

@@ -48,8 +48,8 @@ def fixed(analysis: Analysis, is_wanted: Callable[[Diagnostic], bool]) -> Fixed:
         done = _round(state.analysis, wanted)
         if done is None:
             break
-        rounds = (*state.rounds, done.edits)
-        state = Fixed(done.analysis, state.n_findings + done.n_findings, rounds)
+        n_findings = state.n_findings + done.n_findings
+        state = Fixed(done.analysis, n_findings, state.rounds + done.rounds)
         written = _written(state.analysis.text)
         if written in seen:
             return seen[written]
@@ -57,16 +57,8 @@ def fixed(analysis: Analysis, is_wanted: Callable[[Diagnostic], bool]) -> Fixed:
     return state
 
 
-class Made(NamedTuple):
-    """The result of one round of fixes: the new text, the number of findings fixed, the edits."""
-
-    analysis: Analysis
-    n_findings: int
-    edits: tuple[TextEdit, ...]
-
-
-def made(analysis: Analysis, findings: Iterable[Diagnostic]) -> Made | None:
-    """Apply the fixes of findings that go together, None if there is none.
+def made(analysis: Analysis, findings: Iterable[Diagnostic]) -> Fixed | None:
+    """Apply the fixes of findings that go together in one round, None if there is none.
 
     Fixes go together if no comment and no block is lost, if there are no more errors than before,
     and, where all of them are safe, if every number keeps its value. If they do not, halves of them
@@ -85,7 +77,7 @@ def made(analysis: Analysis, findings: Iterable[Diagnostic]) -> Made | None:
             best, taken = tried, fixes
         elif len(some) > 1:
             pending += [some[len(some) // 2 :], some[: len(some) // 2]]
-    return Made(best, len(taken), _edits(taken, analysis.text)) if taken else None
+    return Fixed(best, len(taken), (_edits(taken, analysis.text),)) if taken else None
 
 
 def announced(analysis: Analysis) -> tuple[Diagnostic, ...]:
@@ -132,7 +124,7 @@ def _alike(findings: Iterable[Diagnostic]) -> Iterator[list[TextFix]]:
                 del fixes[fix]
 
 
-def _round(analysis: Analysis, findings: list[Diagnostic]) -> Made | None:
+def _round(analysis: Analysis, findings: list[Diagnostic]) -> Fixed | None:
     of_syntax = [finding for finding in findings if finding.code.startswith(_SYNTAX)]
     of_meaning = [finding for finding in findings if not finding.code.startswith(_SYNTAX)]
     return made(analysis, of_syntax) or made(analysis, of_meaning)

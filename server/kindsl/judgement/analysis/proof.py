@@ -21,18 +21,11 @@ class Effect(NamedTuple):
 
     Attributes:
         is_kept: Whether every number, reference and block is known to mean what it meant.
-        lost_remarks: The words of comments that are gone.
-        lost_blocks: The kinds of the blocks that are gone.
+        is_whole: Whether no comment and no block is lost.
     """
 
     is_kept: bool
-    lost_remarks: tuple[str, ...]
-    lost_blocks: tuple[str, ...]
-
-    @property
-    def is_whole(self) -> bool:
-        """Return whether no comment and no block is lost."""
-        return not self.lost_remarks and not self.lost_blocks
+    is_whole: bool
 
 
 def effect(before: SyntaxDocument, after: SyntaxDocument, *, within_digits: bool = False) -> Effect:
@@ -55,8 +48,7 @@ def effect(before: SyntaxDocument, after: SyntaxDocument, *, within_digits: bool
         and was.numbers.keys() == now.numbers.keys()
         and all(_is_kept(n, now.numbers[place], within_digits) for place, n in was.numbers.items())
     )
-    lost_blocks = _kinds(was) - _kinds(now)
-    return Effect(is_kept, tuple(remarks.elements()), tuple(lost_blocks.elements()))
+    return Effect(is_kept, not remarks and not _kinds(was) - _kinds(now))
 
 
 def _kinds(said: Contents) -> Counter[str]:

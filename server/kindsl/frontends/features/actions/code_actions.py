@@ -108,7 +108,7 @@ def _mending(analysis: Analysis, code: str, alike: tuple[Diagnostic, ...]) -> _M
     known = _alike.setdefault(analysis, {})
     if code not in known:
         done = made(analysis, alike)
-        known[code] = (done.n_findings, done.edits) if done is not None else (0, ())
+        known[code] = (done.n_findings, done.rounds[0]) if done is not None else (0, ())
     return known[code]
 
 
