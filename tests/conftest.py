@@ -5,6 +5,7 @@ be interrupted, even if the tests themselves run in the background of a shell, w
 interrupts from all that it starts so.
 """
 
+import gc
 import signal
 
 import pytest
@@ -15,9 +16,17 @@ from tests.support.published import ABSENT, CORPUS
 settings.register_profile("kindsl", deadline=None, derandomize=True)
 settings.load_profile("kindsl")
 inject()
+gc.disable()
 
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def pytest_collection_finish() -> None:
+    """Collect garbage from now on, but not among thousands of tests, again and again."""
+    gc.collect()
+    gc.freeze()
+    gc.enable()
 
 
 @pytest.hookimpl(tryfirst=True)
