@@ -7,6 +7,7 @@ interrupts from all that it starts so.
 
 import gc
 import signal
+from collections.abc import Generator
 
 import pytest
 from hypothesis import settings
@@ -16,17 +17,21 @@ from tests.support.published import ABSENT, CORPUS
 settings.register_profile("kindsl", deadline=None, derandomize=True)
 settings.load_profile("kindsl")
 inject()
-gc.disable()
 
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
-def pytest_collection_finish() -> None:
-    """Collect garbage from now on, but not among thousands of tests, again and again."""
-    gc.collect()
-    gc.freeze()
-    gc.enable()
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Generator[None, object, object]:
+    """Collect garbage when all tests are there, and never again among thousands of them."""
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.collect()
+        gc.freeze()
+        gc.enable()
 
 
 @pytest.hookimpl(tryfirst=True)
