@@ -42,6 +42,20 @@ def test_a_fix_restores_the_number(old: str, new: str) -> None:
     assert done.analysis.text.replace("E-04", "e-04") == LEGS
 
 
+@pytest.mark.parametrize(
+    ("rpy", "meant"),
+    [
+        ("0 0 90", "0 0 1.5707963"),
+        ("-45 0 0.3", "-0.78539816 0 0.3"),
+        ("0 5 90", "0 5 90"),
+        ("90 45 0", "1.5707963 0.78539816 0"),
+    ],
+)
+def test_an_angle_in_degrees_is_written_in_radians(rpy: str, meant: str) -> None:
+    text = spoilt('<origin xyz="0 0 -0.2"/>', f'<origin xyz="0 0 -0.2" rpy="{rpy}"/>')
+    assert f'rpy="{meant}"' in fixed(analyse(text), is_fixable).analysis.text
+
+
 def test_editors_offer_the_fix_and_a_comment() -> None:
     text = spoilt('value="1.152"', 'value="1152"')
     (found,) = announced(analyse(text))

@@ -12,7 +12,8 @@ rotation = (90.0, 0.0, 0.0)
 ```
 
 ## Fix
-Writes the angle in radians, as a fraction of `PI` where it is one. Unsafe: degrees are a guess.
+Writes the angle in radians, as a fraction of `PI` where it is one. Unsafe: degrees are a guess. In
+XML an angle is left alone beside a whole number that may be in degrees as well.
 """
 
 from collections.abc import Iterator
@@ -22,8 +23,9 @@ from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severit
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.geometry import rotations
 from kindsl.judgement.rules.number_writing import as_fraction_of_pi
-from kindsl.language.semantics.declarations import Declarations
+from kindsl.language.semantics.declarations import Declarations, Vector
 from kindsl.language.semantics.expressions import Expression
+from kindsl.language.semantics.lowering import OtherIsland
 from kindsl.language.text.decimals import significant_decimal
 
 _WHOLE_TURN = 2.0 * pi * 1.001
@@ -35,12 +37,22 @@ def check_island(declared: Declarations, _: Context) -> Iterator[Finding]:
         for angle in rotation.components:
             if angle.literal is not None and inf > abs(angle.literal) > _WHOLE_TURN:
                 message = f"angle {angle.text} rad is more than a whole turn; is it in degrees?"
-                yield Finding(angle, message, fix=_fix(angle, angle.literal))
+                own = _fix_in_xml if isinstance(angle.island, OtherIsland) else _fix
+                yield Finding(angle, message, fix=own(angle, angle.literal, rotation))
 
 
-def _fix(angle: Expression, degrees: float) -> Fix:
+def _fix(angle: Expression, degrees: float, _: Vector) -> Fix:
     value = radians(degrees)
     text = as_fraction_of_pi(value, 1e-9) or significant_decimal(value, 8)
+    return Fix(f"Write {text}", (Replacement(angle, text),))
+
+
+def _fix_in_xml(angle: Expression, degrees: float, rotation: Vector) -> Fix | None:
+    """Return the fix of one angle, None where a smaller one beside it may be in degrees, too."""
+    others = (each.literal or 0.0 for each in rotation.components)
+    if any(x and x.is_integer() and abs(x) <= _WHOLE_TURN for x in others):
+        return None
+    text = significant_decimal(radians(degrees), 8)
     return Fix(f"Write {text}", (Replacement(angle, text),))
 
 
