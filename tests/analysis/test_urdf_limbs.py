@@ -117,6 +117,14 @@ def test_an_inertia_that_three_legs_have_otherwise_is_restored(old: str, new: st
     assert found.code == "KD509" and apply_edits(spoilt, found.fix.edits) == text
 
 
+def test_a_side_in_another_unit_does_not_accuse_the_other() -> None:
+    text = placed_legs()
+    for name in ("LH", "RH"):
+        text = re.sub(rf'<(link|joint) name="{name}_.*?</\1>', "", text, flags=re.DOTALL)
+    spoilt = text.replace("0.02 0.0623 -0.05", "20 62.3 -50", 1)
+    assert [each.code for each in analyse(spoilt).findings] == ["KD502"]
+
+
 def test_of_two_legs_either_may_be_wrong() -> None:
     text = placed_legs("0 1 0", ' rpy="0 0 0"')
     for name in ("LH", "RH"):
@@ -130,6 +138,7 @@ def test_of_two_legs_either_may_be_wrong() -> None:
 
 
 SEGMENT = 'ixx="5.44698e-05" ixy="-1.6668e-06" ixz="0" iyy="0.00010235" iyz="0" izz="9.79711e-05"'
+BY = ", by its twins (-0.0437798, 0.000863947, 0)"
 PLACE = '<origin xyz="-0.0437798 0.000863947 0"/>'
 
 
@@ -146,8 +155,12 @@ def snake(tensor: str = SEGMENT, place: str = PLACE) -> str:
     ("old", "new", "told"),
     [
         ("-1.6668e-06", "1.6668e-06", ["moments of 'segment3' differ from its twins"]),
-        ("-0.0437798", "0.0437798", ["CoM of 'segment3' differs from its twins"]),
-        ("0.000863947 0", "0 0.000863947", ["CoM of 'segment3' differs from its twins"]),
+        ("-0.0437798", "0.0437798", [f"CoM of 'segment3' is (0.0437798, 0.000863947, 0){BY}"]),
+        (
+            "0.000863947 0",
+            "0 0.000863947",
+            [f"CoM of 'segment3' is (-0.0437798, 0, 0.000863947){BY}"],
+        ),
         ("-0.0437798", "-0.0437798", []),
     ],
 )
@@ -157,6 +170,7 @@ def test_a_part_is_compared_with_its_like_in_a_row(old: str, new: str, told: lis
     assert [each.message for each in found] == told
     assert [(each.code, len(each.related)) for each in found] == [("KD509", 4)] * len(told)
     assert all("segment3" in text[: each.start].splitlines()[-2] for each in found)
+    assert all(each.fix and apply_edits(text, each.fix.edits) == snake() for each in found)
 
 
 def test_a_part_is_compared_beside_one_whose_inertia_is_explained() -> None:

@@ -27,6 +27,8 @@ _MISSING, _PLACEHOLDER, _COPIED, _DENSITY = "KD304", "KD310", "KD315", "KD311"
 # Of what twins convict, and of angles, 97 of 100 fixes are right (`benchmarks/planted_slips.py`).
 _SURE = frozenset(("KD208", "KD210", "KD501", "KD509"))
 _NO_MASS, _REFERENCE = "KD303", "KD306"
+# Who has numbers in another unit differs from all twins, and of a pair the other one as well.
+_UNITS, _SIDES, _OF_TWINS = ("KD501", "KD502"), "KD510", ("KD509", "KD510")
 _TOLD_OF_PARTS = OF_PARTS | {_COPIED, "KD307"}
 # A part of so small a share of its body's mass hardly matters to how the body moves.
 _NEGLIGIBLE = 0.01
@@ -66,6 +68,7 @@ def xml_findings(
     has_joints = any(body.moves for body in bodies)
     massless = {id(link.island) for link in _massless(bodies)} if _MISSING in rules else set()
     copied = {id(finding.at.island) for rule, finding in found if rule.code == _COPIED}
+    in_units = {id(f.at.island) for rule, f in (*enabled, *found) if rule.code in _UNITS}
     explained = {(id(f.at.island), code) for _, f in (*enabled, *found) for code in f.explains}
     told = []
     for rule, finding in (*enabled, *found):
@@ -73,6 +76,10 @@ def xml_findings(
         if (island, rule.code) in explained:
             continue
         if is_of_part and rule.code != _COPIED and island in copied:
+            continue
+        others = finding.related if rule.code == _SIDES else ()
+        islands = {island, *(id(other.at.island) for other in others)}
+        if rule.code in _OF_TWINS and not islands.isdisjoint(in_units):
             continue
         if rule.code == _NO_MASS and island in massless:
             continue

@@ -10,16 +10,20 @@ from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.geometry import converted
 from kindsl.judgement.rules.inertia.mirror_images import mirror_difference, sided_pairs
 from kindsl.judgement.rules.inertia.told_causes import told_causes
+from kindsl.judgement.rules.limb_places import numbers_at
+from kindsl.judgement.rules.limb_writing import as_numbers, rewriting
 from kindsl.judgement.rules.registry import rules_with
 from kindsl.judgement.rules.units import LENGTH_UNITS
 from kindsl.judgement.rules.xml_bodies import XmlBody, far_coms, odd_links
 from kindsl.language.semantics.declarations import Link, Vector
+from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import mass_distribution, written_pose
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import IDENTITY
 from kindsl.robots.limbs.comparison import Tolerance
-from kindsl.robots.limbs.weighing import differing
+from kindsl.robots.limbs.names import label_of
+from kindsl.robots.limbs.weighing import Suspect, differing
 from kindsl.robots.mechanism.body_verdicts import (
     GREATEST_LENGTH,
     body_verdicts,
@@ -167,8 +171,29 @@ def _unlike(model: Model, told_of: Container[Link]) -> Iterator[tuple[Link, Find
         odd = min(([*unlike_numbers(body, i, within)] for i in images(twins[0][1])), key=len)
         others = [Related(t.inertia, f"inertia of '{t.name}'") for t, _ in twins if t.inertia]
         verb = "differ" if odd[-1] == "moments" else "differs"
-        message = f"{' and '.join(odd)} of '{link.name}' {verb} from its twins"
-        yield link, Finding(inertia, message, tuple(others))
+        name = f"{' and '.join(odd)} of '{link.name}'"
+        what, fix = f"{name} {verb} from its twins", None
+        if len(odd) == 1 and (like := _of_same_side(model, link, odd[0], twins)):
+            own, theirs = like
+            fix = rewriting(f"Set {name} to that of its twins", own, [e.text for e in theirs])
+            if odd[0] != "moments":
+                what = f"{name} is {as_numbers(own)}, by its twins {as_numbers(theirs)}"
+        yield link, Finding(inertia, what, tuple(others), fix)
+
+
+def _of_same_side(
+    model: Model, link: Link, odd: str, twins: Sequence[tuple[Link, MassDistribution]]
+) -> tuple[Sequence[Expression], Sequence[Expression]] | None:
+    """Return numbers of a part and those of its twins of the same side, None if these differ.
+
+    On the other side, or in other rows, frames may lie in other ways.
+    """
+    place = Suspect(str(link.name), "", odd.lower())
+    side = label_of(place.link).side
+    same = [str(t.name) for t, _ in twins if label_of(str(t.name)).side == side]
+    own, *like = (numbers_at(model, place._replace(link=each)) for each in (place.link, *same))
+    as_read = {tuple(e.literal for e in numbers) for numbers in like}
+    return (own, like[0]) if len(like) >= _ENOUGH and len(as_read) == 1 and own else None
 
 
 def _as_written(link: Link) -> MassDistribution | None:
