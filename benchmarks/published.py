@@ -37,11 +37,13 @@ class Published(NamedTuple):
         name: Its file, behind its folder.
         family: What it shares with its variants.
         analysis: Of its document.
+        in_place: Of the URDF that it was converted from, None where it is of another format.
     """
 
     name: str
     family: str
     analysis: Analysis
+    in_place: Analysis | None = None
 
     @property
     def half(self) -> int:
@@ -49,13 +51,22 @@ class Published(NamedTuple):
         return crc32(self.family.encode()) % 2
 
 
-def published(folders: Sequence[Path] = (), half: int | None = None) -> list[Published]:
-    """Return the robots that can be read, each once, of one half or of both."""
+def published(
+    folders: Sequence[Path] = (), half: int | None = None, urdf_only: bool = False
+) -> list[Published]:
+    """Return the robots that can be read, each once, of one half or of both.
+
+    Args:
+        folders: Where to look besides.
+        half: Which half.
+        urdf_only: Whether to take the URDFs alone, judged where they stand as well.
+    """
     found: dict[str, Published] = {}
     installed = Path(sysconfig.get_path("purelib")) / SHARED
     for folder in (*FOLDERS, installed, *folders):
         for path in sorted(folder.rglob("*")):
-            if path.suffix not in SUFFIXES or not path.is_file():
+            suffixes = (".urdf",) if urdf_only else SUFFIXES
+            if path.suffix not in suffixes or not path.is_file():
                 continue
             family = _family(path.relative_to(folder))
             if half is not None and crc32(family.encode()) % 2 != half:
@@ -64,7 +75,8 @@ def published(folders: Sequence[Path] = (), half: int | None = None) -> list[Pub
             if text and text not in found:
                 analysis = analyse(text)
                 if len(analysis.model.links) > 1 and not analysis.model.broken_islands:
-                    found[text] = Published(f"{family}/{path.name}", family, analysis)
+                    there = analyse(path.read_text("utf-8", "replace")) if urdf_only else None
+                    found[text] = Published(f"{family}/{path.name}", family, analysis, there)
     return list(found.values())
 
 
