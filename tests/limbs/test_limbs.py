@@ -128,13 +128,13 @@ def test_a_finger_is_compared_however_it_is_mounted() -> None:
     assert apply_edits(spoilt, finding.fix.edits) == text
 
 
-def gripper(turn: str) -> str:
-    """Return two fingers whose joints begin at one point of a palm that is turned about z."""
+def gripper(left: str, right: str) -> str:
+    """Return two fingers whose joints begin at one point, with these rotations."""
     inertia = (
         "inertia_params { mass = 0.015 CoM = (0.0, 0.01, 0.02)"
         " Ix = 0.00001 Iy = 0.000008 Iz = 0.000004 Ixy = 0.0 Ixz = 0.0 Iyz = 0.000003 }"
     )
-    turns = {"left": "(-PI/2.0, PI/4.0, 0.0)", "right": turn}
+    turns = {"left": left, "right": right}
     heads = " ".join(f"{side}_finger via {side}_joint" for side in turns)
     links, joints = "", ""
     for n, (side, rotation) in enumerate(turns.items(), 1):
@@ -145,7 +145,16 @@ def gripper(turn: str) -> str:
 
 
 def test_fingers_that_open_away_from_each_other_at_one_place_are_alike() -> None:
-    assert told(analyse(gripper("(PI/2.0, -PI/4.0, PI)"))) == []
+    assert told(analyse(gripper("(-PI/2.0, PI/4.0, 0.0)", "(PI/2.0, -PI/4.0, PI)"))) == []
+
+
+def test_a_finger_that_begins_elsewhere_may_be_put_where_the_other_is() -> None:
+    text = gripper("(PI/2.0, 0.0, PI)", "(-PI/2.0, 0.0, 0.0)")
+    right = text.index("p_joint right_joint")
+    spoilt = text[:right] + text[right:].replace("(0.0, 0.0, 0.1654)", "(0.1654, 0.0, 0.0)")
+    (finding,) = told(analyse(spoilt))
+    assert finding.code == "KD510"
+    assert text in [apply_edits(spoilt, fix.edits) for fix in finding.choices]
 
 
 def star() -> str:

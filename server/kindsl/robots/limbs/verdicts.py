@@ -204,7 +204,11 @@ def _of_pair(c: WeighedComparison) -> Iterator[LimbVerdict]:
         return
     most = 1 if len(limbs.rows) >= _SMALLEST[limbs.how] else 0
     ranked = [
-        ((round(one.cost, 2), min(one.n_retyped, other.n_retyped)), other.change, (one, other))
+        (
+            (round(one.cost, 2), min(one.n_retyped, other.n_retyped)),
+            (one.n_slips + other.n_slips, other.change),
+            (one, other),
+        )
         for one, other in c.accusations
         if one.place.what != "angles" or limbs.is_seen_below(one.place.joint)
         if not _is_base_at_one(limbs, one)
@@ -218,13 +222,16 @@ def _of_pair(c: WeighedComparison) -> Iterator[LimbVerdict]:
 
 
 def _is_base_at_one(limbs: LimbComparison, said: Accusation) -> bool:
-    """Return whether a carrier's origin lies at one of two heads, so that no plane is between."""
+    """Return whether a carrier's origin lies at one of two heads, so that no plane is between.
+
+    Fingers that slide apart may begin at one place.
+    """
     _, one, other = limbs.rows[0]
     heads = one.joint, other.joint
     if said.place.what != "translation" or said.place.joint not in heads:
         return False
     twin = other if said.place.joint == one.joint else one
-    is_there = all(
+    is_there = {one.kind, other.kind} != {"prismatic"} and all(
         abs(x - y) < _SAME_PLACE for x, y in zip(said.meant, twin.translation, strict=True)
     )
     return is_there or not any(one.translation) or not any(other.translation)

@@ -24,11 +24,14 @@ from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.geometry import rotations
 from kindsl.judgement.rules.number_writing import as_fraction_of_pi
 from kindsl.language.semantics.declarations import Declarations, Vector
-from kindsl.language.semantics.expressions import Expression
+from kindsl.language.semantics.expressions import Expression, half_unit
 from kindsl.language.semantics.lowering import OtherIsland
 from kindsl.language.text.decimals import significant_decimal
 
 _WHOLE_TURN = 2.0 * pi * 1.001
+_DIGITS = 8
+# Nobody gives degrees with so many decimals: they were computed of radians that had fewer.
+_CONVERTED = 4
 
 
 def check_island(declared: Declarations, _: Context) -> Iterator[Finding]:
@@ -43,7 +46,11 @@ def check_island(declared: Declarations, _: Context) -> Iterator[Finding]:
 
 def _fix(angle: Expression, degrees: float, _: Vector) -> Fix:
     value = radians(degrees)
-    text = as_fraction_of_pi(value, 1e-9) or significant_decimal(value, 8)
+    is_converted = len(angle.text.partition(".")[2]) >= _CONVERTED
+    half = radians(half_unit(angle.text)) if is_converted else 0.0
+    texts = [significant_decimal(value, digits) for digits in range(1, _DIGITS + 1)]
+    short = next((text for text in texts if abs(float(text) - value) <= half), texts[-1])
+    text = as_fraction_of_pi(value, 1e-9) or short
     return Fix(f"Write {text}", (Replacement(angle, text),))
 
 
