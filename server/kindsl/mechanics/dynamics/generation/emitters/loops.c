@@ -592,31 +592,42 @@ static const int @P@order[@NV@] = {@ORDER@};
             found[1] = B;
             found[2] = C;
             found[3] = D;
-            for (int l = 0; l < to - from; l++) {
-                Minv[places[l] + i] = forces[@P@block * i + lanes[l]];
-            }
-            for (int which = 0; which < 2 && asked; which++) {
-                const @S@ *P = asked + 30 * i + 18 + 6 * which;
-                @ROW@ *sum = changes + 8 * i + 4 * which;
-                const @S@ damping = i < @K@ ? (@S@)0 : (@S@)which * t[25 * body + 23];
-                A = sum[0] - damping * found[0];
-                B = sum[1] - damping * found[1];
-                C = sum[2] - damping * found[2];
-                D = sum[3] - damping * found[3];
-                for (int row = 0; row < 6; row++) {
-                    A -= P[row] * own[4 * row];
-                    B -= P[row] * own[4 * row + 1];
-                    C -= P[row] * own[4 * row + 2];
-                    D -= P[row] * own[4 * row + 3];
+            if (asked) {
+                const @S@ *P = asked + 30 * i + 18, *Q = P + 6;
+                const @S@ damping = i < @K@ ? (@S@)0 : t[25 * body + 23];
+                @ROW@ *sum = changes + 8 * i;
+                @ROW@ E = sum[4] - damping * A, F = sum[5] - damping * B;
+                @ROW@ G = sum[6] - damping * C, H = sum[7] - damping * D;
+                A = sum[0];
+                B = sum[1];
+                C = sum[2];
+                D = sum[3];
+                for (int row = 0; row < 6; row++, own += 4) {
+                    A -= P[row] * own[0];
+                    B -= P[row] * own[1];
+                    C -= P[row] * own[2];
+                    D -= P[row] * own[3];
+                    E -= Q[row] * own[0];
+                    F -= Q[row] * own[1];
+                    G -= Q[row] * own[2];
+                    H -= Q[row] * own[3];
                 }
                 sum[0] = A;
                 sum[1] = B;
                 sum[2] = C;
                 sum[3] = D;
+                sum[4] = E;
+                sum[5] = F;
+                sum[6] = G;
+                sum[7] = H;
             }
-            for (int l = 0; l < to - from && asked; l++) {
-                dq[places[l] + i] = rest[2 * @P@block * i + lanes[l]];
-                dqd[places[l] + i] = rest[2 * @P@block * i + @P@block + lanes[l]];
+            for (int l = 0; l < to - from; l++) {
+                const int place = places[l] + i, at = @P@block * i + lanes[l];
+                Minv[place] = forces[at];
+                if (asked) {
+                    dq[place] = rest[at + @P@block * i];
+                    dqd[place] = rest[at + @P@block * (i + 1)];
+                }
             }
         }
     }
@@ -664,14 +675,16 @@ static const int @P@order[@NV@] = {@ORDER@};
 }
 
 /* What each coordinate changes: x where its position does, y where its rate does, of nine numbers
- * each, an acceleration and a turn of what it carries. */
+ * each, an acceleration and a turn of what it carries; those of the next are a stride away. */
 @FN@ void @P@fields(const @S@ *axes, const @S@ *v, const @S@ *a, const @S@ *v0, const @S@ *g, @S@ *x,
-    @S@ *y)
+    @S@ *y, int stride)
 {
-    for (int i = 0; i < @NV@; i++, axes += 6, x += 9, y += 9) {
+    for (int i = 0; i < @NV@; i++, axes += 6, x += stride, y += stride) {
         for (int k = 0; k < 9; k++) {
-            y[k] = k < 6 ? (@S@)0 : axes[k - 6];
-            x[k] = (@S@)0;
+            x[k] = y[k] = (@S@)0;
+        }
+        for (int k = 0; k < 3; k++) {
+            y[6 + k] = axes[k];
         }
         if (i >= @K@) {
             const int up = 6 * @P@parents[i - @K@ + 1];
@@ -679,11 +692,11 @@ static const int @P@order[@NV@] = {@ORDER@};
             @P@moved(v + up, axes, y);
             @P@moved(a + up, axes, x);
             @P@moved(v + up, y, further);
-            for (int k = 0; k < 6; k++) {
-                x[k] += further[k];
-                x[6 + k % 3] = y[k % 3];
+            for (int k = 0; k < 3; k++) {
+                x[6 + k] = y[k];
             }
             for (int k = 0; k < 6; k++) {
+                x[k] += further[k];
                 y[k] += y[k];
             }
         } else if (i < 3) {
@@ -717,7 +730,7 @@ static const int @P@order[@NV@] = {@ORDER@};
     @P@motions(axes, qd, qdd, base, v, a);
     @P@wrenches(R, r, bodies, v, a, (const @S@ *)0, f);
     @P@flows(bodies, v, B);
-    @P@fields(axes, v, a, v0, g, x, y);
+    @P@fields(axes, v, a, v0, g, x, y, 9);
     @P@columns(column, end);
     @P@carry(bodies, 10);
     @P@carry(B, 18);
@@ -802,7 +815,7 @@ static const int @P@order[@NV@] = {@ORDER@};
 {
     @S@ R[9 * @NB@], r[3 * @NB@], axes[6 * @NV@], bodies[10 * @NB@], base[9], qdd[@NV@];
     @S@ v[6 * @NB@], a[6 * @NB@], f[6 * @NB@], whole[36 * @NB@], along[9 * @NB@], pivots[@NB@];
-    @S@ B[18 * @NB@], x[9 * @NV@], y[9 * @NV@], asked[30 * @NV@];
+    @S@ B[18 * @NB@], asked[30 * @NV@];
     const @S@ *none = (const @S@ *)0;
     @P@place(t, q, R, r, axes, bodies);
     @P@falling(v0, g, base);
@@ -817,24 +830,23 @@ static const int @P@order[@NV@] = {@ORDER@};
     @P@wrenches(R, r, bodies, v, a, none, f);
     @P@carry(f, 6);
     @P@flows(bodies, v, B);
-    @P@fields(axes, v, a, v0, none, x, y);
+    @P@fields(axes, v, a, v0, none, asked, asked + 9, 30);
     for (int i = @NB@ - 1; i > 0; i--) {
         const @S@ *axis = axes + 6 * (@K@ + i - 1), *own = B + 18 * i;
         @S@ *U = along + 9 * i, *carrier = B + 18 * @P@parents[i];
         for (int k = 0; k < 3; k++) {
             U[6 + k] = @P@along(own + k, axis);
         }
-        for (int k = 0; k < 18; k++) {
-            carrier[k] += own[k] - U[k / 3] * (U[6 + k % 3] * pivots[i]);
+        for (int k = 0; k < 6; k++, own += 3, carrier += 3) {
+            const @S@ share = U[k] * pivots[i];
+            carrier[0] += own[0] - share * U[6];
+            carrier[1] += own[1] - share * U[7];
+            carrier[2] += own[2] - share * U[8];
         }
     }
     for (int i = 0; i < @NV@; i++) {
         const int body = i < @K@ ? 0 : i - @K@ + 1;
         @S@ *X = asked + 30 * i, *Y = X + 9, *P = X + 18;
-        for (int k = 0; k < 9; k++) {
-            X[k] = x[9 * i + k];
-            Y[k] = y[9 * i + k];
-        }
         for (int k = 0; k < 6; k++) {
             const @S@ *row = whole + 36 * body + 6 * k, *turn = B + 18 * body + 3 * k;
             P[k] = @P@dot(row, X) + @P@dot3(turn, X + 6);
