@@ -12,6 +12,7 @@ import random
 import sys
 import time
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +20,7 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from benchmarks.lsp import resident_megabytes, robot  # noqa: E402
-from tests.support.lsp import RawClient, ready_client  # noqa: E402
+from tests.support.lsp import RawClient, StrictClient, ready_client  # noqa: E402
 from tests.support.lsp_requests import every_request, place_of  # noqa: E402
 from tests.support.walkers import walker  # noqa: E402
 
@@ -182,10 +183,21 @@ def looks(client: RawClient, uri: str) -> tuple[Any, ...]:
     return tuple(answers)
 
 
+@contextmanager
+def own_server() -> Iterator[RawClient]:
+    """A server as editors start it: it shares no memory with another process."""
+    client = StrictClient()
+    try:
+        client.initialize(CLIENT, initializationOptions=SETTINGS)
+        yield client
+    finally:
+        client.kill()
+
+
 def soak(edits: int, documents: int, seed: int, checks: int = 10) -> list[str]:
     """Return all that went wrong in a session; tell on the way how it goes."""
     begin = time.perf_counter()
-    with ready_client(CLIENT, initializationOptions=SETTINGS) as client:
+    with own_server() as client:
         session = Session(client, seed, documents)
         start = _memory_after_a_first_look(session)
         session.open_all()
