@@ -117,6 +117,11 @@ def about_com_and_signs(_: random.Random, body: Body, __: Sequence[Body]) -> Bod
     return body._replace(moments=(ix, iy, iz, *(-p for p in products)))
 
 
+def signs_before_shift(_: random.Random, body: Body, __: Sequence[Body]) -> Body:
+    ix, iy, iz, *products = shifted(body, -1.0).moments
+    return shifted(body._replace(moments=(ix, iy, iz, *(-p for p in products))))
+
+
 def unit_about_com(generator: random.Random, body: Body, others: Sequence[Body]) -> Body | None:
     return scaled(1e9, 1e7, 1e6, 1e4)(generator, shifted(body, -1.0), others)
 
@@ -135,6 +140,7 @@ KINDS: dict[str, Kind] = {
     "products negated": Kind(
         with_moments(lambda m: [*m[:3], *(-x for x in m[3:])]), r"sign.* of Ix|sign.* of Iy"
     ),
+    "products negated, then shifted": Kind(signs_before_shift, r"about the CoM"),
     "one product negated": Kind(one_product, r"sign.* of I"),
     "moments in row-major order": Kind(
         with_moments(lambda m: [m[0], m[3], m[4], m[1], m[5], m[2]]), r"xx xy xz"
