@@ -242,6 +242,30 @@ def test_one_leg_of_two() -> None:
     assert "by translation of 'LF_hfe' it would be (0.02, -0.09, -0.3)" in other
 
 
+def limbs_of_two_sides(elbow: str) -> str:
+    """Return a robot whose legs are mirrored, and whose right elbow is there."""
+    blocks: list[str] = []
+    for side, y, right in (("left", "0.04", "0.06"), ("right", "-0.04", elbow)):
+        sign = "" if side == "left" else "-"
+        parts = (("hip", "thigh", f"0 {sign}0.1 0"), ("knee", "shin", f"0.02 {y} -0.3"))
+        arms = (
+            ("shoulder", "upper_arm", f"0 {sign}0.2 0.4"),
+            ("elbow", "forearm", f"0 {right} -0.3"),
+        )
+        for chain in (parts, arms):
+            above = "base"
+            for name, part, place in chain:
+                blocks.append(link(f"{side}_{part}", "0 0 -0.15"))
+                blocks.append(joint(f"{side}_{name}", above, f"{side}_{part}", place))
+                above = f"{side}_{part}"
+    return robot(*blocks)
+
+
+@pytest.mark.parametrize(("elbow", "codes"), [("-0.06", []), ("0.06", ["KD510"])])
+def test_an_arm_that_was_copied_where_legs_are_mirrored(elbow: str, codes: list[str]) -> None:
+    assert [code for code, _ in found(limbs_of_two_sides(elbow))] == codes
+
+
 def test_the_cause_in_words_of_xml() -> None:
     tensor = 'ixx="0.02" ixy="0.009" ixz="0.009" iyy="0.02" iyz="0.009" izz="0.02"'
     text = robot(link("Ixy", tensor=tensor), joint("j", "base", "Ixy", "0 0 1"))

@@ -7,6 +7,7 @@ rules about syntax alone: two fixes of one number would contradict each other.
 
 from collections.abc import Mapping, Sequence
 from functools import lru_cache, partial
+from itertools import chain
 from typing import NamedTuple
 from zlib import crc32
 
@@ -163,10 +164,12 @@ _MIRRORED = Fact[tuple[object, list[list[Limbs]]]]("limbs by carrier, where some
 def copied_limbs(model: Model, context: Context) -> list[PairOfLimbs]:
     """Return the pair of limbs that is copied where all others are mirrored, if there is one."""
 
-    if model.document.is_xml:
-        return []
-
     def found() -> list[PairOfLimbs]:
+        if model.document.is_xml:
+            from kindsl.judgement.rules.xml_limbs import xml_copied_limbs
+
+            told = chain.from_iterable(v.places for v in limb_slips(model, context).verdicts)
+            return xml_copied_limbs(model, {place.link for place in told})
         places = model.edition.facts(Aspect.STRUCTURE | Aspect.PLACES)
         mirrored = partial(_limbs_with_sides, model, context.values)
         carried = places.made_of(_MIRRORED, context.values, mirrored)

@@ -1,6 +1,7 @@
 """The limbs of a robot in XML, and what its own numbers would be by their counterparts."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
+from itertools import chain
 
 from kindsl.judgement.rules.limb_places import OF_A_LINK, PARTS, numbers_at, place_at
 from kindsl.judgement.rules.xml_bodies import XmlBody, odd_links, xml_bodies
@@ -18,7 +19,8 @@ from kindsl.mechanics.rigid.pose import (
     transposed,
 )
 from kindsl.robots.limbs.attachments import Attachment, LimbNames
-from kindsl.robots.limbs.limb import Body, Limbs, assembled, groups_of
+from kindsl.robots.limbs.limb import Body, Limbs, assembled, groups_of, names_of
+from kindsl.robots.limbs.mirrored import PairOfLimbs, pairs_of, unmirrored
 from kindsl.robots.limbs.slips import angles_near
 from kindsl.robots.limbs.verdicts import ComparedLimbs, LimbVerdict, MeantNumbers, verdicts
 
@@ -47,16 +49,10 @@ def xml_limb_verdicts(model: Model) -> list[LimbVerdict]:
     """
     bodies = xml_bodies(model)
     named = {str(body.link.name): body for body in bodies}
-    odd = odd_links(model, bodies)
-    masses = {
-        # Moments about the CoM, as they are written: a slip in the latter is no slip in them.
-        name: shifted(seen_from(body.mass, body.axis_pose.inverse()), -1.0)
-        for name, body in named.items()
-        if body.mass is not None
-    }
+    odd, masses = odd_links(model, bodies), _masses(bodies)
     written = _LimbsAsWritten(model, bodies, named, masses)
     found = []
-    for limbs in _limbs_in(bodies):
+    for limbs in chain.from_iterable(_limbs_in(bodies)):
         compared = ComparedLimbs(limbs)
         for group in (compared, *compared.held):
             for verdict in verdicts(group, masses):
@@ -67,6 +63,32 @@ def xml_limb_verdicts(model: Model) -> list[LimbVerdict]:
                     whole = known if len(known) == len(repairs) else ()
                     found.append(verdict._replace(repairs=whole))
     return found
+
+
+def xml_copied_limbs(model: Model, told_of: Set[str]) -> list[PairOfLimbs]:
+    """Return the pair of limbs that is copied where all others are mirrored, if there is one.
+
+    Args:
+        model: A robot in XML.
+        told_of: Links of which one place is told that makes their limbs alike.
+    """
+    names, bodies = xml_limb_names(model), xml_bodies(model)
+    if names.elsewhere or names.crossed:
+        return []
+    pairs = unmirrored(pairs_of(_limbs_in(bodies), _masses(bodies)))
+    return [p for p in pairs if told_of.isdisjoint((*names_of(p.left), *names_of(p.right)))]
+
+
+def _masses(bodies: Sequence[XmlBody]) -> dict[str, MassDistribution]:
+    """Return what is known of bodies by name, in the frame of the joint's axis.
+
+    Moments are about the CoM, as they are written: a slip in the latter is no slip in them.
+    """
+    return {
+        str(body.link.name): shifted(seen_from(body.mass, body.axis_pose.inverse()), -1.0)
+        for body in bodies
+        if body.mass is not None
+    }
 
 
 class _LimbsAsWritten:
@@ -142,15 +164,16 @@ def _rounded(value: float, near: Sequence[float], within: float) -> float:
     return nearest if abs(nearest - value) <= within else value
 
 
-def _limbs_in(bodies: Sequence[XmlBody]) -> Iterator[Limbs]:
-    """Yield the groups of limbs of a robot that are meant to be alike.
+def _limbs_in(bodies: Sequence[XmlBody]) -> Iterator[list[Limbs]]:
+    """Yield the groups of limbs that each body carries and that are meant to be alike.
 
     In each limb a link's frame is turned with its joint's axis, which is z.
     """
     carried: list[list[Body | None]] = [[] for _ in bodies]
     for body, below in zip(reversed(bodies), reversed(carried), strict=True):
         known = [each for each in reversed(below) if each is not None]
-        yield from groups_of(known)
+        if groups := list(groups_of(known)):
+            yield groups
         if body.parent is not None:
             parent = bodies[body.parent]
             made = _limb_body(body, parent, tuple(known)) if len(known) == len(below) else None
