@@ -86,6 +86,7 @@ def mounts(how: str, one: Body, other: Body) -> Iterator[Mount]:
         return
     if how == "TURN" and here == there:
         yield Mount(product(other.rotation, transposed(one.rotation)), there, 0.0)
+    is_sliding = one.kind == other.kind == "prismatic"
     apart = [abs(x - y) > _APART for x, y in zip(here, there, strict=True)]
     for axis, mirror in enumerate(_MIRRORS):
         j, k = (axis + 1) % 3, (axis + 2) % 3
@@ -95,9 +96,9 @@ def mounts(how: str, one: Body, other: Body) -> Iterator[Mount]:
                 yield from (Mount(matrix, along, 0.0, axis) for matrix in (mirror, _SAME))
             continue
         yield Mount(mirror, place, 0.0)
-        if how == "LR" and here == there:
+        if how == "LR" and (is_sliding or here == there):
             # The fingers of a gripper begin at one place, and open away from each other.
-            yield Mount(_HALF_TURNS[axis], there, _TURNED)
+            yield Mount(_HALF_TURNS[axis], here, 0.0 if is_sliding else _TURNED)
         if how == "LR" and apart[axis]:
             # The same limb at the mirrored place, on a like, a mirrored or a turned mount.
             yield Mount(mirror, place, _LIKE, is_copy=True)

@@ -8,7 +8,7 @@ agree, each mass, CoM and moments that one limb only has so is convicted.
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain, combinations
 from math import dist, inf
-from operator import sub
+from operator import attrgetter, sub
 from typing import NamedTuple
 
 from kindsl.mechanics.rigid.pose import IDENTITY, Rotation, pose_from, product, transposed, turned
@@ -217,7 +217,14 @@ def _of_pair(c: WeighedComparison) -> Iterator[LimbVerdict]:
     if ranked and ranked[0][0][1] <= most:
         tied = [both for likelihood, _, both in ranked if likelihood == ranked[0][0]]
         places = dict.fromkeys(said.place for both in tied for said in both)
-        repairs = tuple(MeantNumbers(said.place, (said.meant,)) for said in tied[0][::-1])
+        # Each as the reading has it in which it has the fewest slips.
+        meant = [
+            min(
+                (both[i] for both in tied if both[i].place == said.place), key=attrgetter("n_slips")
+            )
+            for i, said in enumerate(tied[0])
+        ]
+        repairs = tuple(MeantNumbers(said.place, (said.meant,)) for said in meant[::-1])
         yield LimbVerdict(tuple(places), repairs, (), False)
 
 
