@@ -49,6 +49,7 @@ def test_a_fix_restores_the_number(old: str, new: str) -> None:
         ("-45 0 0.3", "-0.78539816 0 0.3"),
         ("0 5 90", "0 5 90"),
         ("90 45 0", "1.5707963 0.78539816 0"),
+        ("0 0 14.3239", "0 0 0.25"),
     ],
 )
 def test_an_angle_in_degrees_is_written_in_radians(rpy: str, meant: str) -> None:

@@ -40,26 +40,21 @@ def check_island(declared: Declarations, _: Context) -> Iterator[Finding]:
         for angle in rotation.components:
             if angle.literal is not None and inf > abs(angle.literal) > _WHOLE_TURN:
                 message = f"angle {angle.text} rad is more than a whole turn; is it in degrees?"
-                own = _fix_in_xml if isinstance(angle.island, OtherIsland) else _fix
-                yield Finding(angle, message, fix=own(angle, angle.literal, rotation))
+                yield Finding(angle, message, fix=_fix(angle, angle.literal, rotation))
 
 
-def _fix(angle: Expression, degrees: float, _: Vector) -> Fix:
+def _fix(angle: Expression, degrees: float, rotation: Vector) -> Fix | None:
+    """Return the fix; in XML none where a smaller angle beside it may be in degrees, too."""
+    is_xml = isinstance(angle.island, OtherIsland)
+    others = (each.literal or 0.0 for each in rotation.components)
+    if is_xml and any(x and x.is_integer() and abs(x) <= _WHOLE_TURN for x in others):
+        return None
     value = radians(degrees)
     is_converted = len(angle.text.partition(".")[2]) >= _CONVERTED
     half = radians(half_unit(angle.text)) if is_converted else 0.0
     texts = [significant_decimal(value, digits) for digits in range(1, _DIGITS + 1)]
     short = next((text for text in texts if abs(float(text) - value) <= half), texts[-1])
-    text = as_fraction_of_pi(value, 1e-9) or short
-    return Fix(f"Write {text}", (Replacement(angle, text),))
-
-
-def _fix_in_xml(angle: Expression, degrees: float, rotation: Vector) -> Fix | None:
-    """Return the fix of one angle, None where a smaller one beside it may be in degrees, too."""
-    others = (each.literal or 0.0 for each in rotation.components)
-    if any(x and x.is_integer() and abs(x) <= _WHOLE_TURN for x in others):
-        return None
-    text = significant_decimal(radians(degrees), 8)
+    text = (not is_xml and as_fraction_of_pi(value, 1e-9)) or short
     return Fix(f"Write {text}", (Replacement(angle, text),))
 
 
