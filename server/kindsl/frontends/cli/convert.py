@@ -137,14 +137,14 @@ def _converted(args: argparse.Namespace) -> WrittenRobot:
     if source is _DOCUMENT:
         analysis = read_document(args.input, choices_of(args))
         require_parameters(args.input, analysis)
-        converted = _written(args, target, analysis)
+        converted = _in_format(args, target, analysis)
         note_readings(args.input, analysis)
         note_errors(args.input, analysis)
         return converted
     read = _document(args, source)
     from kindsl.judgement.analysis.settings import Settings
 
-    written = _written(args, target, analyse(read.text, Settings(joints=read.joints)))
+    written = _in_format(args, target, analyse(read.text, Settings(joints=read.joints)))
     return written._replace(remarks=(*read.remarks, *written.remarks))
 
 
@@ -251,7 +251,7 @@ def _argument(text: str) -> tuple[str, str]:
     return name, value
 
 
-def _written(args: argparse.Namespace, target: Format, analysis: Analysis) -> WrittenRobot:
+def _in_format(args: argparse.Namespace, target: Format, analysis: Analysis) -> WrittenRobot:
     assert target.write is not None
     skeleton = skeleton_of_document(args.input, analysis)
     mass = fixed_base_mass(analysis.model, analysis.context.values)

@@ -219,7 +219,7 @@ def _generate(args: argparse.Namespace, source: "Source") -> int:
     from kindsl.products.codegen.library import GenerationError
     from kindsl.products.codegen.manifest import refuse_foreign, write_files
 
-    with _told(args, source):
+    with _generation_errors(args, source):
         library, files = generate(source, _options(args, source))
     folder = Path(args.output)
     try:
@@ -258,7 +258,7 @@ def _check(args: argparse.Namespace, source: "Source") -> int:
     from kindsl.products.codegen.checking import misfit
 
     try:
-        with _told(args, source):
+        with _generation_errors(args, source):
             why = misfit(source, Path(args.check))
     except OSError as error:
         raise CommandError([Failure(args.check, reason(args.check, error))]) from None
@@ -270,7 +270,7 @@ def _check(args: argparse.Namespace, source: "Source") -> int:
 
 
 @contextmanager
-def _told(args: argparse.Namespace, source: "Source") -> Iterator[None]:
+def _generation_errors(args: argparse.Namespace, source: "Source") -> Iterator[None]:
     """Report why code cannot be generated."""
     from kindsl.products.codegen.library import GenerationError
 

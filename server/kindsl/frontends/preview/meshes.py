@@ -114,7 +114,7 @@ def link_meshes(
     placed = list(_placed(ours.skeleton, read.robot, found, visuals, refused))
     if not visuals:
         return _nothing(source, "has no visuals")
-    return _shown(source, placed[:_MOST_VISUALS], list(dict.fromkeys(refused.values())))
+    return _drawn(source, placed[:_MOST_VISUALS], list(dict.fromkeys(refused.values())))
 
 
 def mesh_data(files: dict[str, MeshFile]) -> Iterator[MeshDataMessage]:
@@ -186,7 +186,7 @@ def _placed(
         yield _PlacedVisual(ours.body_names[body], pose, visual)
 
 
-def _shown(source: MeshSource, placed: list[_PlacedVisual], problems: list[str]) -> LinkMeshes:
+def _drawn(source: MeshSource, placed: list[_PlacedVisual], problems: list[str]) -> LinkMeshes:
     files, lost = _files(source, [each.visual.file for each in placed])
     names = {address: name for name, (address, _) in files.items()}
     messages = [

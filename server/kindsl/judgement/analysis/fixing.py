@@ -41,7 +41,7 @@ def fixed(analysis: Analysis, is_wanted: Callable[[Diagnostic], bool]) -> Fixed:
     at as a whole, see `made`. Rounds that lead back to an earlier text, but for blanks, are undone.
     """
     state = Fixed(analysis, 0, ())
-    seen = {_written(analysis.text): state}
+    seen = {_without_blanks(analysis.text): state}
     while len(state.rounds) < _MOST_ROUNDS:
         prove(finding.fix for finding in state.analysis.findings if finding.fix is not None)
         wanted = offered(state.analysis, filter(is_wanted, state.analysis.findings))
@@ -50,7 +50,7 @@ def fixed(analysis: Analysis, is_wanted: Callable[[Diagnostic], bool]) -> Fixed:
             break
         n_findings = state.n_findings + done.n_findings
         state = Fixed(done.analysis, n_findings, state.rounds + done.rounds)
-        written = _written(state.analysis.text)
+        written = _without_blanks(state.analysis.text)
         if written in seen:
             return seen[written]
         seen[written] = state
@@ -146,7 +146,7 @@ def _go_together(
     return after.total() <= before.total() and not is_new
 
 
-def _written(text: str) -> tuple[str, ...]:
+def _without_blanks(text: str) -> tuple[str, ...]:
     """Return a key that texts share that differ in blanks only."""
     remarks = [text[start:end] for start, end in comments(text)]
     return (*(token.text for token in scan(text)), *remarks)

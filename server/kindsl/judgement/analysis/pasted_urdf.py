@@ -40,11 +40,11 @@ def urdf_finding(model: Model, at: Place) -> Finding:
     told = "elements of URDF"
     try:
         fragment = fragment_of_urdf(at.island.text[at.start : at.end])
-        told = f"{_told(fragment)} of URDF"
+        told = f"{_subject(fragment)} of URDF"
         changes = _with_comments(_changes(model, fragment, at), at)
     except (FormatError, _NotTakenError) as error:
         return Finding(at, f"{told} cannot be taken over: {error}")
-    title = f"Take over {_told(fragment)}"
+    title = f"Take over {_subject(fragment)}"
     one = len(fragment.given_links) + len(fragment.given_joints) < 2
     fix = Fix(title, changes, is_safe=False)
     message = f"{told}: take {'it' if one else 'them'} over"
@@ -52,7 +52,7 @@ def urdf_finding(model: Model, at: Place) -> Finding:
     return Finding(at, message + limits, fix=fix)
 
 
-def _told(fragment: Fragment) -> str:
+def _subject(fragment: Fragment) -> str:
     if fragment.inertial is not None:
         return "an inertia"
     names = [f"link '{link.name}'" for link in fragment.links if link.name in fragment.given_links]

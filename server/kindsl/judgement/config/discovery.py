@@ -51,7 +51,7 @@ def nearest_configuration(folder: str) -> str | None:
     """Return the path of the configuration file in a folder or the nearest one above."""
     for path in candidates(folder):
         if is_configuration(path):
-            return _shown(path)
+            return _shown_path(path)
     return None
 
 
@@ -106,7 +106,7 @@ def _read(path: str) -> "Configuration | ConfigurationError":
         return error
 
 
-def _shown(path: str) -> str:
+def _shown_path(path: str) -> str:
     """Return a path from the working directory if it lies below."""
     relative = os.path.relpath(path)
     return path if relative.startswith("..") else relative

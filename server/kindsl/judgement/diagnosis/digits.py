@@ -89,7 +89,7 @@ def likely_half_widths(numbers: Sequence[WrittenDigits]) -> MassDistribution:
 
 def numbers_written(inertia: Inertia, values: Mapping[str, float]) -> list[WrittenDigits]:
     """Return the ten numbers of a complete inertia: mass, centre of mass, moments."""
-    return [_written(value, values) for value in _ten_values(inertia)]
+    return [_digits_of(value, values) for value in _ten_values(inertia)]
 
 
 def rewritten_number(text: str) -> WrittenDigits:
@@ -107,7 +107,7 @@ def _ten(numbers: Sequence[float]) -> MassDistribution:
     return MassDistribution(numbers[0], tuple(numbers[1:4]), tuple(numbers[4:]))  # type: ignore[arg-type]
 
 
-def _written(value: Expression, values: Mapping[str, float]) -> WrittenDigits:
+def _digits_of(value: Expression, values: Mapping[str, float]) -> WrittenDigits:
     text, literal = value.text, value.literal
     rounding = value.rounding(values) if literal is None else half_unit(text)
     return WrittenDigits(text, literal, rounding)

@@ -19,7 +19,7 @@ OF_A_LINK = tuple(PARTS)
 _WORDS = {"translation": "translation", "angles": "rotation", "com": "CoM"}
 
 
-def told(place: Suspect) -> str:
+def phrase(place: Suspect) -> str:
     """Return the numbers at a place: `translation of 'RF_HFE'`, `CoM of 'RF_upperleg'`."""
     name = place.link if place.what in OF_A_LINK else place.joint
     return f"{_WORDS.get(place.what, place.what)} of '{name}'"

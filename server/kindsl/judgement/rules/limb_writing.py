@@ -13,7 +13,7 @@ _NEAR_PI = 1e-6
 _MOST_DECIMALS = 6
 
 
-def written(
+def retyped(
     own: Sequence[Expression],
     twins: Sequence[Sequence[Expression]],
     meant: Sequence[Sequence[float]],
@@ -38,10 +38,11 @@ def written(
         wanted = [numbers[index] for numbers in meant]
         size = max(abs(x) for numbers in meant for x in numbers[kind])
         little = max(share, _SAME) * size if kinds else _SAME
-        said = _said(expression, words, wanted, assignments, little, _SAME * (size if kinds else 1))
-        if said is None:
+        exactly = _SAME * (size if kinds else 1)
+        text = _retyped(expression, words, wanted, assignments, little, exactly)
+        if text is None:
             return None
-        texts.append(said)
+        texts.append(text)
     return tuple(texts)
 
 
@@ -58,7 +59,7 @@ def rewriting(title: str, own: Sequence[Expression], texts: Sequence[str]) -> Fi
     return Fix(title, tuple(Replacement(old, new) for old, new in pairs if old.text != new))
 
 
-def _said(
+def _retyped(
     own: Expression,
     words: Sequence[Expression],
     wanted: Sequence[float],

@@ -62,7 +62,7 @@ class LimitedJoint(NamedTuple):
         if self.limit is None:
             return False
         pairs = (("lower", self.lower), ("upper", self.upper))
-        written = self.island.written
+        written = self.island.held
         return any(v is None and written(self.limit, name) is not None for name, v in pairs)
 
     @property

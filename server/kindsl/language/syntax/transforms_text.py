@@ -152,7 +152,7 @@ class _Recovery:
             place = error.pos_in_stream or 0
             self._note(parser, accepted, place, place + 1)
         elif error.token.type == "$END":
-            self.expected = tuple(map(_shown, accepted))
+            self.expected = tuple(map(_kind_name, accepted))
             self._note(parser, accepted, len(self.text), len(self.text))
             _complete(parser, error.token)
         else:
@@ -172,7 +172,7 @@ class _Recovery:
             return
         self._states = states
         found = f"'{shown(self.text[start:end])}'" if start < end else "the end of the document"
-        message = f"expected {alternatives(map(_shown, accepted))} instead of {found}"
+        message = f"expected {alternatives(map(_kind_name, accepted))} instead of {found}"
         self.defects.append(Defect(message, start, end))
 
 
@@ -241,7 +241,7 @@ def _inserted(kind: str, before: "Token") -> "Token":
     return Token.new_borrow_pos(kind, "", before)
 
 
-def _shown(kind: str) -> str:
+def _kind_name(kind: str) -> str:
     """Return a terminal as messages say it: `'{'`, `'base'`, `a frame`."""
     if kind.startswith("A_"):
         return kind.lower().replace("_", " ")

@@ -91,7 +91,7 @@ class Reference:
             return [self._jacobian(function.about[0], is_own)]
         if name in ("inverse_dynamics", "inverse_dynamics_actuated", "forward_dynamics"):
             return self._dynamics(name, load)
-        return self._plain(name)
+        return self._by_name(name)
 
     def _jacobian(self, name: str, is_own: bool) -> Array:
         """Return a Jacobian in the frame's own or in base coordinates."""
@@ -183,7 +183,7 @@ class Reference:
             return [forces]
         return [forces[k:], a0 if name == "inverse_dynamics" else forces[:k]]
 
-    def _plain(self, name: str) -> list[Array]:
+    def _by_name(self, name: str) -> list[Array]:
         m, base = self.mechanics, self._base
         q, qd, qdd, tau, g = (self.values[key] for key in ("q", "qd", "qdd", "tau", "g"))
         if name == "poses":

@@ -67,8 +67,8 @@ def _between_tensors(numbers: Numbers, sign: int) -> Iterator[str]:
         if not difference.agrees_with(arm):
             yield (
                 f"{one.name} at the origin less {other.name} at the CoM is "
-                f"{_shown(difference.value)} kg·m², "
-                f"but {_arm(entry, sign)} is {_shown(arm.value)} kg·m²"
+                f"{_text(difference.value)} kg·m², "
+                f"but {_arm(entry, sign)} is {_text(arm.value)} kg·m²"
             )
 
 
@@ -97,7 +97,7 @@ def _with_principal(numbers: Numbers, tensor: Tensor, sign: int) -> Iterator[str
         allowed = reach + float(one.error) + _SLACK * abs(found[2])
         if abs(float(one.value) - value) > allowed:
             yield (
-                f"the principal moment {one.name} is {_shown(one.value)} kg·m², "
+                f"the principal moment {one.name} is {_text(one.value)} kg·m², "
                 f"but that of the tensor is {value:.6g} kg·m²"
             )
             return
@@ -117,7 +117,7 @@ def _with_axis(
         if not found.agrees_with(expected):
             yield (
                 f"{_AXES[row]} of the tensor times the axis of {moment.name} is "
-                f"{_shown(found.value)} kg·m², but {_shown(expected.value)} kg·m² by {moment.name}"
+                f"{_text(found.value)} kg·m², but {_text(expected.value)} kg·m² by {moment.name}"
             )
             return
 
@@ -158,5 +158,5 @@ def _sum(terms: Iterator[Rounded]) -> Rounded:
     return total
 
 
-def _shown(value: Fraction) -> str:
+def _text(value: Fraction) -> str:
     return f"{float(value):.9g}"

@@ -47,7 +47,7 @@ class Quantity(NamedTuple):
         """Return the value as the document takes it, its digits kept, exactly if that is short."""
         power = _power_of_ten(self.factor)
         if power is not None:
-            return plain(sign * self.printed.scaleb(power))
+            return positional(sign * self.printed.scaleb(power))
         return decimal_text(sign * self.value)
 
 
@@ -86,7 +86,7 @@ class Rounded(NamedTuple):
         power = 0
         while Fraction(10) ** power > 2 * self.error:
             power -= 1
-        return plain(Decimal(round(sign * self.value * 10**-power)).scaleb(power))
+        return positional(Decimal(round(sign * self.value * 10**-power)).scaleb(power))
 
 
 def decimal_text(value: Fraction) -> str:
@@ -96,7 +96,7 @@ def decimal_text(value: Fraction) -> str:
             number = Decimal(value.numerator) / Decimal(value.denominator)
             if not context.flags[Inexact]:
                 break
-    return plain(number.normalize())
+    return positional(number.normalize())
 
 
 def _power_of_ten(factor: Fraction) -> int | None:
@@ -107,7 +107,7 @@ def _power_of_ten(factor: Fraction) -> int | None:
     return power if factor.numerator == whole else -power
 
 
-def plain(number: Decimal) -> str:
+def positional(number: Decimal) -> str:
     """Return a number without exponent and with a point; zero as `0.0`."""
     if not number:
         return "0.0"

@@ -6,7 +6,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from kindsl.robots.cad.properties import MassProperties
-from kindsl.robots.cad.quantity import plain
+from kindsl.robots.cad.quantity import positional
 
 _FEWEST_DIGITS = 9
 _LARGEST = 10
@@ -106,7 +106,7 @@ def rounded(value: Fraction, digits: int) -> str:
     """Return a value with so many significant digits at most, trailing zeros left out."""
     with localcontext(Context(prec=digits)):
         number = (Decimal(value.numerator) / Decimal(value.denominator)).normalize()
-    return plain(number + 0)
+    return positional(number + 0)
 
 
 def require_positive(given: Mapping[str, Decimal | None]) -> None:

@@ -29,7 +29,7 @@ def conventions(pair: Pair) -> Iterator[str]:
     for side, known, where in ((ours, other, "here"), (theirs, one, f"in {theirs.label}")):
         own = {frame.name for frame in side.skeleton.frames if _is_elsewhere(frame.pose)}
         only = sorted(name for name in own if writable(name) not in known)
-        yield from _told(only, "frame", f"only {where}")
+        yield from _count_of(only, "frame", f"only {where}")
 
 
 def _names(pair: Pair) -> Iterator[str]:
@@ -53,7 +53,7 @@ def _joints(pair: Pair) -> Iterator[str]:
     names, kinds = pair.ours.skeleton.joint_names, pair.ours.skeleton.joint_kinds
     label, joints = pair.theirs.label, pair.alignment.joints
     flipped = [names[body - 1] for body, joint in joints.items() if joint.sign < 0.0]
-    yield from _told(flipped, "joint", f"of the other sign in {label}")
+    yield from _count_of(flipped, "joint", f"of the other sign in {label}")
     for body, joint in joints.items():
         if joint.offset:
             slides = kinds[body - 1] == "prismatic"
@@ -64,7 +64,7 @@ def _joints(pair: Pair) -> Iterator[str]:
 def _link_frames(pair: Pair) -> Iterator[str]:
     names, frames = pair.ours.skeleton.body_names, pair.alignment.frames
     moved = [names[body] for body, pose in frames.items() if _is_elsewhere(pose)]
-    yield from _told(moved, "link frame", f"elsewhere in {pair.theirs.label}")
+    yield from _count_of(moved, "link frame", f"elsewhere in {pair.theirs.label}")
 
 
 def rounded_numbers(names: Sequence[str], where: str = "") -> Iterator[str]:
@@ -112,7 +112,7 @@ def _is_elsewhere(pose: RigidPose) -> bool:
     return trace < 3.0 - _NOTHING**2 or hypot(*pose.translation) > _NOTHING
 
 
-def _told(names: list[str], what: str, how: str) -> Iterator[str]:
+def _count_of(names: list[str], what: str, how: str) -> Iterator[str]:
     if names:
         shown = [f"'{name}'" for name in names[:_SHOWN]]
         some = ", ".join((*shown, "...")) if names[_SHOWN:] else listed(shown)

@@ -216,14 +216,14 @@ class RobotIsland(OtherIsland):
         child = element.find(name) if name and span is None else None
         return Place(self, *(span or self.tag(element if child is None else child)))
 
-    def written(self, element: Any, name: str) -> str | None:
+    def held(self, element: Any, name: str) -> str | None:
         """Return what an attribute of an element, or a child, holds; None without either."""
         held: str | None = element.get(name, element.findtext(name))
         return held
 
     def value(self, element: Any, name: str) -> float | None:
         """Return the number that an attribute of an element, or a child, holds; None without."""
-        held = None if element is None else self.written(element, name)
+        held = None if element is None else self.held(element, name)
         return None if held is None else finite_number(held.strip())
 
     def name(self, element: Any, attribute: str) -> Name:

@@ -141,7 +141,7 @@ class WeighedComparison:
         backward = product(product(back, other.rotation), transposed(conventions[index]))
         free_axis = mount.free_axis if index == 0 and what == "translation" else None
 
-        def said(body: Body, twin: Body, place: Vector3, rotation: Rotation) -> Accusation:
+        def accusation(body: Body, twin: Body, place: Vector3, rotation: Rotation) -> Accusation:
             own, meant = body.translation, place
             if what == "angles":
                 own, meant = body.angles, angles_near(rotation, body.angles, twin.angles)
@@ -150,7 +150,9 @@ class WeighedComparison:
             suspect = Suspect(body.name, body.joint, what)
             return Accusation(suspect, twin.name, meant, cost, n_new, n_all, change, free_axis)
 
-        return said(one, other, turned(back, (x, y, z)), backward), said(other, one, there, forward)
+        return accusation(one, other, turned(back, (x, y, z)), backward), accusation(
+            other, one, there, forward
+        )
 
 
 def differing(

@@ -22,12 +22,12 @@ def render(outcome: RunOutcome) -> str:
     return "".join(
         line + "\n"
         for file in outcome.files
-        for first, *others in _told(file.findings, outcome.is_verbose)
+        for first, *others in _groups(file.findings, outcome.is_verbose)
         for line in (*_lines(file, first, paint), *_count(file, others, paint))
     )
 
 
-def _told(findings: Sequence[Diagnostic], is_verbose: bool) -> list[list[Diagnostic]]:
+def _groups(findings: Sequence[Diagnostic], is_verbose: bool) -> list[list[Diagnostic]]:
     if is_verbose or len(findings) <= 1:
         return [[finding] for finding in findings]
     # Imported for many findings only, since it delays the linter's start.

@@ -26,7 +26,7 @@ def hover(view: View, params: types.HoverParams) -> types.Hover | None:
     """Tell what a word means."""
     from kindsl.frontends.features.hover.hover import hover
 
-    return _shown(view, hover(view.analysis, view.offset(params.position)))
+    return _hover_message(view, hover(view.analysis, view.offset(params.position)))
 
 
 @handlers.transforms(types.TEXT_DOCUMENT_HOVER)
@@ -35,7 +35,7 @@ def hover_transforms(view: TransformsView, params: types.HoverParams) -> types.H
     from kindsl.frontends.features.transforms import transforms_hover
 
     offset = view.offset(params.position)
-    return _shown(view, transforms_hover(view.document.text, offset, view.model))
+    return _hover_message(view, transforms_hover(view.document.text, offset, view.model))
 
 
 @handlers.xml(types.TEXT_DOCUMENT_HOVER)
@@ -43,10 +43,10 @@ def hover_xml(view: View, params: types.HoverParams) -> types.Hover | None:
     """Tell what a link or joint of a robot in XML weighs, and how it moves."""
     from kindsl.frontends.features.xml_things import xml_hover
 
-    return _shown(view, xml_hover(view.analysis, view.offset(params.position)))
+    return _hover_message(view, xml_hover(view.analysis, view.offset(params.position)))
 
 
-def _shown(view: Sight, found: "Hover | None") -> types.Hover | None:
+def _hover_message(view: Sight, found: "Hover | None") -> types.Hover | None:
     if found is None:
         return None
     content = view.markup(found.markdown, "text_document.hover.content_format")

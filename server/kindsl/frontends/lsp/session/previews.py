@@ -87,12 +87,12 @@ class Previews:
 
     def saved(self, uri: str) -> None:
         """Let the version that was saved stand as a ghost behind later ones."""
-        if (shown := self._shown(uri)) is not None:
+        if (shown := self._preview_of(uri)) is not None:
             shown.keep_as_ghost()
 
     def set_parameter(self, uri: str, name: str, value: float) -> None:
         """Let a parameter that nothing binds have a value in the picture."""
-        if (shown := self._shown(uri)) is not None:
+        if (shown := self._preview_of(uri)) is not None:
             shown.set_parameters({name: value})
 
     async def stop(self) -> None:
@@ -100,7 +100,7 @@ class Previews:
         if self._preview is not None:
             await self._preview.stop()
 
-    def _shown(self, uri: str) -> "DocumentPreview | None":
+    def _preview_of(self, uri: str) -> "DocumentPreview | None":
         return None if self._preview is None else self._preview.at(uris.key(uri))
 
     def _follow(self, document: Document, findings: "Sequence[Diagnostic] | None" = None) -> None:
@@ -129,7 +129,7 @@ class Previews:
         try:
             analysis = await (await self._state.analyses.version(document)).shown()
         except UnreadableRobotError as error:
-            if (shown := self._shown(document.uri)) is None:
+            if (shown := self._preview_of(document.uri)) is None:
                 raise RequestFailed(str(error)) from None
             shown.lose(str(error))
             return
@@ -210,5 +210,5 @@ class Previews:
         return made, parameter_table(wanted.values), "Give parameters values"
 
     def _highlight(self, uri: str, kind: str, name: str) -> None:
-        if (shown := self._shown(uri)) is not None:
+        if (shown := self._preview_of(uri)) is not None:
             self._state.loop.call_soon_threadsafe(shown.highlight, kind, name)

@@ -34,7 +34,7 @@ def check_document(model: Model, _: object) -> Iterator[Finding]:
         if inertia is None or None in numbers[:2] or not numbers[0]:
             continue
         are_equal = len(set(numbers)) == 1
-        is_precise = significant_digits(island.written(inertia, "ixx") or "") >= _LEAST_DIGITS
+        is_precise = significant_digits(island.held(inertia, "ixx") or "") >= _LEAST_DIGITS
         if are_equal or (is_precise and numbers[1] == numbers[0]):
             which = "all six moments are" if are_equal else "'ixy' is the same as 'ixx':"
             message = f"moments of '{island.full_name}' were copied: {which} {numbers[0]:g} kg·m²"

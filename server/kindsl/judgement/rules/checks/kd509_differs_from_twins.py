@@ -1,7 +1,7 @@
 """A number of one limb differs from its twins.
 
 ## What it does
-Compares limbs that are meant to be alike: three or more legs, arms or fingers of one body, told
+Compares limbs that are meant to be alike: three or more legs, arms or fingers of one body, phrase
 apart by sides and rows (`LF_hip`, `RH_hip`) or by numbers (`leg3_coxa`). Link frames of mirrored
 limbs may lie in other ways; what counts is whether some mirroring or turning of the limb makes all
 numbers those of its twins. Where all limbs agree but one, and one translation or rotation of it
@@ -40,9 +40,16 @@ from kindsl.judgement.diagnosis.judgements import TEN, is_impossible, is_round, 
 from kindsl.judgement.rules.base import Finding, Fix, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.inertia.told_causes import explained, has_cause, told_causes
-from kindsl.judgement.rules.limb_places import OF_A_LINK, PARTS, located, numbers_at, place_at, told
+from kindsl.judgement.rules.limb_places import (
+    OF_A_LINK,
+    PARTS,
+    located,
+    numbers_at,
+    phrase,
+    place_at,
+)
 from kindsl.judgement.rules.limb_verdicts import copied_limbs, limb_slips
-from kindsl.judgement.rules.limb_writing import as_numbers, rewriting, written
+from kindsl.judgement.rules.limb_writing import as_numbers, retyped, rewriting
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
@@ -78,9 +85,9 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
                 fix = None
             if fix is None and has_cause(model, context, model.body_named[place.link]):
                 continue
-            others = [Related(located(model, p), f"or {told(p)}") for p in verdict.places[1:]]
+            others = [Related(located(model, p), f"or {phrase(p)}") for p in verdict.places[1:]]
             twins = [place_at(model, twin, place.what) for twin in verdict.twins]
-            others += [Related(located(model, p), told(p)) for p in twins]
+            others += [Related(located(model, p), phrase(p)) for p in twins]
             explains = _OF_A_COM if place.what == "com" else frozenset()
             yield Finding(located(model, place), message, tuple(others), fix, explains=explains)
 
@@ -99,18 +106,18 @@ def _message(model: Model, context: Context, verdict: LimbVerdict) -> tuple[str,
     verb = "differ" if place.what == "moments" else "differs"
     if not changed:
         why = _why(model, context, verdict) if is_of_many and verdict.repairs else ""
-        return f"{' or '.join(map(told, verdict.places))} {verb} from its twins{why}", None
+        return f"{' or '.join(map(phrase, verdict.places))} {verb} from its twins{why}", None
     may_be_right = place.what in OF_A_LINK and _are_impossible(model, context, verdict.twins)
     if place.what == "inertia" and all(
         x.text.lstrip("-") == y.lstrip("-") for x, y in zip(own, texts, strict=True)
     ):
-        turned = told(place._replace(what="angles"))
-        return f"signs of {told(place)} differ from its twins, unless {turned} is wrong", None
-    name, here, there = told(place), as_numbers(own), as_numbers(texts)
+        turned = phrase(place._replace(what="angles"))
+        return f"signs of {phrase(place)} differ from its twins, unless {turned} is wrong", None
+    name, here, there = phrase(place), as_numbers(own), as_numbers(texts)
     # In XML moments are about the CoM, so that those of another part have another place as well.
     is_alone = place.what in ("mass", "com") and not model.document.is_xml
     if is_alone and (copy := _copied(model, verdict)):
-        whole = told(place._replace(what="inertia"))
+        whole = phrase(place._replace(what="inertia"))
         return f"{whole} differs from its twins: {copy}", None
     if is_of_many and model.document.is_xml:
         return f"{name} {verb} from its twins", _taken_over(model, context, verdict, may_be_right)
@@ -136,7 +143,7 @@ def _taken_over(
     own, texts = numbers_at(model, place), _texts(model, context, verdict, 0.0)
     if may_be_right or not texts:
         return None
-    return rewriting(f"Set {told(place)} to that of its twins", own, texts)
+    return rewriting(f"Set {phrase(place)} to that of its twins", own, texts)
 
 
 def _texts(model: Model, context: Context, verdict: LimbVerdict, share: float) -> tuple[str, ...]:
@@ -154,7 +161,7 @@ def _texts(model: Model, context: Context, verdict: LimbVerdict, share: float) -
     assignments = limb_slips(model, context).assignments
     kinds = list(PARTS.values())[:3] if place.what == "inertia" else [slice(len(own))]
     kinds = kinds if place.what in OF_A_LINK else []
-    return written(own, twins, verdict.repairs[0].meant, assignments, kinds, share) or ()
+    return retyped(own, twins, verdict.repairs[0].meant, assignments, kinds, share) or ()
 
 
 def _copied(model: Model, verdict: LimbVerdict) -> str:

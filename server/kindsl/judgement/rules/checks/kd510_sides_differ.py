@@ -29,9 +29,9 @@ from itertools import chain
 from kindsl.judgement.rules.base import Finding, Fix, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.inertia.shapes import is_told_of
-from kindsl.judgement.rules.limb_places import OF_A_LINK, joint_of, located, numbers_at, told
+from kindsl.judgement.rules.limb_places import OF_A_LINK, joint_of, located, numbers_at, phrase
 from kindsl.judgement.rules.limb_verdicts import copied_limbs, limb_slips
-from kindsl.judgement.rules.limb_writing import as_numbers, rewriting, written
+from kindsl.judgement.rules.limb_writing import as_numbers, retyped, rewriting
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 from kindsl.robots.limbs.limb import names_of
@@ -50,13 +50,14 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
             own, twin = numbers_at(model, here), numbers_at(model, there)
             if own and twin:
                 like_twin = _texts(model, context, *verdict.repairs)
-                message = f"{told(here)} is {as_numbers(own)}, " + (
-                    f"by {told(there)} it would be {as_numbers(like_twin)}"
+                message = f"{phrase(here)} is {as_numbers(own)}, " + (
+                    f"by {phrase(there)} it would be {as_numbers(like_twin)}"
                     if like_twin
-                    else f"and {told(there)} {as_numbers(twin)}"
+                    else f"and {phrase(there)} {as_numbers(twin)}"
                 )
                 message += ": one slip keeps the two sides from being alike"
-                others = [Related(located(model, p), told(p)) for p in verdict.places if p != here]
+                places = [place for place in verdict.places if place != here]
+                others = [Related(located(model, place), phrase(place)) for place in places]
                 choices = tuple(_choices(model, context, verdict))
                 yield Finding(located(model, here), message, tuple(others), choices=choices)
 
@@ -90,7 +91,7 @@ def _fix(model: Model, context: Context, repair: MeantNumbers, other: MeantNumbe
     texts = _texts(model, context, repair, other)
     if texts is None:
         return None
-    title = f"Set {told(repair.place)} to {as_numbers(texts)}"
+    title = f"Set {phrase(repair.place)} to {as_numbers(texts)}"
     return rewriting(title, numbers_at(model, repair.place), texts)
 
 
@@ -99,7 +100,7 @@ def _texts(
 ) -> tuple[str, ...] | None:
     """Return the numbers at a place as the other side has them, None where none can be written."""
     own, twin = numbers_at(model, repair.place), numbers_at(model, other.place)
-    return written(own, [twin], repair.meant, limb_slips(model, context).assignments)
+    return retyped(own, [twin], repair.meant, limb_slips(model, context).assignments)
 
 
 RULE = Rule(

@@ -53,14 +53,14 @@ _EVIDENCE = frozenset(("KD311",))
 # The codes of a link that two counterparts or more outvote, and of one of a pair.
 _OF_MANY, _OF_TWO = "KD509", "KD312"
 # The code of the rule that tells it, and what it tells.
-_Told = tuple[str, Finding]
-_TELLINGS = Fact[tuple[object, _Told | None]]("told causes")
+_Coded = tuple[str, Finding]
+_TELLINGS = Fact[tuple[object, _Coded | None]]("told causes")
 
 
-def findings(suspects: Sequence[Judgement], model: Model, context: Context) -> list[_Told]:
+def findings(suspects: Sequence[Judgement], model: Model, context: Context) -> list[_Coded]:
     """Return what is told of inertias that need an explanation, with the code of its rule."""
     diagnosed = diagnoses(suspects, model, context.values)
-    told = [each for d in diagnosed if (each := _told(d, context)) is not None]
+    told = [each for d in diagnosed if (each := _of_causes(d, context)) is not None]
     shared = _shared(diagnosed, told, model)
     if shared is not None:
         return [shared]
@@ -79,20 +79,20 @@ def length_unit(causes: Sequence[Cause]) -> tuple[str, bool]:
     return cause.hypothesis.unit, cause.probability >= _SURE
 
 
-def _told(diagnosis: Diagnosis, context: Context) -> _Told | None:
+def _of_causes(diagnosis: Diagnosis, context: Context) -> _Coded | None:
     """Return what is told of one inertia; made again only where its likely causes have changed."""
     found, causes = diagnosis
     at = at_values(found.inertia, context.values)
 
-    def telling() -> _Told | None:
+    def find() -> _Coded | None:
         if not causes or not _is_told(found, causes):
             return None
         return causes[0].hypothesis.code, _finding(diagnosis, at, context)
 
-    return found.link.facts.made_of(_TELLINGS, (causes, at, context.targets), telling)
+    return found.link.facts.made_of(_TELLINGS, (causes, at, context.targets), find)
 
 
-def _of_unlike(unlike: Unlike, model: Model, context: Context) -> _Told | None:
+def _of_unlike(unlike: Unlike, model: Model, context: Context) -> _Coded | None:
     """Return what is told of a link that is not as its counterparts, None if all may be meant."""
     found = misfits(unlike, model, context.values)
     if not found or sum(each.cause.probability for each in found) < _LIKELY:
@@ -123,7 +123,7 @@ def _is_told(found: Judgement, causes: Sequence[Cause]) -> bool:
     return sum(cause.probability for cause in causes) >= _LIKELY
 
 
-def _shared(explained: Sequence[Diagnosis], told: Sequence[_Told], model: Model) -> _Told | None:
+def _shared(explained: Sequence[Diagnosis], told: Sequence[_Coded], model: Model) -> _Coded | None:
     """Return the one finding of a document in which every body shows the same slip."""
     fixes = [finding.fix for _, finding in told if finding.fix is not None]
     if not _LEAST_SHARED <= len(fixes) == len(explained):

@@ -28,7 +28,7 @@ def spec_of_file(path: Path) -> Any:
         raise FormatError(f"not an MJCF: {hint}")
     is_known = path.suffix == ".xml"
     try:
-        return _told(
+        return _in_one_sentence(
             (lambda: mujoco.MjSpec.from_file(str(path)))
             if is_known
             else (lambda: _spec(path, content)),
@@ -63,17 +63,17 @@ def compiled(spec: Any) -> Any:
     Raises:
         FormatError: MuJoCo refuses it.
     """
-    return _told(spec.compile, "MuJoCo refuses the model")
+    return _in_one_sentence(spec.compile, "MuJoCo refuses the model")
 
 
 def checked_text(text: str) -> None:
     """Raise FormatError if MuJoCo does not load a text."""
     import mujoco
 
-    _told(lambda: mujoco.MjSpec.from_string(text).compile(), "MuJoCo refuses the model")
+    _in_one_sentence(lambda: mujoco.MjSpec.from_string(text).compile(), "MuJoCo refuses the model")
 
 
-def _told(action: Callable[[], Any], failure: str) -> Any:
+def _in_one_sentence(action: Callable[[], Any], failure: str) -> Any:
     """Return what an action returns; MuJoCo's complaint is told as one sentence.
 
     Warnings, which MuJoCo prints, gives to Python and appends to a file in the current folder, are

@@ -54,7 +54,7 @@ def losses(spec: Any) -> Iterator[str]:
     if n_drawn:
         yield f"geometry and meshes of {_bodies(n_drawn)} dropped"
     for equality in spec.equalities:
-        yield f"{_told(equality)} dropped: the joints are now independent"
+        yield f"{_named(equality)} dropped: the joints are now independent"
 
 
 def strip(spec: Any) -> None:
@@ -136,11 +136,11 @@ def _check_equalities(spec: Any) -> None:
     for equality in spec.equalities:
         if _kind(equality) in _LOOPS:
             raise FormatError(
-                f"{_told(equality)} closes a kinematic loop, which the language does not support"
+                f"{_named(equality)} closes a kinematic loop, which the language does not support"
             )
 
 
-def _told(equality: Any) -> str:
+def _named(equality: Any) -> str:
     named = f" '{equality.name}'" if equality.name else ""
     ends = " and ".join(f"'{name}'" for name in (equality.name1, equality.name2) if name)
     return f"the equality{named} ({_kind(equality)} of {ends})"

@@ -91,12 +91,12 @@ def _name(skeleton: Linkage, body: int) -> str:
 def _link(parent: Element, skeleton: Linkage, link: int, choices: WritingChoices) -> Element:
     own = skeleton.bodies[link]
     body = added(parent, "body", name=_name(skeleton, link), **_pose(own.placement))
-    told = _told(choices.joints.get(own.joint, UNTOLD))
+    told = _properties(choices.joints.get(own.joint, UNTOLD))
     added(body, "joint", name=own.joint, type=_TYPES[own.kind], axis="0 0 1", **told)
     return body
 
 
-def _told(own: JointProperties) -> dict[str, str]:
+def _properties(own: JointProperties) -> dict[str, str]:
     """Return the attributes of what is told of a joint; of limits, MuJoCo has two or none."""
     given: dict[str, Sequence[float]] = {}
     if own.limits != (None, None):

@@ -103,7 +103,7 @@ def _reason(error: Exception) -> str:
     parts: list[str] = []
     for part in _parts(error):
         plain = " ".join(_TYPE_OF_ERROR.sub("", part).split())
-        if plain and not any(_plain(plain) in _plain(known) for known in parts):
+        if plain and not any(_bare(plain) in _bare(known) for known in parts):
             parts.append(plain)
     return " ".join(parts) or type(error).__name__
 
@@ -121,7 +121,7 @@ def _parts(error: BaseException) -> Iterator[str]:
         yield str(getattr(error, "suffix", None) or "")
 
 
-def _plain(sentence: str) -> str:
+def _bare(sentence: str) -> str:
     """Return a sentence without what two ways of saying it differ in."""
     return re.sub(r"\[Errno \d+\] |['\"]", "", sentence)
 
