@@ -125,16 +125,24 @@ def test_a_side_in_another_unit_does_not_accuse_the_other() -> None:
     assert [each.code for each in analyse(spoilt).findings] == ["KD502"]
 
 
-def test_of_two_legs_either_may_be_wrong() -> None:
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ('"RF_KFE" type="revolute"', '"RF_KFE" type="prismatic"', "its twin"),
+        ("0.02 -0.0623 -0.05", "0.02 -0.0632 -0.05", "from being alike"),
+    ],
+)
+def test_of_two_legs_either_may_be_wrong(old: str, new: str, said: str) -> None:
     text = placed_legs("0 1 0", ' rpy="0 0 0"')
     for name in ("LH", "RH"):
         text = re.sub(rf'<(link|joint) name="{name}_.*?</\1>', "", text, flags=re.DOTALL)
-    spoilt = text.replace(
-        '<joint name="RF_KFE" type="revolute"', '<joint name="RF_KFE" type="prismatic"'
-    )
-    assert analyse(text).findings == ()
+    spoilt = text.replace(old, new)
+    assert spoilt != text and analyse(text).findings == ()
     (found,) = analyse(spoilt).findings
-    assert "its twin" in found.message and found.fix is None and found.choices == ()
+    assert said in found.message and found.fix is None
+    fixed = [apply_edits(spoilt, each.edits) for each in found.choices]
+    assert len(fixed) == 2 and text in fixed
+    assert [analyse(each).findings for each in fixed] == [(), ()]
 
 
 SEGMENT = 'ixx="5.44698e-05" ixy="-1.6668e-06" ixz="0" iyy="0.00010235" iyz="0" izz="9.79711e-05"'

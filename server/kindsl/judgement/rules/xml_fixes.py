@@ -1,6 +1,7 @@
 """Fixes in XML: whole numbers that stand there, in the author's way of writing them."""
 
 import re
+from collections.abc import Sequence
 
 from kindsl.judgement.rules.base import Fix, Replacement
 from kindsl.judgement.rules.xml_shapes import in_words_of_xml
@@ -21,6 +22,13 @@ def xml_fix(fix: Fix | None) -> Fix | None:
     if fix is None or not whole or len(whole) < len(changes):
         return None
     return Fix(in_words_of_xml(fix.title), whole)
+
+
+def xml_choices(choices: Sequence[Fix]) -> tuple[Fix, ...]:
+    """Return choices as they are made in XML, none where only some of them can be."""
+    fixes = (xml_fix(each) for each in choices)
+    made = tuple(each for each in fixes if each is not None)
+    return made if len(made) == len(choices) else ()
 
 
 def _change(change: Replacement) -> Replacement | None:
