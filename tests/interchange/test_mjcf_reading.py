@@ -188,6 +188,20 @@ def test_dust_is_left_out_and_a_point_is_not(
     assert (tool.mass is not None) is is_kept
 
 
+def test_what_a_program_places_for_the_hand_to_follow_is_no_part_of_the_robot(
+    tmp_path: Path,
+) -> None:
+    text = (
+        "<mujoco><worldbody><body name='upper'><joint axis='0 1 0'/><geom size='.1'/></body>"
+        "<body name='goal' mocap='true'><geom size='.1'/></body></worldbody>"
+        "<equality><weld body1='goal' body2='upper'/></equality></mujoco>"
+    )
+    read = robot(text, tmp_path)
+    assert [body.name for body in read.robot.bodies[1:]] == ["upper"]
+    assert "the mocap body 'goal' dropped: it is a target, no part of the robot" in read.remarks
+    assert not any("weld" in remark for remark in read.remarks)
+
+
 def test_an_equality_of_one_joint_names_it_alone(tmp_path: Path) -> None:
     text = LOSSY.replace(" joint2='shoulder'/></equality>", "/></equality>")
     (told,) = [remark for remark in robot(text, tmp_path).remarks if "equality" in remark]

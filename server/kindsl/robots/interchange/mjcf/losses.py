@@ -53,8 +53,10 @@ def losses(spec: Any) -> Iterator[str]:
     n_drawn = sum(len(body.geoms) > 0 for body in spec.bodies)
     if n_drawn:
         yield f"geometry and meshes of {_bodies(n_drawn)} dropped"
-    for equality in spec.equalities:
+    for equality in _of_the_robot(spec):
         yield f"{_named(equality)} dropped: the joints are now independent"
+    for name in _targets(spec):
+        yield f"the mocap body '{name}' dropped: it is a target, no part of the robot"
 
 
 def strip(spec: Any) -> None:
@@ -66,6 +68,8 @@ def strip(spec: Any) -> None:
             spec.delete(element)
     for equality in list(spec.equalities):
         spec.delete(equality)
+    for body in [body for body in spec.bodies if body.mocap]:
+        spec.delete(body)
     always = mujoco.mjtInertiaFromGeom.mjINERTIAFROMGEOM_TRUE
     for body in spec.bodies:
         if body == spec.worldbody or (
@@ -133,11 +137,22 @@ def _strip_assets(spec: Any) -> None:
 
 
 def _check_equalities(spec: Any) -> None:
-    for equality in spec.equalities:
+    for equality in _of_the_robot(spec):
         if _kind(equality) in _LOOPS:
             raise FormatError(
                 f"{_named(equality)} closes a kinematic loop, which the language does not support"
             )
+
+
+def _targets(spec: Any) -> list[str]:
+    """Return the bodies without joints that a program places, for others to follow."""
+    return [str(body.name) for body in spec.bodies if body.mocap]
+
+
+def _of_the_robot(spec: Any) -> list[Any]:
+    """Return the equalities that hold no body to a target."""
+    targets = set(_targets(spec))
+    return [e for e in spec.equalities if targets.isdisjoint((e.name1, e.name2))]
 
 
 def _named(equality: Any) -> str:
