@@ -147,6 +147,17 @@ def check_jax() -> None:
         rtol=1e-9,
         atol=1e-9,
     )
+    compiled: list[str] = []
+    jax.monitoring.register_event_duration_secs_listener(
+        lambda event, *_, **__: compiled.append(event)
+    )
+    rounds = []
+    for _ in range(2):
+        compiled.clear()
+        module.forward_dynamics(*moves)
+        jax.grad(moved)(values["q"])
+        rounds.append(sum("backend_compile" in event for event in compiled))
+    assert rounds[0] and not rounds[1]
     batch = np.random.default_rng(1).uniform(-1.0, 1.0, (4, bodies.n_links))
     mapped = jax.vmap(call)(batch)
     np.testing.assert_allclose(mapped, call(batch), rtol=1e-12, atol=1e-12)

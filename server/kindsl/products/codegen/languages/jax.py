@@ -9,7 +9,7 @@ from kindsl.products.codegen.python_text import module_text
 from kindsl.products.codegen.reference import Reference
 
 OWN = (
-    "import jax.numpy as np\nimport numpy\nfrom jax import lax, tree\n"
+    "import jax.numpy as np\nimport numpy\nfrom jax import jit, lax, tree\n"
     "from jax.numpy import cos, sign, sin\n",
     "jax_answer",
     "poses_in_arrays",
