@@ -199,6 +199,18 @@ def test_numbers_of_the_other_side_are_the_files() -> None:
     ]
 
 
+def test_a_side_with_the_moments_of_another_part() -> None:
+    tensor = 'ixx="0.0221" ixy="0.0071" ixz="0" iyy="0.0323" iyz="0" izz="0.0417"'
+    hand = link("hand", "0.1 0.1 0.02", tensor, "3.1")
+    wrist = joint("wrist", "right_arm", "hand", "0.3 0 0")
+    text = sides("", "-").replace("</robot>", f"{hand}{wrist}</robot>")
+    assert messages(text) == []
+    assert messages(text.replace(ODD.format("-"), tensor, 1)) == [
+        "'right_arm' is not the mirror image of 'left_arm': its moments are those of 'hand',"
+        " which is another part"
+    ]
+
+
 def limb(label: str, hip: str, knee: str, foot: str = "0 0 -0.3") -> str:
     names = [f"{label}_{part}" for part in ("hip", "thigh", "shank")]
     return "".join((

@@ -8,7 +8,7 @@ from kindsl.judgement.diagnosis.unlike import unlike_among
 from kindsl.judgement.rules.base import Finding, Related, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.geometry import converted
-from kindsl.judgement.rules.inertia.mirror_images import mirror_difference, sided_pairs
+from kindsl.judgement.rules.inertia.mirror_images import unlike_pairs
 from kindsl.judgement.rules.inertia.told_causes import told_causes
 from kindsl.judgement.rules.limb_places import numbers_at
 from kindsl.judgement.rules.limb_writing import as_numbers, rewriting
@@ -21,16 +21,14 @@ from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import mass_distribution, written_pose
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import IDENTITY
-from kindsl.robots.limbs.comparison import Tolerance
 from kindsl.robots.limbs.names import label_of
-from kindsl.robots.limbs.weighing import Suspect, differing
+from kindsl.robots.limbs.weighing import Suspect
 from kindsl.robots.mechanism.body_verdicts import (
     GREATEST_LENGTH,
     body_verdicts,
     is_as_large,
 )
 
-_NEARLY = Tolerance(5e-4, 0.05, 0.05)
 _MOMENT = re.compile(r"\bI([xyz])([xyz]?)\b(?=(?:[^']*'[^']*')*[^']*$)")
 _OF_LIMBS = frozenset(("KD208", "KD209", "KD210", "KD509", "KD510"))
 _SHAPES = ("KD309", "KD313", "KD511")
@@ -76,7 +74,8 @@ def body_findings(model: Model, bodies: Sequence[XmlBody], context: Context) -> 
     for link, finding in _unlike(model, told_of):
         told_of.add(link)
         yield "KD509", finding
-    yield from _mirrored(model, told_of)
+    for finding in unlike_pairs(model, {}, _as_written, told_of.__contains__):
+        yield "KD312", finding._replace(message=in_words_of_xml(finding.message))
 
 
 def in_words_of_xml(message: str) -> str:
@@ -148,20 +147,6 @@ def _in_another_unit(vector: Vector, is_com: bool) -> Finding:
     return Finding(farthest, message, fix=fix, probability=probability)
 
 
-def _mirrored(model: Model, told_of: set[Link]) -> Found:
-    """Yield parts of the right side whose numbers are nearly those of the left one."""
-    for left, right in sided_pairs(model):
-        here, there = _as_written(left), _as_written(right)
-        if here is None or there is None or left in told_of or right in told_of:
-            continue
-        if any(not differing(each, there, _NEARLY) for each in images(here)):
-            continue
-        difference = mirror_difference((str(left.name), str(right.name)), here, there)
-        if difference and right.inertia is not None and left.inertia is not None:
-            related = Related(left.inertia, f"inertia of '{left.name}'")
-            yield "KD312", Finding(right.inertia, in_words_of_xml(difference), (related,))
-
-
 def _unlike(model: Model, told_of: Container[Link]) -> Iterator[tuple[Link, Finding]]:
     """Yield the parts that differ in one way from two others or more, which are all alike."""
     for link, body, twins, within in unlike_among(model, _as_written):
@@ -196,7 +181,7 @@ def _of_same_side(
     return (own, like[0]) if len(like) >= _ENOUGH and len(as_read) == 1 and own else None
 
 
-def _as_written(link: Link) -> MassDistribution | None:
+def _as_written(link: Link, _: object = None) -> MassDistribution | None:
     """Return mass, CoM and the six numbers as they stand in the file; None if axes are turned."""
     inertia, frame = link.inertia, next(iter(link.frames), None)
     written = mass_distribution(inertia, {}) if inertia is not None else None

@@ -25,14 +25,11 @@ link right_arm { id = 2 inertia_params { mass = 1.42 ... } children {} }
 ```
 """
 
-from collections.abc import Iterator, Mapping
-from functools import partial
+from collections.abc import Iterator
 
-from kindsl.judgement.diagnosis.counterparts import is_mirror_image
-from kindsl.judgement.diagnosis.judgements import keyword
-from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
+from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.inertia.mirror_images import mirror_difference, sided_pairs
+from kindsl.judgement.rules.inertia.mirror_images import unlike_pairs
 from kindsl.judgement.rules.inertia.shapes import is_told_of
 from kindsl.judgement.rules.inertia.told_causes import explained, has_cause
 from kindsl.judgement.rules.limb_places import OF_A_LINK
@@ -40,12 +37,7 @@ from kindsl.judgement.rules.limb_verdicts import limb_slips
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.unknown import Unknown
-from kindsl.language.text.facts import Fact
 from kindsl.robots.mechanism.link_inertia import link_inertia
-
-_DIFFERENCES = Fact[tuple[object, tuple[str, bool]]]("differences of pairs")
-_NEARLY = 0.05
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
@@ -53,53 +45,12 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     yield from explained(model, context, "KD312")
     verdicts = limb_slips(model, context).verdicts
     told = {place.link for v in verdicts for place in v.places if place.what in OF_A_LINK}
-    for left, right in sided_pairs(model):
-        compare = partial(_difference, left, right, context.values)
-        numbers, are_images = left.facts.made_of(_DIFFERENCES, (right, context.values), compare)
-        if are_images or any(
-            body.name in told
-            or is_told_of(body, model, context)
-            or has_cause(model, context, body, "KD312", "KD502", "KD509")
-            for body in (left, right)
-        ):
-            continue
-        found = _copied(model, left, right)
-        if len(found) == 1:
-            own, twin, message = found[0]
-            yield _finding(own, twin, message)
-        elif numbers:
-            yield _finding(right, left, numbers)
 
+    def is_told(body: Link) -> bool:
+        is_of_limbs = body.name in told or is_told_of(body, model, context)
+        return is_of_limbs or has_cause(model, context, body, "KD312", "KD502", "KD509")
 
-def _difference(left: Link, right: Link, values: Mapping[str, float]) -> tuple[str, bool]:
-    """Return the numbers that differ, in words, and whether all is alike or not known."""
-    here, there = (link_inertia(body, values) for body in (left, right))
-    if isinstance(here, Unknown) or isinstance(there, Unknown):
-        return "", True
-    numbers = mirror_difference((str(left.name), str(right.name)), here, there)
-    return numbers, not numbers and is_mirror_image(here, there, _NEARLY)
-
-
-def _copied(model: Model, *pair: Link) -> list[tuple[Link, Link, str]]:
-    """Return each side that has another part's moments, with its twin and what is said of it."""
-    # Imported for twins that are unlike only, since it delays the linter's start.
-    from kindsl.judgement.diagnosis.surroundings import same_moments
-
-    found = []
-    for own, twin in (pair, pair[::-1]):
-        copy = next(same_moments(model, own), None)
-        said = f"its moments are those of '{copy}', which is another part"
-        if copy:
-            found.append(
-                (own, twin, f"'{own.name}' is not the mirror image of '{twin.name}': {said}")
-            )
-    return found
-
-
-def _finding(own: Link, twin: Link, message: str) -> Finding:
-    assert own.inertia is not None and twin.inertia is not None
-    related = Related(keyword(twin.inertia), f"inertia of '{twin.name}'")
-    return Finding(keyword(own.inertia), message, (related,))
+    yield from unlike_pairs(model, context.values, link_inertia, is_told)
 
 
 RULE = Rule(

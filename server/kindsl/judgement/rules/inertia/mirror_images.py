@@ -1,21 +1,84 @@
 """Inertias of a left and a right part that are nearly mirror images."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from math import isclose
 
-from kindsl.judgement.diagnosis.judgements import TEN
+from kindsl.judgement.diagnosis.counterparts import is_mirror_image
+from kindsl.judgement.diagnosis.judgements import TEN, keyword
+from kindsl.judgement.rules.base import Finding, Related
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model, model_part
 from kindsl.language.syntax.document import Chunk
-from kindsl.language.text.facts import kept
+from kindsl.language.text.facts import Fact, kept
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.robots.limbs.mounts import REFLECTIONS
 from kindsl.robots.limbs.names import label_of, other_sides
 from kindsl.robots.limbs.weighing import seen_by
 
+_DIFFERENCES = Fact[tuple[object, tuple[str, bool]]]("differences of pairs")
 _SIGNIFICANT = 0.05
 _MOST_DIFFERENCES = 2
 _ROUNDED = 1e-3
+
+Values = Mapping[str, float]
+_BodyOf = Callable[[Link, Values], object]
+
+
+def unlike_pairs(
+    model: Model, values: Values, body_of: _BodyOf, is_told: Callable[[Link], bool]
+) -> Iterator[Finding]:
+    """Yield a finding for each mirrored pair in which one part has a slip.
+
+    Args:
+        model: The robot.
+        values: Of its parameters.
+        body_of: Returns the mass distribution of a part as it is written, anything else if it
+            is not known.
+        is_told: Returns whether something else is told of a part's inertia.
+    """
+    for left, right in sided_pairs(model):
+        compare = partial(_difference, left, right, values, body_of)
+        numbers, are_images = left.facts.made_of(_DIFFERENCES, (right, values), compare)
+        if are_images or is_told(left) or is_told(right):
+            continue
+        found = _copied(model, left, right)
+        if len(found) == 1:
+            own, twin, message = found[0]
+            yield _finding(own, twin, message)
+        elif numbers:
+            yield _finding(right, left, numbers)
+
+
+def _difference(left: Link, right: Link, values: Values, body_of: _BodyOf) -> tuple[str, bool]:
+    """Return the numbers that differ, in words, and whether all is alike or not known."""
+    here, there = (body_of(body, values) for body in (left, right))
+    if not isinstance(here, MassDistribution) or not isinstance(there, MassDistribution):
+        return "", True
+    numbers = mirror_difference((str(left.name), str(right.name)), here, there)
+    return numbers, not numbers and is_mirror_image(here, there, _SIGNIFICANT)
+
+
+def _copied(model: Model, *pair: Link) -> list[tuple[Link, Link, str]]:
+    """Return each side that has another part's moments, with its twin and what is said of it."""
+    # Imported for twins that are unlike only, since it delays the linter's start.
+    from kindsl.judgement.diagnosis.surroundings import same_moments
+
+    found = []
+    for own, twin in (pair, pair[::-1]):
+        copy = next(same_moments(model, own), None)
+        said = f"its moments are those of '{copy}', which is another part"
+        if copy:
+            found.append(
+                (own, twin, f"'{own.name}' is not the mirror image of '{twin.name}': {said}")
+            )
+    return found
+
+
+def _finding(own: Link, twin: Link, message: str) -> Finding:
+    assert own.inertia is not None and twin.inertia is not None
+    related = Related(keyword(twin.inertia), f"inertia of '{twin.name}'")
+    return Finding(keyword(own.inertia), message, (related,))
 
 
 def sided_pairs(model: Model) -> Iterator[tuple[Link, Link]]:
