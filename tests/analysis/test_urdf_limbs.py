@@ -105,6 +105,12 @@ def test_what_three_legs_say_of_the_fourth_is_restored_to_the_byte(
     assert found.fix is not None and apply_edits(spoilt, found.fix.edits) == text
 
 
+def test_a_misplaced_joint_does_not_accuse_what_carries_it() -> None:
+    before, name, after = placed_legs().partition('<joint name="RF_KFE"')
+    spoilt = before + name + after.replace("0 0 -0.3", "0 -0.3 0", 1)
+    assert [each.code for each in analyse(spoilt).findings] == ["KD509"]
+
+
 @pytest.mark.parametrize(
     ("old", "new"),
     [('xyz="0.01 0 -0.1"', 'xyz="0.01 0 0.1"'), ('value="1.2"', 'value="2.1"')],

@@ -60,17 +60,18 @@ def body_findings(model: Model, bodies: Sequence[XmlBody], context: Context) -> 
             )
             told = in_words_of_xml(cause.message)
             yield code, cause._replace(message=told, related=tuple(others))
-    told_of = set(odd)
-    for body in bodies:
-        links = {part.link for part in body.parts}
-        shapes = list(_shapes(body)) if body.moves and not links & odd else []
-        yield from shapes
-        if shapes:
-            told_of |= links
-    branches = _branches(bodies)
+    told_of, branches = set(odd), _branches(bodies)
     yield from _limb_findings(model, context) if branches else ()
-    if branches:
-        told_of |= _links_of_slips(model, bodies, context)
+    accused = _accused(model, context) if branches else set()
+    # What a misplaced joint is an end of has another shape than its own.
+    of_joints = [b.parent for b in bodies if (b.link.name, "translation") in accused]
+    for n, body in enumerate(bodies):
+        links = {part.link for part in body.parts}
+        is_shaped = body.moves and not links & odd and n not in of_joints
+        shapes = list(_shapes(body)) if is_shaped else []
+        yield from shapes
+        if shapes or any(body.link.name == name for name, _ in accused):
+            told_of |= links
     for link, finding in _unlike(model, told_of):
         told_of.add(link)
         yield "KD509", finding
@@ -96,12 +97,12 @@ def _limb_findings(model: Model, context: Context) -> Found:
             yield rule.code, finding._replace(message=in_words_of_xml(finding.message))
 
 
-def _links_of_slips(model: Model, bodies: Sequence[XmlBody], context: Context) -> set[Link]:
+def _accused(model: Model, context: Context) -> set[tuple[str, str]]:
+    """Return the links of which limbs tell something, and what of them."""
     from kindsl.judgement.rules.limb_verdicts import limb_slips
 
     verdicts = limb_slips(model, context).verdicts
-    accused = {place.link for verdict in verdicts for place in verdict.places}
-    return {part.link for b in bodies if b.link.name in accused for part in b.parts}
+    return {(place.link, place.what) for verdict in verdicts for place in verdict.places}
 
 
 def _shapes(body: XmlBody) -> Found:
