@@ -1,14 +1,16 @@
 """Links that may be images of one another: by their names, or by digits no two have by chance."""
 
 from collections.abc import Callable, Iterator, Sequence
-from itertools import islice, permutations
+from functools import partial
+from itertools import chain, islice, permutations
 from math import isclose, isfinite, log
 from typing import NamedTuple
 
+from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
 from kindsl.language.text.decimals import significant_digits
-from kindsl.language.text.facts import kept
+from kindsl.language.text.facts import Fact, kept
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.robots.limbs.mounts import REFLECTIONS
 from kindsl.robots.limbs.names import label_of
@@ -19,34 +21,54 @@ _FEWEST_DIGITS = 7
 _ROUNDED, _NEXT = 5e-5, 1e-3
 _MOST_PARTS = 8
 SAME = 0.02
+_PLACES = Fact[tuple[object, dict[str, tuple[int, ...]]]]("places of parts, by names")
 
 
 def namesakes(model: Model, link: Link) -> list[Link]:
     """Return the same part on the other side or at other legs: with its numbers, else without."""
-    label, parts = label_of(str(link.name)), _parts(model)
-    numbered = [other for other in parts.get((True, label.words), ()) if other is not link]
-    return numbered or [o for o in parts.get((False, label.part), ()) if o is not link]
+    return [other for other in _parts(model).get(str(link.name), ()) if other is not link]
 
 
 def counterparts(model: Model, link: Link) -> list[Link]:
     """Return the namesakes of a link, and other links with the same moments or CoM."""
-    named, telling = namesakes(model, link), telling_numbers(link)
-    if not telling:
-        return named
-    shared = (other for each in telling for other in bodies_with(model, each) if other is not link)
-    return list(dict.fromkeys((*named, *shared)))
+    either = chain.from_iterable(may_be_counterparts(model, link))
+    return [other for other in dict.fromkeys(either) if other is not link]
+
+
+def may_be_counterparts(model: Model, link: Link) -> tuple[Sequence[Link], Sequence[Link]]:
+    """Return some links of a part, and some with the same moments or CoM; the link itself may be.
+
+    Links of one part have the same list, which is cheaper than the counterparts of each.
+    """
+    telling = telling_numbers(link)
+    shared = [other for each in telling for other in bodies_with(model, each)] if telling else ()
+    return _parts(model).get(str(link.name), ()), shared
 
 
 @kept
-def _parts(model: Model) -> dict[tuple[bool, tuple[str, ...]], list[Link]]:
-    """Return some bodies of each name without sides, with their numbers and without."""
-    parts: dict[tuple[bool, tuple[str, ...]], list[Link]] = {}
-    for body in model.bodies:
-        label = label_of(str(body.name))
-        for key in ((True, label.words), (False, label.part)) if label.part else ():
-            if len(parts.setdefault(key, [])) < _MOST_PARTS:
-                parts[key].append(body)
-    return parts
+def _parts(model: Model) -> dict[str, list[Link]]:
+    """Return some bodies of the same part as each name."""
+    names = model.edition.facts(Aspect.STRUCTURE).made_of(_PLACES, (), partial(_places, model))
+    bodies = model.bodies
+    parts = {places: [bodies[place] for place in places] for places in set(names.values())}
+    return {name: parts[places] for name, places in names.items()}
+
+
+def _places(model: Model) -> dict[str, tuple[int, ...]]:
+    """Return where some bodies of the same part as each name stand among all."""
+    numbered: dict[tuple[str, ...], list[int]] = {}
+    parts: dict[tuple[str, ...], list[int]] = {}
+    labels = {name: label_of(name) for name in (str(body.name) for body in model.bodies)}
+    for place, body in enumerate(model.bodies):
+        label = labels[str(body.name)]
+        for known, key in ((numbered, label.words), (parts, label.part)):
+            if len(known.setdefault(key, [])) < _MOST_PARTS:
+                known[key].append(place)
+    return {
+        name: tuple(numbered[words] if len(numbered[words]) > 1 else parts[part])
+        for name, (_, _, words, part) in labels.items()
+        if part
+    }
 
 
 class TellingNumbers(NamedTuple):
@@ -136,7 +158,7 @@ def _agreeing(one: MassDistribution, other: MassDistribution, within: float) -> 
     """Yield whether mass, CoM and moments agree but for signs."""
     yield abs(one.mass - other.mass) <= within * max(one.mass, other.mass)
     for here, there in ((one.com, other.com), (one.moments, other.moments)):
-        yield are_near([*map(abs, here)], [*map(abs, there)], within)
+        yield here == there or are_near([*map(abs, here)], [*map(abs, there)], within)
 
 
 def is_same_body(one: MassDistribution, other: MassDistribution, within: float = SAME) -> bool:

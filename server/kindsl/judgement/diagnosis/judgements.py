@@ -182,7 +182,7 @@ def is_plain(inertia: Inertia) -> bool:
 
 def at_values(inertia: Inertia, values: Mapping[str, float]) -> str:
     """Return at which parameters' values an inertia was looked at: ` at m = 2`, or nothing."""
-    used = _used(inertia, values).items()
+    used = _used(inertia, values).items() if values else ()
     told = [f"{name} = {value:g}" for name, value in used if not name.startswith("<")]
     return f" at {', '.join(told)}" if told else ""
 

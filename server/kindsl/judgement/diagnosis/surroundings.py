@@ -33,6 +33,7 @@ from kindsl.robots.mechanism.body_verdicts import GREATEST_LENGTH
 
 _Inertia = tuple[Link, MassDistribution]
 _FRAMES = Fact[tuple[object, dict[tuple[str, str], list[Rotation]]]]("frames of twins, by names")
+_PLACED = Aspect.STRUCTURE | Aspect.PLACES
 _FEWEST_MASSES = 3
 _NEAR = 0.02
 _ELONGATED = 2.5
@@ -101,7 +102,7 @@ def surroundings(model: Model, values: Mapping[str, float], found: Judgement) ->
     made_of = (
         found,
         values,
-        model.edition.facts(Aspect.STRUCTURE | Aspect.PLACES),
+        model.edition.facts(_PLACED),
         model.tree.joints_on(link),
         named,
         [bodies_with(model, telling) for telling in telling_numbers(link)],
@@ -267,7 +268,7 @@ def _frames(model: Model, values: Mapping[str, float], link: Link, other: Link) 
     inertias = [body.inertia for body in (link, other) if body.inertia is not None]
     if any(inertia.frame is not None for inertia in inertias):
         return []
-    places = model.edition.facts(Aspect.STRUCTURE | Aspect.PLACES)
+    places = model.edition.facts(_PLACED)
     known = places.made_of(_FRAMES, values, dict)
     names = str(link.name), str(other.name)
     if names not in known:

@@ -8,6 +8,7 @@ from kindsl.judgement.diagnosis.counterparts import (
     counterparts,
     is_mirror_image,
     is_turned_image,
+    may_be_counterparts,
     may_be_image,
 )
 from kindsl.judgement.diagnosis.judgements import is_impossible, is_moving, is_plain
@@ -69,9 +70,9 @@ def unlike_among(model: Model, body_of: Callable[[Link], MassDistribution | None
     found: dict[Link, Unlike] = {}
     n_alike = 0
     for link in model.bodies:
-        others = counterparts(model, link)
-        compared = partial(_compared, link, others, body_of)
-        is_alike, unlike = link.facts.made_of(_COMPARED, (body_of, others), compared)
+        compared = partial(_compared, model, link, body_of)
+        given = body_of, *may_be_counterparts(model, link)
+        is_alike, unlike = link.facts.made_of(_COMPARED, given, compared)
         n_alike += is_alike
         if unlike is not None and (unlike.is_outvoted or unlike.twins[0][0] not in found):
             found[link] = unlike
@@ -81,15 +82,13 @@ def unlike_among(model: Model, body_of: Callable[[Link], MassDistribution | None
 
 
 def _compared(
-    link: Link,
-    counterparts: list[Link],
-    body_of: Callable[[Link], MassDistribution | None],
+    model: Model, link: Link, body_of: Callable[[Link], MassDistribution | None]
 ) -> _Compared:
     """Return whether a link is the image of another one, and of which it is nearly."""
     body = body_of(link)
     if body is None:
         return False, None
-    others = [(o, b) for o in counterparts if (b := body_of(o)) is not None]
+    others = [(o, b) for o in counterparts(model, link) if (b := body_of(o)) is not None]
     names = tuple(other_sides(str(link.name)))
     named = [(o, b) for o, b in others if str(o.name) in names]
     is_alike, unlike = _unlike(link, body, others, EXACTLY, EXACTLY)

@@ -22,8 +22,6 @@ class KinematicTree:
     Attributes:
         edges: In the order of the document.
         below: The edges that leave a body.
-        above: The edges that lead to a body; more than one is a defect.
-        joint_uses: The edges that name a joint; more than one is a defect.
     """
 
     def __init__(
@@ -35,19 +33,32 @@ class KinematicTree:
     ) -> None:
         self.edges: list[Edge] = []
         self.below: dict[Link, list[Edge]] = {}
-        self.above: dict[Link, list[Edge]] = {}
-        self.joint_uses: dict[Joint, list[Edge]] = {}
         for body in bodies:
-            for child in body.children:
-                link, joint = links.get(child.link), joints.get(child.joint)
-                edge = Edge(body, child, link, joint)
-                self.edges.append(edge)
-                self.below.setdefault(body, []).append(edge)
-                if link is not None:
-                    self.above.setdefault(link, []).append(edge)
-                if joint is not None:
-                    self.joint_uses.setdefault(joint, []).append(edge)
+            if body.children:
+                self.below[body] = [
+                    Edge(body, child, links.get(child.link), joints.get(child.joint))
+                    for child in body.children
+                ]
+                self.edges += self.below[body]
         self._base = base
+
+    @cached_property
+    def above(self) -> dict[Link, list[Edge]]:
+        """The edges that lead to a body; more than one is a defect."""
+        above: dict[Link, list[Edge]] = {}
+        for edge in self.edges:
+            if edge.link is not None:
+                above.setdefault(edge.link, []).append(edge)
+        return above
+
+    @cached_property
+    def joint_uses(self) -> dict[Joint, list[Edge]]:
+        """The edges that name a joint; more than one is a defect."""
+        uses: dict[Joint, list[Edge]] = {}
+        for edge in self.edges:
+            if edge.joint is not None:
+                uses.setdefault(edge.joint, []).append(edge)
+        return uses
 
     @cached_property
     def reachable(self) -> set[Link]:
