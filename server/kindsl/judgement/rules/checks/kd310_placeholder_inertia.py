@@ -52,8 +52,8 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     places = {(id(finding.at.island), finding.at.start) for finding in told}
     groups: dict[Numbers, list[tuple[Link, Inertia]]] = {}
     for chunk in model.document.chunks:
-        for numbers, body, inertia in _moving(chunk):
-            groups.setdefault(numbers, []).append((body, inertia))
+        for numbers, group in _moving(chunk).items():
+            groups.setdefault(numbers, []).extend(group)
     for numbers, group in groups.items():
         if numbers[:4] == (1.0, 1.0, 1.0, 1.0):
             yield from starmap(_placeholder, group)
@@ -66,11 +66,13 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
 
 
 @kept
-def _moving(chunk: Chunk) -> list[tuple[Numbers, Link, Inertia]]:
-    """Return the moving bodies of a chunk with their numbers."""
-    part = model_part(chunk)
-    bodies = ((body, body.inertia) for body in (*part.bases, *part.links) if is_moving(body))
-    return [(_numbers(inertia), body, inertia) for body, inertia in bodies if inertia is not None]
+def _moving(chunk: Chunk) -> dict[Numbers, list[tuple[Link, Inertia]]]:
+    """Return the moving bodies of a chunk by their numbers."""
+    part, found = model_part(chunk), dict[Numbers, list[tuple[Link, Inertia]]]()
+    for body in (*part.bases, *part.links):
+        if body.inertia is not None and is_moving(body):
+            found.setdefault(_numbers(body), []).append((body, body.inertia))
+    return found
 
 
 def _are_unlike(group: Iterable[tuple[Link, Inertia]]) -> bool:
@@ -96,7 +98,11 @@ def _placeholder(body: Link, inertia: Inertia) -> Finding:
     return Finding(keyword(inertia), message)
 
 
-def _numbers(inertia: Inertia) -> Numbers:
+@kept
+def _numbers(body: Link) -> Numbers:
+    inertia = body.inertia
+    if inertia is None:
+        return ()
     mass = inertia.mass.literal if inertia.mass is not None else None
     moments = (inertia.moments.get(name) for name in MOMENTS)
     return mass, *(moment.literal if moment is not None else None for moment in moments)

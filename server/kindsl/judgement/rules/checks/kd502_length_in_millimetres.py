@@ -31,9 +31,11 @@ from kindsl.judgement.rules.inertia.told_causes import SuspectCom, explained, su
 from kindsl.judgement.rules.units import LENGTH_UNITS
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Vector
-from kindsl.language.semantics.model import Model, model_part
+from kindsl.language.semantics.lowering import declarations
+from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import mass_distribution
 from kindsl.language.syntax.document import Chunk
+from kindsl.language.syntax.tree import Island
 from kindsl.language.text.facts import kept
 from kindsl.robots.mechanism.body_verdicts import DOUBTFUL_LENGTH, GREATEST_LENGTH, is_as_large
 
@@ -43,9 +45,11 @@ _ANY = SuspectCom("mm", is_sure=True)
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each vector longer than a robot, and each CoM in another unit."""
     suspects = suspect_coms(model, context)
-    coms = {body.inertia.com for body in model.bodies if body.inertia is not None}
+    long = [vector for chunk in model.document.chunks for vector in _long(chunk)]
+    inertias = [b.inertia for b in model.bodies if b.inertia is not None] if long else []
+    coms = {inertia.com for inertia in inertias}
     told = set()
-    for vector in (vector for chunk in model.document.chunks for vector in _long(chunk)):
+    for vector in long:
         suspect = suspects.get(vector)
         greatest = DOUBTFUL_LENGTH if suspect is not None else GREATEST_LENGTH
         for value in vector.components:
@@ -59,8 +63,7 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
                 yield Finding(value, message, fix=fix)
                 told.add(vector)
             break
-    inertias = (body.inertia for body in model.bodies if body.inertia is not None)
-    sections = [keyword(inertia) for inertia in inertias if inertia.com in told] if told else []
+    sections = [keyword(inertia) for inertia in inertias if inertia.com in told]
     for finding in explained(model, context, "KD502"):
         if finding.at not in sections:
             yield finding
@@ -78,11 +81,15 @@ def _is_of_crane(model: Model, vector: Vector, length: float) -> bool:
 
 @kept
 def _long(chunk: Chunk) -> list[Vector]:
-    """Return the implausible lengths in a chunk."""
+    return [vector for island in chunk.islands for vector in _long_in(island)]
+
+
+@kept
+def _long_in(island: Island) -> list[Vector]:
+    """Return the implausible lengths in an island; looked for once in its life."""
     return [
         vector
-        for declared in model_part(chunk).declared
-        for vector in lengths(declared)
+        for vector in lengths(declarations(island))
         if any(abs(c.literal or 0.0) > DOUBTFUL_LENGTH for c in vector.components)
     ]
 
