@@ -31,8 +31,9 @@ def diagnostics(
 def _diagnostic(
     document: Document, finding: "Diagnostic", parts: DiagnosticParts
 ) -> dict[str, Any]:
+    at = finding.start, finding.end
     found: dict[str, Any] = {
-        "range": document.wire_range(finding.start, finding.end),
+        "range": document.wire_range(*at),
         "severity": _SEVERITIES[finding.severity],
         "code": finding.code,
         "source": SOURCE,
@@ -44,8 +45,11 @@ def _diagnostic(
         found["tags"] = [_TAGS[finding.tag]]
     if parts.related and finding.related:
         found["relatedInformation"] = [
-            {"location": {"uri": document.uri, "range": place_range}, "message": place.message}
-            for place in finding.related
-            for place_range in (document.wire_range(place.start, place.end),)
+            {"location": {"uri": document.uri, "range": place_range}, "message": message}
+            for start, end, message in finding.related
+            # Rivals of what a finding tells have its place.
+            for place_range in (
+                found["range"] if (start, end) == at else document.wire_range(start, end),
+            )
         ]
     return found
