@@ -17,7 +17,7 @@ from tests.codegen.robcogen.programs import (
 )
 
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
-from kindsl.mechanics.dynamics.generation.emitters import cpp_templates
+from kindsl.mechanics.dynamics.generation.emitters import c
 from kindsl.mechanics.spatial.arrays import Array
 from kindsl.mechanics.spatial.cross_products import skew
 from kindsl.products.codegen.library import Library
@@ -208,8 +208,8 @@ def case(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactor
         if request.param == "crab":  # as with large robots: in parts, products, one for all loads
             patch.setattr(generated_robot, "MOST_JOINTS_OF_SMALL", 1)
             patch.setattr(transforms, "MOST_JOINTS_OF_LARGE", 1)
-            patch.setattr(cpp_templates, "MOST_OPERATIONS", 100)
-            patch.setattr(cpp_templates, "OPERATIONS_PER_PART", 70)
+            patch.setattr(c, "MOST_IN_TEMPLATE", 100)
+            patch.setattr(c, "OPERATIONS_PER_PART", 70)
         analysis, library = generated(ROBOTS[request.param], VALUES, folder)
     used = {name: VALUES[name] for name in library.defaults}
     compiler = COMPILERS[0] if request.param == "crab" else QUICK

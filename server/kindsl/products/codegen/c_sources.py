@@ -12,7 +12,7 @@ from kindsl.mechanics.dynamics.generation.emitters.lanes import (
 )
 from kindsl.mechanics.dynamics.generation.emitters.loops import loop_call, loops_text
 from kindsl.mechanics.dynamics.generation.function import Function, Result
-from kindsl.mechanics.dynamics.generation.terms import Term, operations
+from kindsl.mechanics.dynamics.generation.terms import Scalar, Term, operations
 from kindsl.products.codegen.c_text import (
     EXTERNAL,
     batch_declaration,
@@ -156,25 +156,24 @@ def _is_lightly_loaded(library: Library, function: Function) -> bool:
 def _body(
     library: Library, function: Function, name: str, results: Sequence[Result], linkage: str
 ) -> str:
-    number, p = real(library), library.prefix
-    takes = [
-        CArray(a.name, f"const {number} *restrict {a.name}", a.components)
-        for a in function.arguments
-    ]
+    style, p = dialect(library), library.prefix
+    arguments: dict[str, Sequence[Scalar]] = {a.name: a.components for a in function.arguments}
     if results is function.loaded:
-        takes.append(CArray(EXTERNAL, f"const {number} *restrict {EXTERNAL}", library.external))
-    gives = [CArray(r.name, f"{number} *restrict {r.name}", r.entries) for r in results]
+        arguments[EXTERNAL] = library.external
+    takes = style.arrays(arguments, are_given=True)
+    gives = style.arrays({r.name: r.entries for r in results}, are_given=False)
     if not linkage:
-        declared = dict(zip(
-            ("m", *(a.name for a in (*takes, *gives))),
-            parameters(library, function, "restrict "), strict=True,
-        ))  # fmt: skip
-        takes = [array._replace(declaration=declared[array.name]) for array in takes]
-        gives = [array._replace(declaration=declared[array.name]) for array in gives]
+        declared = parameters(library, function, "restrict ")
+        names = ("m", *(array.name for array in (*takes, *gives)))
+        by_name = dict(zip(names, declared, strict=True))
+        takes, gives = (
+            [array._replace(declaration=by_name[array.name]) for array in arrays]
+            for arrays in (takes, gives)
+        )
     known = {value.index: f"m->c[{place}]" for place, value in enumerate(library.setup)}
     context = ("m", f"const {p}_model *m")
     body = CBody(name, takes, gives, known, context)
-    return c_definition(library.robot.graph, body, dialect(library), linkage)
+    return c_definition(library.robot.graph, body, style, linkage)
 
 
 def has_lanes(library: Library) -> bool:

@@ -1,16 +1,12 @@
 """A header in C++14 with Eigen's types, a template of the type of numbers."""
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
-from kindsl.mechanics.dynamics.generation.emitters.cpp_templates import (
-    Template,
-    TemplateDialect,
-    template_function,
-)
+from kindsl.mechanics.dynamics.generation.emitters.c import CBody, Dialect, c_definition
 from kindsl.mechanics.dynamics.generation.emitters.loops import LoopDialect, loop_call, loops_text
 from kindsl.mechanics.dynamics.generation.function import Function, Result
-from kindsl.mechanics.dynamics.generation.terms import Scalar
+from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar
 from kindsl.products.codegen.c_test_program import test_program
 from kindsl.products.codegen.c_text import EXTERNAL, cmake_lists, stamp_comment
 from kindsl.products.codegen.filling import fill, template
@@ -21,7 +17,9 @@ from kindsl.products.codegen.reference import Reference
 
 # The argument that holds what parameters decide.
 CONSTANTS = "constants"
-DIALECT = TemplateDialect("class S", "S", "S", "detail::{}({})")
+DIALECT = Dialect(
+    "S", sign="", number="S({})", call="detail::{}({})", parameter="S", scalar="S"
+)  # fmt: skip
 LOOPS = LoopDialect(
     "", "template <class S>\ninline", "S", "double", "detail::{}", "detail::sign({})", repr, ""
 )
@@ -76,13 +74,13 @@ def _functions(library: Library) -> str:
     """Return the functions of pointers, of all that parameters decide first."""
     graph, constants = library.robot.graph, list[Scalar](library.setup)
     parameters: list[Scalar] = [*library.robot.parameters.values()]
-    texts, templates = [], list[Template]()
+    texts = []
     if library.has_loops:
         places = {value.index: f"{CONSTANTS}[{k}]" for k, value in enumerate(library.setup)}
         given = f"const S* {CONSTANTS}, "
         texts.append(loops_text(library.robot.tree, LOOPS, given, lambda x: places[x.index]))
     if parameters and constants:
-        templates.append(Template("set_up", {"p": parameters}, {CONSTANTS: constants}))
+        texts.append(_of_pointers(graph, "set_up", {"p": parameters}, {CONSTANTS: constants}))
     for function in library.all_functions:
         name = library.function_names[function.name]
         if function.is_loop:
@@ -91,12 +89,24 @@ def _functions(library: Library) -> str:
         takes: dict[str, Sequence[Scalar]] = {CONSTANTS: constants}
         takes |= {argument.name: argument.components for argument in function.arguments}
         gives = {result.name: result.entries for result in function.results}
-        templates.append(Template(name, takes, gives))
+        texts.append(_of_pointers(graph, name, takes, gives))
         if function.loaded is not None:
             takes = {**takes, EXTERNAL: library.external}
             gives = {result.name: result.entries for result in function.loaded}
-            templates.append(Template(f"{name}_loaded", takes, gives))
-    return "\n".join([*texts, *(template_function(graph, t, DIALECT) for t in templates)])
+            texts.append(_of_pointers(graph, f"{name}_loaded", takes, gives))
+    return "\n".join(texts)
+
+
+def _of_pointers(
+    graph: Graph,
+    name: str,
+    takes: Mapping[str, Sequence[Scalar]],
+    gives: Mapping[str, Sequence[Scalar]],
+) -> str:
+    """Return a function of pointers."""
+    given = DIALECT.arrays(takes, are_given=True)
+    body = CBody(name, given, DIALECT.arrays(gives, are_given=False))
+    return c_definition(graph, body, DIALECT)
 
 
 def _loops(function: Function, name: str) -> Iterator[str]:

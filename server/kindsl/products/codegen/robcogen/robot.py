@@ -10,11 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from kindsl.language.semantics.declarations import ValueKind
 from kindsl.language.text.distinct import distinct
-from kindsl.mechanics.dynamics.generation.emitters.cpp_templates import (
-    Template,
-    TemplateDialect,
-    template_function,
-)
+from kindsl.mechanics.dynamics.generation.emitters.c import CBody, Dialect, c_definition
 from kindsl.mechanics.dynamics.generation.relative_frames import relative_pose
 from kindsl.mechanics.dynamics.generation.robot import PlacedFrame
 from kindsl.mechanics.dynamics.generation.terms import Scalar, Term, needed
@@ -34,7 +30,14 @@ _TEMPLATES = Path(__file__).parents[1] / "templates" / "robcogen"
 # Enumerators of these names would be hidden where classes use them.
 _TYPES_IN_CLASSES = ("TRAIT", "SCALAR")
 
-DIALECT = TemplateDialect("class TRAIT", "TRAIT::Scalar", "TRAIT", "TRAIT::{}({})")
+DIALECT = Dialect(
+    "S",
+    sign="",
+    number="S({})",
+    call="TRAIT::{}({})",
+    parameter="TRAIT",
+    scalar="typename TRAIT::Scalar",
+)
 
 
 class GeneratedParameter(NamedTuple):
@@ -204,15 +207,17 @@ class GeneratedRobot:
         self,
         name: str,
         takes: Mapping[str, Sequence[Scalar]],
-        gives: Mapping[str, Sequence[Scalar]],
-        is_update: bool = False,
+        gives: Mapping[str, Sequence[Scalar | None]],
+        *,
+        has_comments: bool = True,
     ) -> str:
         """Return a function; where the robot has parameters, it takes them first."""
         parameters: list[Scalar] = [*self.library.robot.parameters.values()]
         first = {"p": parameters} if parameters else {}
-        comments = {} if is_update else self._comments
-        function = Template(name, {**first, **takes}, gives, is_update, comments)
-        return template_function(self.library.robot.graph, function, DIALECT)
+        given = DIALECT.arrays({**first, **takes}, are_given=True)
+        filled = DIALECT.arrays(gives, are_given=False)
+        body = CBody(name, given, filled, comments=self._comments if has_comments else {})
+        return c_definition(self.library.robot.graph, body, DIALECT)
 
     @cached_property
     def _comments(self) -> dict[int, str]:
@@ -225,7 +230,8 @@ class GeneratedRobot:
         entries = [x for column in columns for x in column]
         constants = {k: repr(x) for k, x in enumerate(entries) if isinstance(x, float) and x}
         fixed = self.rendered("matrix_constants.h", name=name, constants=constants)
-        return [fixed, self.kernel(name, {"q": self.library.inputs.q}, {"X": entries}, True)]
+        varying = {"X": [x if isinstance(x, Term) else None for x in entries]}
+        return [fixed, self.kernel(name, {"q": self.library.inputs.q}, varying, has_comments=False)]
 
     @cached_property
     def parameters(self) -> list[GeneratedParameter]:

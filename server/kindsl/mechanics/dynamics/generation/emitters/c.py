@@ -1,25 +1,31 @@
-"""Writes functions in C11: straight lines, or parts that share values on the caller's stack.
+"""Writes functions in C11 and C++: straight lines, or parts that share values on the stack.
 
 Compilers take more than linear time for long functions; in parts of some hundred operations they
 are two to three times as quick, and what they make runs no slower.
 """
 
 import math
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import groupby
-from typing import NamedTuple
+from types import MappingProxyType
+from typing import NamedTuple, TypeGuard
 
 from kindsl.mechanics.dynamics.generation.emitters.straight_line import (
     Notation,
     Part,
+    Parts,
     computed,
     cut,
+    depth_first,
 )
-from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar, Term
+from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar, Term, operand_nodes
 
 OPERATIONS_PER_PART = 500
+# Compilers take one template of this size well.
+MOST_IN_TEMPLATE = 3500
 # So many equal constants one after the other are written in a loop; a regressor has thousands.
 SHORTEST_LOOP = 8
 # Smaller numbers than this are zero as a float.
@@ -27,25 +33,49 @@ SMALLEST_FLOAT = 1.2e-38
 LARGEST_FLOAT = 3.4e38
 
 WORKSPACE = "w"
+_WORD = re.compile(r"[A-Za-z_]\w*")
 
 
 @dataclass(frozen=True, slots=True)
 class Dialect:
-    """The notation of numbers.
+    """The notation of numbers and functions.
+
+    Templates store results when all is computed, so an argument may be a result as well; their
+    operations stand near their uses, depth first.
 
     Attributes:
         type: The type of all values.
         suffix: Of numbers and of the functions `sin` and `cos`.
         noinline: The prefix of a function that is to stay one.
         constant: How a number is written that is a result by itself.
-        sign: How the sign of a value is computed.
+        sign: How the sign of a value is computed, where that is no call.
+        number: How a number is written.
+        call: How `sin` and `cos` are called, by their name and argument; nothing for C's way.
+        parameter: The template's parameter; nothing in C.
+        scalar: The type of values in declarations of templates.
     """
 
     type: str
-    suffix: str
+    suffix: str = ""
     noinline: str = ""
     constant: str = "{}"
     sign: str = "{0} > 0 ? 1 : {0} < 0 ? -1 : {0}"
+    number: str = "{}"
+    call: str = ""
+    parameter: str = ""
+    scalar: str = ""
+
+    @property
+    def pointer(self) -> str:
+        """How a parameter is declared that is filled, before its name."""
+        return f"{self.scalar}* " if self.parameter else f"{self.type} *restrict "
+
+    def arrays(
+        self, values: Mapping[str, Sequence[Scalar | None]], *, are_given: bool
+    ) -> "list[CArray]":
+        """Return arrays that a function takes (`are_given`) or fills, by their names."""
+        head = f"{'const ' * are_given}{self.pointer}"
+        return [CArray(name, f"{head}{name}", entries) for name, entries in values.items()]
 
 
 class CArray(NamedTuple):
@@ -63,7 +93,7 @@ class CArray(NamedTuple):
 
 
 class CBody(NamedTuple):
-    """The body of a function in C.
+    """The body of a function.
 
     Attributes:
         name: The function's name.
@@ -71,13 +101,15 @@ class CBody(NamedTuple):
         gives: Results that it fills.
         known: Texts of nodes that are given otherwise, through `context`.
         context: Name and declaration of a parameter that `known` reads, if any.
+        comments: What stands before the first operation on an argument, by its node.
     """
 
     name: str
     takes: Sequence[CArray]
     gives: Sequence[CArray]
-    known: Mapping[int, str]
+    known: Mapping[int, str] = MappingProxyType({})
     context: tuple[str, str] | None = None
+    comments: Mapping[int, str] = MappingProxyType({})
 
 
 def c_definition(graph: Graph, body: CBody, dialect: Dialect, linkage: str = "") -> str:
@@ -87,36 +119,39 @@ def c_definition(graph: Graph, body: CBody, dialect: Dialect, linkage: str = "")
         graph: Where its values are recorded.
         body: Its statements.
         dialect: How numbers are written.
-        linkage: Its prefix: `"static "` or nothing.
+        linkage: Its prefix in C: `"static "` or nothing.
+
+    Raises:
+        OverflowError: A number is not finite in that type.
     """
     writer = _Writer(graph, body, dialect)
-    order = computed(graph, [e for a in body.gives for e in a.entries], writer.given)
-    parts = cut(graph, order, OPERATIONS_PER_PART)
+    context = [body.context] if body.context else []
+    arrays = [*context, *((a.name, a.declaration) for a in (*body.takes, *body.gives))]
+    parts = writer.parts()
     written = [writer.written(part) for part in parts.parts]
-    written[-1] = writer.with_the_rest(written[-1])
-    arrays = _arrays(body)
-    head = f"{linkage}void {body.name}({_declared(arrays)})\n"
+    rest = [*writer.copied(), *writer.rest()]
+    template = f"template <class {dialect.parameter}>\ninline " if dialect.parameter else ""
+    head = f"{template or linkage}void {body.name}"
     if len(written) == 1:
-        unused = [f"(void){name};" for name, _ in arrays if name not in written[0].uses]
-        return head + _block([*unused, *written[0].lines])
+        return _function(head, arrays, [*written[0], *rest], dialect)
+    if not template:
+        written[-1] += rest
+        rest = []
     sources, calls = [], []
-    for number, part in enumerate(written):
-        name = f"{body.name}_part{number}"
-        used = [(n, d) for n, d in arrays if n in part.uses]
-        if WORKSPACE in part.uses:
-            used.append((WORKSPACE, f"{dialect.type} *restrict {WORKSPACE}"))
-        sources.append(
-            f"{dialect.noinline}static void {name}({_declared(used)})\n{_block(part.lines)}"
-        )
-        calls.append(f"{name}({', '.join(n for n, _ in used)});")
-    uses = frozenset[str]().union(*(part.uses for part in written))
-    unused = [f"(void){name};" for name, _ in arrays if name not in uses]
+    arrays_of_parts = [*arrays, (WORKSPACE, f"{dialect.pointer}{WORKSPACE}")]
+    handed_on = f"<{dialect.parameter}>" if template else ""
+    for number, lines in enumerate(written):
+        words, name = _words(lines), f"{body.name}_part{number}"
+        used = [(n, d) for n, d in arrays_of_parts if n in words]
+        begin = f"{template or f'{dialect.noinline}static '}void {name}"
+        sources.append(_function(begin, used, lines, dialect))
+        calls.append(f"{name}{handed_on}({', '.join(n for n, _ in used)});")
     workspace = [f"{dialect.type} {WORKSPACE}[{parts.n_kept}];"] if parts.n_kept else []
-    return "\n".join([*sources, head + _block([*workspace, *unused, *calls])])
+    return "\n".join([*sources, _function(head, arrays, [*workspace, *calls, *rest], dialect)])
 
 
 def literal(value: float, dialect: Dialect) -> str:
-    """Return a number as C takes it, without loss.
+    """Return a number as the language takes it, without loss.
 
     Raises:
         OverflowError: It is not finite in that type.
@@ -127,80 +162,92 @@ def literal(value: float, dialect: Dialect) -> str:
         raise OverflowError(f"{value!r} is too large for 'double'")
     if dialect.suffix and abs(value) > LARGEST_FLOAT:
         raise OverflowError(f"{value!r} is too large for 'float': use --real double")
-    text = f"{value!r}{dialect.suffix}"
+    text = dialect.number.format(f"{value!r}{dialect.suffix}")
     return f"({text})" if text.startswith("-") else text
 
 
-class _Written(NamedTuple):
-    """Statements, and the names of the arrays in them."""
-
-    lines: list[str]
-    uses: frozenset[str]
-
-
 class _Writer:
-    """Writes the parts of one function in order.
-
-    Attributes:
-        given: Array and text of each node that is not computed.
-    """
+    """Writes the parts of one function in order."""
 
     def __init__(self, graph: Graph, body: CBody, dialect: Dialect) -> None:
         self._graph = graph
         self._dialect = dialect
-        self._notation = Notation(
-            partial(literal, dialect=dialect), f"{{0}}{dialect.suffix}({{1}})", dialect.sign
-        )
-        context = body.context[0] if body.context else ""
-        self.given = {node: (context, text) for node, text in body.known.items()}
+        call = dialect.call or f"{{0}}{dialect.suffix}({{1}})"
+        self._notation = Notation(partial(literal, dialect=dialect), call, dialect.sign)
+        self._values = [entry for array in body.gives for entry in array.entries]
+        self._comments = dict(body.comments)
+        self._texts = dict(body.known)
         for array in body.takes:
             for number, entry in enumerate(array.entries):
                 if isinstance(entry, Term):
-                    self.given[entry.index] = (array.name, f"{array.name}[{number}]")
-        self._kept: dict[int, str] = {}
-        self._computed: dict[int, list[tuple[str, str]]] = {}
+                    self._texts[entry.index] = f"{array.name}[{number}]"
+        self._given = frozenset(self._texts)
+        self._places: dict[int, list[str]] = {}
         self._rest: list[tuple[str, int, Scalar]] = []
         for array in body.gives:
             for number, entry in enumerate(array.entries):
-                if isinstance(entry, Term) and entry.index not in self.given:
-                    place = f"{array.name}[{number}]"
-                    self._computed.setdefault(entry.index, []).append((array.name, place))
+                if self._is_stored_at_once(entry):
+                    self._places.setdefault(entry.index, []).append(f"{array.name}[{number}]")
                 elif entry is not None:
                     self._rest.append((array.name, number, entry))
 
-    def written(self, part: Part) -> _Written:
+    def _is_stored_at_once(self, entry: Scalar | None) -> TypeGuard[Term]:
+        is_computed = isinstance(entry, Term) and entry.index not in self._given
+        return is_computed and not self._dialect.parameter
+
+    def parts(self) -> Parts:
+        """Return the operations, cut into parts."""
+        if not self._dialect.parameter:
+            order = computed(self._graph, self._values, self._given)
+            return cut(self._graph, order, OPERATIONS_PER_PART)
+        order = depth_first(self._graph, self._values, self._given)
+        if len(order) <= MOST_IN_TEMPLATE:
+            return Parts([Part(order, {})], 0)
+        results = {value.index for value in self._values if isinstance(value, Term)}
+        return cut(self._graph, order, OPERATIONS_PER_PART, results)
+
+    def written(self, part: Part) -> list[str]:
         """Return the statements of a part."""
-        lines, uses, local = list[str](), set[str](), set[int]()
+        lines, texts = list[str](), self._texts
         for node in part.nodes:
-            text = self._notation.operation(self._graph, node, partial(self._text, local, uses))
-            local.add(node)
+            for operand in operand_nodes(self._graph, node) if self._comments else ():
+                if operand in self._comments:
+                    lines.append(f"// {self._comments.pop(operand)}")
+            text = self._notation.operation(self._graph, node, texts.__getitem__)
+            texts[node] = f"x{node}"
             lines.append(f"const {self._dialect.type} x{node} = {text};")
             if node in part.kept:
-                uses.add(WORKSPACE)
                 lines.append(f"{WORKSPACE}[{part.kept[node]}] = x{node};")
-            for array, place in self._computed.get(node, ()):
-                uses.add(array)
-                lines.append(f"{place} = x{node};")
-        self._kept.update((node, f"{WORKSPACE}[{place}]") for node, place in part.kept.items())
-        return _Written(lines, frozenset(uses))
+            lines += [f"{place} = x{node};" for place in self._places.get(node, ())]
+        texts.update((node, f"{WORKSPACE}[{place}]") for node, place in part.kept.items())
+        return lines
 
-    def with_the_rest(self, last: _Written) -> _Written:
-        """Return the last part with what is not computed: constants and copies of arguments."""
-        lines, uses = list(last.lines), set(last.uses)
-        for array, numbers, text in self._runs(uses):
-            uses.add(array)
+    def copied(self) -> list[str]:
+        """Return the statements that read what a template overwrites with its results."""
+        if not self._dialect.parameter:
+            return []
+        nodes = dict.fromkeys(x.index for *_, x in self._rest if isinstance(x, Term))
+        copied = [node for node in nodes if node in self._given]
+        lines = [f"const {self._dialect.type} x{n} = {self._texts[n]};" for n in copied]
+        self._texts.update((node, f"x{node}") for node in copied)
+        return lines
+
+    def rest(self) -> list[str]:
+        """Return the statements that store what was not stored when it was computed."""
+        lines = []
+        for array, numbers, text in self._runs():
             if len(numbers) < SHORTEST_LOOP:
                 lines += [f"{array}[{number}] = {text};" for number in numbers]
             else:
                 head = f"for (int i = {numbers[0]}; i < {numbers[-1] + 1}; i++) {{"
                 lines += [head, f"    {array}[i] = {text};", "}"]
-        return _Written(lines, frozenset(uses))
+        return lines
 
-    def _runs(self, uses: set[str]) -> Iterator[tuple[str, list[int], str]]:
+    def _runs(self) -> Iterator[tuple[str, list[int], str]]:
         """Yield arrays, places that follow one another there, and the text of what all hold."""
         rest = []
         for array, number, entry in self._rest:
-            text = self._notation.word(entry, partial(self._text, set(), uses))
+            text = self._notation.word(entry, self._texts.__getitem__)
             if not isinstance(entry, Term):
                 text = self._dialect.constant.format(text)
             rest.append((array, number, text))
@@ -208,22 +255,20 @@ class _Writer:
         for (array, text, _), run in runs:
             yield array, [number for _, (_, number, _) in run], text
 
-    def _text(self, local: set[int], uses: set[str], node: int) -> str:
-        if node in local:
-            return f"x{node}"
-        array, text = self.given.get(node) or (WORKSPACE, self._kept[node])
-        uses.add(array)
-        return text
+
+def _function(
+    head: str, arrays: Sequence[tuple[str, str]], lines: Sequence[str], dialect: Dialect
+) -> str:
+    """Return a definition in which a compiler warns of nothing that is not used."""
+    words, declared = _words(lines), ", ".join(declaration for _, declaration in arrays)
+    first = [f"(void){name};" for name, _ in arrays if name not in words]
+    if dialect.parameter and dialect.scalar != dialect.type and dialect.type in words:
+        first.insert(0, f"typedef {dialect.scalar} {dialect.type};")
+    body = "".join(f"    {line}\n" for line in (*first, *lines))
+    return f"{head}({declared or 'void'})\n{{\n{body}}}\n"
 
 
-def _arrays(body: CBody) -> list[tuple[str, str]]:
-    context = [body.context] if body.context else []
-    return [*context, *((a.name, a.declaration) for a in (*body.takes, *body.gives))]
-
-
-def _declared(arrays: Sequence[tuple[str, str]]) -> str:
-    return ", ".join(declaration for _, declaration in arrays) or "void"
-
-
-def _block(lines: Sequence[str]) -> str:
-    return "{\n" + "".join(f"    {line}\n" for line in lines) + "}\n"
+def _words(lines: Sequence[str]) -> frozenset[str]:
+    """Return the names in statements."""
+    code = "\n".join(line for line in lines if not line.startswith("//"))
+    return frozenset(_WORD.findall(code))

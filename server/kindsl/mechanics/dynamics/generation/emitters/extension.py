@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from kindsl.mechanics.dynamics.generation.emitters.c import CArray, CBody, Dialect, c_definition
+from kindsl.mechanics.dynamics.generation.emitters.c import CBody, Dialect, c_definition
 from kindsl.mechanics.dynamics.generation.emitters.lanes import Wide, shared, wide_functions
 from kindsl.mechanics.dynamics.generation.emitters.loops import LoopDialect, loop_call, loops_text
 from kindsl.mechanics.dynamics.generation.function import Function
@@ -93,11 +93,12 @@ def extension_source(
 
 def _kernel_text(graph: Graph, number: int, kernel: Kernel) -> str:
     """Return the code of one kernel: for one configuration and for many."""
-    takes = [CArray(f"a{i}", f"const double *restrict a{i}", a.components)
-             for i, a in _given(kernel)]  # fmt: skip
-    gives = [CArray(f"o{i}", f"double *restrict o{i}", r.entries)
-             for i, r in enumerate(kernel.results)]  # fmt: skip
-    body = CBody(f"scalar_{number}", takes, gives, {})
+    takes, gives = _named(kernel)
+    body = CBody(
+        f"scalar_{number}",
+        PLAIN.arrays(takes, are_given=True),
+        PLAIN.arrays(gives, are_given=False),
+    )
     places = [f"in[{i}]" for i, _ in _given(kernel)] + [f"out[{i}]" for i in range(len(gives))]
     many = _many(number, kernel)
     if kernel.loop is None:
@@ -161,10 +162,14 @@ def _many(number: int, kernel: Kernel) -> str:
 
 
 def _wide(graph: Graph, number: int, kernel: Kernel) -> str:
-    takes = {f"a{i}": a.components for i, a in _given(kernel)}
-    gives = {f"o{i}": result.entries for i, result in enumerate(kernel.results)}
-    text = wide_functions(graph, Wide(str(number), takes, gives), PLAIN.noinline)
+    text = wide_functions(graph, Wide(str(number), *_named(kernel)), PLAIN.noinline)
     return f"#if defined(LANES)\n{text}#endif\n"
+
+
+def _named(kernel: Kernel) -> tuple[dict[str, Sequence[Scalar]], dict[str, Sequence[Scalar]]]:
+    """Return what a kernel takes and gives, by the names in its text."""
+    takes = {f"a{i}": argument.components for i, argument in _given(kernel)}
+    return takes, {f"o{i}": result.entries for i, result in enumerate(kernel.results)}
 
 
 def _given(kernel: Kernel) -> list[tuple[int, KernelArgument]]:

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from kindsl.mechanics.dynamics.generation.emitters.c import CArray, CBody, Dialect, c_definition
+from kindsl.mechanics.dynamics.generation.emitters.c import CBody, Dialect, c_definition
 from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar, Term, operations
 
 _SHARED = Path(__file__).with_name("lanes.c")
@@ -65,22 +65,18 @@ def wide_functions(graph: Graph, wide: Wide, noinline: str) -> str:
         "cosines": [graph.record("cos", x.index) for x in angles],
         "sines": [graph.record("sin", x.index) for x in angles],
     }
-    takes = [
-        CArray(name, f"const lanes *restrict {name}", components)
-        for name, components in {**wide.takes, **trigonometry}.items()
-    ]
-    varying, constant = [], []
-    for name, entries in wide.gives.items():
-        array = CArray(name, f"lanes *restrict {name}", entries)
-        varying.append(
-            array._replace(entries=[e if isinstance(e, Term) else None for e in entries])
-        )
-        constant.append(
-            array._replace(entries=[None if isinstance(e, Term) else e for e in entries])
-        )
+    dialect = Dialect("lanes", "", noinline, "spread({})", "signs({})")
+    takes = dialect.arrays({**wide.takes, **trigonometry}, are_given=True)
+    gives = dialect.arrays(wide.gives, are_given=False)
+    varying, constant = (
+        [
+            a._replace(entries=[e if isinstance(e, Term) == varies else None for e in a.entries])
+            for a in gives
+        ]
+        for varies in (True, False)
+    )
     bodies = (
-        CBody(f"constants_{wide.name}", [], constant, {}),
+        CBody(f"constants_{wide.name}", [], constant),
         CBody(f"wide_{wide.name}", takes, varying, wide.known, wide.context),
     )
-    dialect = Dialect("lanes", "", noinline, "spread({})", "signs({})")
     return "\n".join(c_definition(graph, body, dialect, "static ") for body in bodies)

@@ -1,7 +1,7 @@
 """Operations as a language writes them, in an order, cut into parts that a compiler can take in."""
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from itertools import count
 from typing import NamedTuple
 
@@ -84,13 +84,42 @@ def computed(graph: Graph, values: Iterable[Scalar | None], known: Iterable[int]
     return [i for i in needed(graph, values, known) if graph.nodes[i][0] != "input"]
 
 
-def cut(graph: Graph, order: Sequence[int], size: int) -> Parts:
-    """Cut operations into parts of a size; a place is used again when its value is not needed."""
+def depth_first(
+    graph: Graph, values: Iterable[Scalar | None], known: Iterable[int]
+) -> list[int]:  # fmt: skip
+    """Return the same nodes, each shortly before it is used first."""
+    order: list[int] = []
+    seen = set(known)
+    for value in values:
+        waiting = [(value.index, False)] if isinstance(value, Term) else []
+        while waiting:
+            node, is_ready = waiting.pop()
+            if is_ready:
+                order.append(node)
+            elif node not in seen:
+                seen.add(node)
+                waiting.append((node, True))
+                waiting += [(o, False) for o in reversed(operand_nodes(graph, node))]
+    return [node for node in order if graph.nodes[node][0] != "input"]
+
+
+def cut(
+    graph: Graph, order: Sequence[int], size: int, results: Collection[int] = ()
+) -> Parts:  # fmt: skip
+    """Cut operations into parts of a size; a place is used again when its value is not needed.
+
+    Args:
+        graph: Where they are recorded.
+        order: The operations.
+        size: Of a part.
+        results: Those that are needed behind all parts.
+    """
     pieces = [list(order[start : start + size]) for start in range(0, len(order), size)]
     last_use: dict[int, int] = {}
     for number, piece in enumerate(pieces):
         for node in piece:
             last_use.update((o, number) for o in operand_nodes(graph, node))
+    last_use.update((node, len(pieces)) for node in results)
     parts, free, n_kept = [], list[int](), 0
     leaving: dict[int, list[int]] = {}
     for number, piece in enumerate(pieces):
