@@ -1,12 +1,13 @@
 """Places of the numbers of a limb, and their names."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from kindsl.judgement.diagnosis.judgements import TEN, keyword
 from kindsl.language.semantics.declarations import Child, Joint, Vector
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.places import Located, has_problem_within
+from kindsl.language.semantics.numbers import frame_of_com
+from kindsl.language.semantics.places import Located, Place, has_problem_within
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.robots.limbs.weighing import Suspect
 
@@ -33,20 +34,21 @@ def place_at(model: Model, link: str, what: str) -> Suspect:
 
 def joint_of(model: Model, link: str) -> Joint | None:
     """Return the joint that supports a link."""
-    if model.document.is_xml:
-        connection = carrying(model, link)
-        return connection.joint if connection is not None else None
     edge = model.tree.supporting_edge(model.body_named[link])
-    return edge.joint if edge is not None else None
+    connection = carrying(model, link) if edge is None else None
+    return edge.joint if edge is not None else connection.joint if connection else None
 
 
-def child_of(model: Model, link: str) -> Child:
-    """Return the pair that attaches a link."""
-    return model.tree.above[model.body_named[link]][0].child
+def child_of(model: Model, link: str) -> Child | None:
+    """Return the pair that attaches a link, None where a joint names both of its links."""
+    edges = model.tree.above.get(model.body_named[link])
+    return edges[0].child if edges else None
 
 
 def carrying(model: Model, link: str) -> "Connection | None":
-    """Return what connects a link of a robot in XML to the one that carries it."""
+    """Return what connects a link to the one that carries it, where a joint names both."""
+    if not model.document.is_xml:
+        return None
     from kindsl.robots.interchange.xml_document import XmlDocument
 
     connections = model.document.connections if isinstance(model.document, XmlDocument) else ()
@@ -55,31 +57,30 @@ def carrying(model: Model, link: str) -> "Connection | None":
 
 def place_of_parent(model: Model, link: str) -> Located:
     """Return where it is written what carries a link."""
-    if not model.document.is_xml:
-        return child_of(model, link)
-    from kindsl.robots.interchange.robot_island import RobotIsland
-
     connection = carrying(model, link)
-    island = connection.joint.island if connection is not None else None
-    at_link = model.body_named[link].name
-    return island.reference("parent") if isinstance(island, RobotIsland) else at_link
+    if connection is None:
+        return child_of(model, link) or model.body_named[link].name
+    island: Any = connection.joint.island
+    place: Place = island.reference("parent")
+    return place
 
 
 def place_of_joint(model: Model, link: str) -> Located:
     """Return where it is written by which joint a link moves."""
-    if not model.document.is_xml:
-        return child_of(model, link).joint
-    joint = joint_of(model, link)
+    child, joint = child_of(model, link), joint_of(model, link)
+    if child is not None:
+        return child.joint
     return joint.name if joint is not None else model.body_named[link].name
 
 
 def vector_at(model: Model, place: Suspect) -> Vector | None:
     """Return three numbers, None where others are meant."""
-    inertia, joint = model.body_named[place.link].inertia, joint_of(model, place.link)
+    body, joint = model.body_named[place.link], joint_of(model, place.link)
     if place.what == "com":
-        if inertia is not None and model.document.is_xml:
-            return model.body_named[place.link].frames[0].pose.translation
-        return inertia.com if inertia is not None else None
+        frame = frame_of_com(body)
+        if frame is not None:
+            return frame.pose.translation
+        return body.inertia.com if body.inertia is not None else None
     if joint is None or place.what not in ("translation", "angles"):
         return None
     return joint.pose.translation if place.what == "translation" else joint.pose.rotation
@@ -87,11 +88,13 @@ def vector_at(model: Model, place: Suspect) -> Vector | None:
 
 def numbers_at(model: Model, place: Suspect) -> tuple[Expression, ...]:
     """Return the numbers of a place; none where some are missing, or are those of another frame."""
-    vector, inertia = vector_at(model, place), model.body_named[place.link].inertia
+    vector, body = vector_at(model, place), model.body_named[place.link]
     if place.what not in OF_A_LINK:
         return vector.components if vector is not None else ()
-    is_xml = model.document.is_xml
-    if inertia is None or inertia.mass is None or (inertia.frame is not None and not is_xml):
+    inertia = body.inertia
+    if inertia is None or inertia.mass is None:
+        return ()
+    if inertia.frame is not None and frame_of_com(body) is None:
         return ()
     com = vector_at(model, place._replace(what="com"))
     moments = (inertia.moments.get(name) for name in MOMENTS)

@@ -8,7 +8,7 @@ from kindsl.judgement.diagnosis.judgements import IMPOSSIBLE, Verdict, judgement
 from kindsl.language.semantics.declarations import Joint, Link, Vector
 from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.numbers import written_pose
+from kindsl.language.semantics.numbers import frame_of_com, written_pose
 from kindsl.language.semantics.unknown import Unknown
 from kindsl.language.text.facts import kept
 from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from
@@ -115,12 +115,17 @@ def far_coms(bodies: Sequence[XmlBody]) -> Iterator[tuple[Link, Vector]]:
         reaches.append(above + hypot(*body.placement.translation))
     reach = max(reaches, default=0.0)
     for part in (part for body in bodies for part in body.parts if reach > 0.0):
-        frame, inertia = next(iter(part.link.frames), None), part.link.inertia
-        pose = written_pose(frame.pose, {}) if frame is not None else None
-        if inertia is None or frame is None or pose is None or frame.pose.translation is None:
+        frame, pose = frame_of_com(part.link), pose_of_com(part.link)
+        if frame is None or pose is None or frame.pose.translation is None:
             continue
         if hypot(*pose.translation) > max(reach, DOUBTFUL_LENGTH):
             yield part.link, frame.pose.translation
+
+
+def pose_of_com(link: Link) -> RigidPose | None:
+    """Return the frame about which moments of a link are, None where it is not known."""
+    frame = frame_of_com(link)
+    return written_pose(frame.pose, {}) if frame is not None else None
 
 
 class _BodyWalk:

@@ -4,10 +4,9 @@ from collections.abc import Iterator, Mapping, Sequence, Set
 from itertools import chain
 
 from kindsl.judgement.rules.limb_places import OF_A_LINK, PARTS, numbers_at, place_at
-from kindsl.judgement.rules.xml_bodies import XmlBody, odd_links, xml_bodies
+from kindsl.judgement.rules.xml_bodies import XmlBody, odd_links, pose_of_com, xml_bodies
 from kindsl.language.semantics.declarations import FixedAxes
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.numbers import written_pose
 from kindsl.language.text.facts import kept
 from kindsl.mechanics.rigid.body import MassDistribution, seen_from, shifted
 from kindsl.mechanics.rigid.pose import (
@@ -141,8 +140,7 @@ class _LimbsAsWritten:
     def _of_link(self, repair: MeantNumbers) -> Sequence[float] | None:
         (link, _, what), (meant, *_) = repair
         body = self._named[link]
-        frame = next(iter(body.link.frames), None)
-        pose = written_pose(frame.pose, {}) if frame is not None else None
+        pose = pose_of_com(body.link)
         heavy = [part for part in body.parts if part.mass is not None and part.mass.mass]
         if pose is None or [part.link for part in heavy] != [body.link]:
             return None

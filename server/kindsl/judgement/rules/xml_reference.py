@@ -4,10 +4,10 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from kindsl.judgement.rules.base import Finding, Related, Severity
-from kindsl.judgement.rules.xml_bodies import XmlBody
+from kindsl.judgement.rules.xml_bodies import XmlBody, pose_of_com
 from kindsl.judgement.rules.xml_elements import A_FEW
 from kindsl.language.semantics.declarations import Inertia, Link
-from kindsl.language.semantics.numbers import mass_distribution, written_pose
+from kindsl.language.semantics.numbers import mass_distribution
 from kindsl.mechanics.rigid.body import (
     MassDistribution,
     is_clearly_positive,
@@ -46,9 +46,8 @@ def reference_findings(bodies: Sequence[XmlBody]) -> Iterator[Finding]:
 
 
 def _seen(link: Link) -> _Seen | None:
-    inertia, frame = link.inertia, next(iter(link.frames), None)
+    inertia, pose = link.inertia, pose_of_com(link)
     body = mass_distribution(inertia, {}) if inertia is not None else None
-    pose = written_pose(frame.pose, {}) if frame is not None else None
     if inertia is None or body is None or pose is None or body.mass <= 0.0:
         return None
     if not is_clearly_positive(second_moments_about_com(body)):

@@ -14,11 +14,11 @@ from kindsl.judgement.rules.limb_places import numbers_at
 from kindsl.judgement.rules.limb_writing import as_numbers, rewriting
 from kindsl.judgement.rules.registry import rules_with
 from kindsl.judgement.rules.units import LENGTH_UNITS
-from kindsl.judgement.rules.xml_bodies import XmlBody, far_coms, odd_links
+from kindsl.judgement.rules.xml_bodies import XmlBody, far_coms, odd_links, pose_of_com
 from kindsl.language.semantics.declarations import Link, Vector
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.numbers import mass_distribution, written_pose
+from kindsl.language.semantics.numbers import mass_distribution
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import IDENTITY
 from kindsl.robots.limbs.names import label_of
@@ -184,9 +184,8 @@ def _of_same_side(
 
 def _as_written(link: Link, _: object = None) -> MassDistribution | None:
     """Return mass, CoM and the six numbers as they stand in the file; None if axes are turned."""
-    inertia, frame = link.inertia, next(iter(link.frames), None)
+    inertia, pose = link.inertia, pose_of_com(link)
     written = mass_distribution(inertia, {}) if inertia is not None else None
-    pose = written_pose(frame.pose, {}) if frame is not None else None
     if written is None or pose is None or pose.rotation != IDENTITY.rotation:
         return None
     xx, yy, zz, xy, xz, yz = written.moments

@@ -6,7 +6,7 @@ What comes from an island without parameters and constants is computed once in t
 from collections.abc import Mapping
 from math import isfinite
 
-from kindsl.language.semantics.declarations import FixedAxes, Inertia, Pose, Vector
+from kindsl.language.semantics.declarations import FixedAxes, Frame, Inertia, Link, Pose, Vector
 from kindsl.language.semantics.parameters import island_symbols
 from kindsl.language.syntax.tree import Island
 from kindsl.language.syntax.vocabulary import MOMENTS
@@ -34,6 +34,15 @@ def written_pose(pose: Pose, values: Mapping[str, float]) -> RigidPose | None:
     if _is_literal(island):
         (known or island.facts.keep(POSES, {}))[pose.translation] = written
     return written
+
+
+def frame_of_com(link: Link) -> Frame | None:
+    """Return the frame that an inertia brings along, as in XML: its origin is the CoM.
+
+    None where CoM and moments are in the link's frame, or in one of its named ones.
+    """
+    inertia = link.inertia
+    return next((f for f in link.frames if inertia and f.node is inertia.node), None)
 
 
 def mass_distribution(inertia: Inertia, values: Mapping[str, float]) -> MassDistribution | None:

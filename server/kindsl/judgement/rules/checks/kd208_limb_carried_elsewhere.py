@@ -54,9 +54,9 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
 
 def _moved(model: Model, misplaced: Misplaced) -> Fix | None:
     """Return the fix that lists a child elsewhere, None where no section of children is there."""
-    if model.document.is_xml:
-        return _moved_in_xml(model, misplaced)
     child = child_of(model, misplaced.attachment.link)
+    if child is None:
+        return _with_other_parent(model, misplaced)
     parent = model.body_named.get(misplaced.meant or "")
     section = next(parent.node.nodes("children"), None) if parent is not None else None
     closing = list(section.tokens())[-1] if section is not None else None
@@ -75,7 +75,7 @@ def _moved(model: Model, misplaced: Misplaced) -> Fix | None:
     return Fix(f"Move '{child.link}' to '{parent.name}'", changes)
 
 
-def _moved_in_xml(model: Model, misplaced: Misplaced) -> Fix | None:
+def _with_other_parent(model: Model, misplaced: Misplaced) -> Fix | None:
     """Return the fix that names another parent, None of one that is fixed to what carries it."""
     (link, parent, _), meant, _ = misplaced
     connection = carrying(model, link)

@@ -40,12 +40,17 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each link that moves by another joint than its twins let expect."""
     found = crossed_findings(limb_names(model), partial(place_of_joint, model))
     for finding, odd in found:
-        fix = None if len(odd) < 2 or model.document.is_xml else _exchanged(model, *odd)
+        fix = None if len(odd) < 2 else _exchanged(model, *odd)
         yield finding._replace(fix=fix, subject=link_subject(odd[0].attachment.link))
 
 
-def _exchanged(model: Model, one: Misplaced, other: Misplaced) -> Fix:
-    here, there = (child_of(model, each.attachment.link).joint for each in (one, other))
+def _exchanged(model: Model, *both: Misplaced) -> Fix | None:
+    """Return the fix that exchanges the joints in two pairs, None where no pairs are written."""
+    children = (child_of(model, each.attachment.link) for each in both)
+    joints = [child.joint for child in children if child is not None]
+    if len(joints) < len(both):
+        return None
+    here, there = joints
     changes = Replacement(here, str(there)), Replacement(there, str(here))
     return Fix(f"Exchange joints '{here}' and '{there}'", changes)
 

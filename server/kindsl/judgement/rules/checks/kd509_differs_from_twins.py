@@ -53,7 +53,7 @@ from kindsl.judgement.rules.limb_writing import as_numbers, retyped, rewriting
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.numbers import written_pose
+from kindsl.language.semantics.numbers import frame_of_com, written_pose
 from kindsl.mechanics.rigid.body import MassDistribution, seen_from
 from kindsl.robots.limbs.comparison import LOOSE
 from kindsl.robots.limbs.limb import names_of
@@ -71,7 +71,7 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     verdicts = limb_slips(model, context).verdicts
     accused = [model.body_named[v.places[0].link].inertia for v in verdicts if v.is_convicted]
     places = {keyword(inertia) for inertia in accused if inertia is not None}
-    for finding in () if model.document.is_xml else explained(model, context, "KD509"):
+    for finding in explained(model, context, "KD509"):
         # Limbs lie in known ways: what they say of one of them is surer than what may be.
         if finding.fix or places.isdisjoint((finding.at, *(each.at for each in finding.related))):
             yield finding
@@ -114,12 +114,13 @@ def _message(model: Model, context: Context, verdict: LimbVerdict) -> tuple[str,
         turned = phrase(place._replace(what="angles"))
         return f"signs of {phrase(place)} differ from its twins, unless {turned} is wrong", None
     name, here, there = phrase(place), as_numbers(own), as_numbers(texts)
-    # In XML moments are about the CoM, so that those of another part have another place as well.
-    is_alone = place.what in ("mass", "com") and not model.document.is_xml
+    # Where moments are about the CoM, those of another part have another place as well.
+    is_about_com = frame_of_com(model.body_named[place.link]) is not None
+    is_alone = place.what in ("mass", "com") and not is_about_com
     if is_alone and (copy := _copied(model, verdict)):
         whole = phrase(place._replace(what="inertia"))
         return f"{whole} differs from its twins: {copy}", None
-    if is_of_many and model.document.is_xml:
+    if is_of_many and is_about_com:
         return f"{name} {verb} from its twins", _taken_over(model, context, verdict, may_be_right)
     if is_of_many:
         why = _why(model, context, verdict)

@@ -11,7 +11,7 @@ from kindsl.judgement.rules.context import Context
 from kindsl.language.semantics.declarations import Joint, Link, Pose
 from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.numbers import written_pose
+from kindsl.language.semantics.numbers import frame_of_com, written_pose
 from kindsl.language.semantics.unknown import Unknown
 from kindsl.language.text.facts import Fact
 from kindsl.mechanics.rigid.pose import Vector3
@@ -34,7 +34,7 @@ def shape_doubts(
 
 def is_told_of(body: Link, model: Model, context: Context) -> bool:
     """Return whether a body is reported as impossible, or behind its joint."""
-    if is_impossible(body, context.values) or model.document.is_xml:
+    if is_impossible(body, context.values) or frame_of_com(body) is not None:
         return is_impossible(body, context.values)
     return any(shape_doubts(body, model.tree.joints_on(body), context, "KD511"))
 
