@@ -17,7 +17,6 @@ from kindsl.products.codegen.c_text import (
     EXTERNAL,
     batch_declaration,
     dialect,
-    loop_dialect,
     macro,
     parameters,
     real,
@@ -62,7 +61,7 @@ def loops_source(library: Library) -> str:
         return f"m->c[{places[value.index]}]"
 
     model = f"const {library.prefix}_model *m, "
-    return loops_text(library.robot.tree, loop_dialect(library), model, text)
+    return loops_text(library.robot.tree, dialect(library), f"{library.prefix}_", model, text)
 
 
 def noinline(library: Library) -> str:
@@ -122,7 +121,7 @@ def quantity_source(library: Library, functions: Sequence[Function]) -> str:
 def _definition(library: Library, function: Function) -> str:
     name = f"{library.prefix}_{library.function_names[function.name]}"
     if function.is_loop:
-        statements = loop_call(function, loop_dialect(library), "m")
+        statements = loop_call(function, dialect(library), f"{library.prefix}_", "m")
         declared = ", ".join(parameters(library, function, "restrict "))
         return f"void {name}({declared})\n{{\n{statements}}}\n"
     if function.loaded is None:

@@ -1,11 +1,9 @@
 """Pieces of text that all C files of a library share."""
 
 from collections.abc import Iterator, Sequence
-from functools import partial
 from textwrap import wrap
 
-from kindsl.mechanics.dynamics.generation.emitters.c import Dialect, literal
-from kindsl.mechanics.dynamics.generation.emitters.loops import LoopDialect
+from kindsl.mechanics.dynamics.generation.emitters.c import Dialect
 from kindsl.mechanics.dynamics.generation.function import Function
 from kindsl.products.codegen.filling import fill, template
 from kindsl.products.codegen.library import Library
@@ -34,15 +32,6 @@ def dialect(library: Library) -> Dialect:
     """Return how the library writes numbers."""
     suffix = "f" if library.options.real == "float" else ""
     return Dialect(real(library), suffix, f"{macro(library)}_NOINLINE ")
-
-
-def loop_dialect(library: Library) -> LoopDialect:
-    """Return the same for loops over bodies."""
-    own = dialect(library)
-    return LoopDialect(
-        f"{library.prefix}_", "static inline", own.type, own.type, f"{{}}{own.suffix}", own.sign,
-        partial(literal, dialect=own), f"{library.prefix}_lanes",
-    )  # fmt: skip
 
 
 def real(library: Library) -> str:

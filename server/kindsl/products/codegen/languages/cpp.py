@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from kindsl.mechanics.dynamics.generation.emitters.c import CBody, Dialect, c_definition
-from kindsl.mechanics.dynamics.generation.emitters.loops import LoopDialect, loop_call, loops_text
+from kindsl.mechanics.dynamics.generation.emitters.loops import loop_call, loops_text
 from kindsl.mechanics.dynamics.generation.function import Function, Result
 from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar
 from kindsl.products.codegen.c_test_program import test_program
@@ -18,11 +18,8 @@ from kindsl.products.codegen.reference import Reference
 # The argument that holds what parameters decide.
 CONSTANTS = "constants"
 DIALECT = Dialect(
-    "S", sign="", number="S({})", call="detail::{}({})", parameter="S", scalar="S"
+    "S", sign="", number="S({})", scope="detail::", parameter="S", scalar="S"
 )  # fmt: skip
-LOOPS = LoopDialect(
-    "", "template <class S>\ninline", "S", "double", "detail::{}", "detail::sign({})", repr, ""
-)
 
 
 def cpp_header(library: Library) -> str:
@@ -78,7 +75,7 @@ def _functions(library: Library) -> str:
     if library.has_loops:
         places = {value.index: f"{CONSTANTS}[{k}]" for k, value in enumerate(library.setup)}
         given = f"const S* {CONSTANTS}, "
-        texts.append(loops_text(library.robot.tree, LOOPS, given, lambda x: places[x.index]))
+        texts.append(loops_text(library.robot.tree, DIALECT, "", given, lambda x: places[x.index]))
     if parameters and constants:
         texts.append(_of_pointers(graph, "set_up", {"p": parameters}, {CONSTANTS: constants}))
     for function in library.all_functions:
@@ -115,9 +112,9 @@ def _loops(function: Function, name: str) -> Iterator[str]:
     for called, end, load in ((free, "", ()), (function, "_loaded", (EXTERNAL,))):
         takes = [CONSTANTS, *(argument.name for argument in function.arguments), *load]
         declared = [*(f"const S* {n}" for n in takes), *(f"S* {r.name}" for r in function.results)]
-        statements = loop_call(called, LOOPS, CONSTANTS)
+        statements = loop_call(called, DIALECT, "", CONSTANTS)
         if not load or function.loaded is not None:
-            head = f"{LOOPS.head} void {name}{end}({', '.join(declared)})"
+            head = f"{DIALECT.template}void {name}{end}({', '.join(declared)})"
             yield f"{head}\n{{\n{statements}}}\n"
 
 

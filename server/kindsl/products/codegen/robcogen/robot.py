@@ -34,7 +34,7 @@ DIALECT = Dialect(
     "S",
     sign="",
     number="S({})",
-    call="TRAIT::{}({})",
+    scope="TRAIT::",
     parameter="TRAIT",
     scalar="typename TRAIT::Scalar",
 )

@@ -50,7 +50,7 @@ class Dialect:
         constant: How a number is written that is a result by itself.
         sign: How the sign of a value is computed, where that is no call.
         number: How a number is written.
-        call: How `sin` and `cos` are called, by their name and argument; nothing for C's way.
+        scope: What stands before the name of a called function.
         parameter: The template's parameter; nothing in C.
         scalar: The type of values in declarations of templates.
     """
@@ -61,9 +61,19 @@ class Dialect:
     constant: str = "{}"
     sign: str = "{0} > 0 ? 1 : {0} < 0 ? -1 : {0}"
     number: str = "{}"
-    call: str = ""
+    scope: str = ""
     parameter: str = ""
     scalar: str = ""
+
+    @property
+    def call(self) -> str:
+        """The name of `sin` or `cos`."""
+        return f"{self.scope}{{0}}{self.suffix}"
+
+    @property
+    def template(self) -> str:
+        """What the definition of a template begins with; nothing in C."""
+        return f"template <class {self.parameter}>\ninline " if self.parameter else ""
 
     @property
     def pointer(self) -> str:
@@ -130,7 +140,7 @@ def c_definition(graph: Graph, body: CBody, dialect: Dialect, linkage: str = "")
     parts = writer.parts()
     written = [writer.written(part) for part in parts.parts]
     rest = [*writer.copied(), *writer.rest()]
-    template = f"template <class {dialect.parameter}>\ninline " if dialect.parameter else ""
+    template = dialect.template
     head = f"{template or linkage}void {body.name}"
     if len(written) == 1:
         return _function(head, arrays, [*written[0], *rest], dialect)
@@ -172,8 +182,9 @@ class _Writer:
     def __init__(self, graph: Graph, body: CBody, dialect: Dialect) -> None:
         self._graph = graph
         self._dialect = dialect
-        call = dialect.call or f"{{0}}{dialect.suffix}({{1}})"
-        self._notation = Notation(partial(literal, dialect=dialect), call, dialect.sign)
+        self._notation = Notation(
+            partial(literal, dialect=dialect), f"{dialect.call}({{1}})", dialect.sign
+        )
         self._values = [entry for array in body.gives for entry in array.entries]
         self._comments = dict(body.comments)
         self._texts = dict(body.known)

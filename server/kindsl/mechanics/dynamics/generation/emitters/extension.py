@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from kindsl.mechanics.dynamics.generation.emitters.c import CBody, Dialect, c_definition
 from kindsl.mechanics.dynamics.generation.emitters.lanes import Wide, shared, wide_functions
-from kindsl.mechanics.dynamics.generation.emitters.loops import LoopDialect, loop_call, loops_text
+from kindsl.mechanics.dynamics.generation.emitters.loops import loop_call, loops_text
 from kindsl.mechanics.dynamics.generation.function import Function
 from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar
 from kindsl.mechanics.dynamics.generation.tree import Tree
@@ -17,7 +17,6 @@ MODULE = "compiled_mechanism"
 RUNTIME = Path(__file__).with_name("extension_runtime.c")
 TABLES = Path(__file__).with_name("extension_module.c")
 PLAIN = Dialect("double", "", "KEPT_APART ")
-LOOPS = LoopDialect("", "static inline", "double", "double", "{}", PLAIN.sign, repr, "lanes")
 
 
 class KernelArgument(NamedTuple):
@@ -84,7 +83,7 @@ def extension_source(
         "#if defined(__GNUC__)\n#define KEPT_APART __attribute__((noinline))\n"
         "#else\n#define KEPT_APART\n#define restrict __restrict\n#endif\n",
         f"static const double GRAVITY[3] = {{{numbers}}};\n",
-        loops_text(tree, LOOPS, "", repr) if any(kernel.loop for kernel in kernels) else "",
+        loops_text(tree, PLAIN, "", "", repr) if any(kernel.loop for kernel in kernels) else "",
         *(_kernel_text(graph, number, kernel) for number, kernel in enumerate(kernels)),
         _tables(kernels),
     ]
@@ -125,7 +124,7 @@ def _loop(body: CBody, function: Function, names: Sequence[str]) -> str:
     texts = dict(zip(names, (array.name for array in body.takes), strict=True))
     texts |= {r.name: array.name for r, array in zip(function.results, body.gives, strict=True)}
     declared = ", ".join(array.declaration for array in (*body.takes, *body.gives))
-    statements = loop_call(function, LOOPS, "", texts)
+    statements = loop_call(function, PLAIN, "", "", texts)
     return f"static void {body.name}({declared})\n{{\n{statements}}}\n"
 
 

@@ -2,9 +2,10 @@
 
 import re
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
-from typing import NamedTuple
 
+from kindsl.mechanics.dynamics.generation.emitters.c import Dialect, literal
 from kindsl.mechanics.dynamics.generation.function import Function
 from kindsl.mechanics.dynamics.generation.loops import table
 from kindsl.mechanics.dynamics.generation.terms import Term
@@ -19,78 +20,60 @@ _PARAMETERS = {
 PREFIX = "loops_"
 
 
-class LoopDialect(NamedTuple):
-    """The notation of numbers and functions.
-
-    Attributes:
-        prefix: Of all names.
-        head: What a function's definition begins with.
-        type: Of numbers.
-        constant: Of numbers that are known.
-        call: How `sin` and `cos` are called, by their name.
-        sign: How the sign of a value is computed, by its text.
-        number: Returns the text of a number.
-        lanes: The type of several numbers where a macro of this name in capitals is defined;
-            nothing if numbers may be of any type.
-    """
-
-    prefix: str
-    head: str
-    type: str
-    constant: str
-    call: str
-    sign: str
-    number: Callable[[float], str]
-    lanes: str
-
-
 def loops_text(
-    tree: Tree, dialect: LoopDialect, model: str, place: Callable[[Term], str]
+    tree: Tree, dialect: Dialect, prefix: str, model: str, place: Callable[[Term], str]
 ) -> str:  # fmt: skip
     """Return the functions of a tree, and the one that fills their table.
 
     Args:
         tree: The mechanism.
         dialect: How numbers are written.
+        prefix: Of all names, those of lanes too.
         model: The declaration of what parameters decide, and a blank; or nothing.
         place: Returns the text of a value that parameters decide.
     """
-    p, first = dialect.prefix + PREFIX, 6 if tree.is_floating else 0
+    p, first, head = prefix + PREFIX, 6 if tree.is_floating else 0, _head(dialect)
+    sign = dialect.sign or f"{dialect.call.format('sign')}({{0}})"
     n = len(tree.links())
     base = range(-1, first - 1)
     before = [*base, *(first + tree.parents[i] - 1 for i in tree.links())]
     has_friction = tree.drives is not None and any(tree.drives.friction)
     values = {
-        "P": p, "S": dialect.type, "FN": dialect.head,
-        "PLAIN": dialect.head.splitlines()[-1], "NB": n + 1, "K": first, "NV": first + n,
+        "P": p, "S": dialect.type, "FN": head,
+        "PLAIN": head.splitlines()[-1], "NB": n + 1, "K": first, "NV": first + n,
         "PARENTS": _listed(tree.parents),
         "TURNS": _listed([int(kind == "revolute") for kind in tree.kinds]),
         "BEFORE": _listed(before), "ORDER": _listed(_depth_first(before)),
         "BRANCHES": first + n - len({*before} - {-1}),
         "SIN": dialect.call.format("sin"), "COS": dialect.call.format("cos"),
-        "ROW": f"{p}row" if dialect.lanes else dialect.type,
-        "ROWS": _rows(dialect, p),
-        "SIGN": dialect.sign.format("qd[i - 1]") if has_friction else f"({dialect.type})0",
+        "ROW": dialect.type if dialect.template else f"{p}row",
+        "ROWS": _rows(dialect, prefix),
+        "SIGN": sign.format("qd[i - 1]") if has_friction else f"({dialect.type})0",
     }  # fmt: skip
     text = re.sub(r"@(\w+)@", lambda match: str(values[match[1]]), _TEXT)
-    return f"{text}\n{_filled(tree, dialect, model, place)}"
+    return f"{text}\n{_filled(tree, dialect, p, model, place)}"
 
 
 def loop_call(
-    function: Function, dialect: LoopDialect, model: str, texts: Mapping[str, str] | None = None
+    function: Function,
+    dialect: Dialect,
+    prefix: str,
+    model: str,
+    texts: Mapping[str, str] | None = None,
 ) -> str:
     """Return the statements that compute a function.
 
     Args:
         function: The function; with external forces if it has results under these.
         dialect: As for `loops_text`.
+        prefix: As for `loops_text`.
         model: What parameters decide, or nothing.
         texts: Of arguments and results, by their names; None for the names.
     """
     if texts is None:
         names = [a.name for a in function.arguments] + [r.name for r in function.results]
         texts = {name: name for name in (*names, *["fext"] * (function.loaded is not None))}
-    p, kernel = dialect.prefix + PREFIX, function.name.removesuffix("_loaded")
+    p, kernel = prefix + PREFIX, function.name.removesuffix("_loaded")
     none = f"({dialect.type} *)0"
     given = ", ".join(["t", *(texts.get(name, none) for name in _PARAMETERS[kernel])])
     table_of = f"{p}table({f'{model}, ' if model else ''}t);"
@@ -98,24 +81,34 @@ def loop_call(
     return f"    {dialect.type} t[{size}];\n    {table_of}\n    {p}{kernel}({given});\n"
 
 
-def _rows(dialect: LoopDialect, p: str) -> str:
+def _head(dialect: Dialect) -> str:
+    return dialect.template.strip() or "static inline"
+
+
+def _rows(dialect: Dialect, prefix: str) -> str:
     """Return the type of some numbers of a matrix's row, and how many these are."""
-    one = f"enum {{ {p}width = 1 }};"
-    if not dialect.lanes:
+    p, lanes = prefix + PREFIX, f"{prefix}lanes"
+    one, macro = f"enum {{ {p}width = 1 }};", lanes.upper()
+    if dialect.template:
         return one
-    macro = dialect.lanes.upper()
     return (
-        f"#if defined({macro})\ntypedef {dialect.lanes} {p}row;\nenum {{ {p}width = {macro} }};\n"
+        f"#if defined({macro})\ntypedef {lanes} {p}row;\nenum {{ {p}width = {macro} }};\n"
         f"#else\ntypedef {dialect.type} {p}row;\n{one}\n#endif"
     )
 
 
-def _filled(tree: Tree, dialect: LoopDialect, model: str, place: Callable[[Term], str]) -> str:
+def _filled(
+    tree: Tree, dialect: Dialect, p: str, model: str, place: Callable[[Term], str]
+) -> str:  # fmt: skip
     """Return the function that fills the table."""
     rows, S = table(tree), dialect.type
-    p, entries = dialect.prefix + PREFIX, [x for row in rows for x in row]
+    entries = [x for row in rows for x in row]
+    # Automatic derivatives' numbers cannot be constants of a table.
+    is_template = bool(dialect.template)
+    constant = "double" if is_template else dialect.type
+    number = repr if is_template else partial(literal, dialect=dialect)
     numbers = "".join(
-        f"        {', '.join(dialect.number(0.0 if isinstance(x, Term) else x) for x in row)},\n"
+        f"        {', '.join(number(0.0 if isinstance(x, Term) else x) for x in row)},\n"
         for row in rows
     )
     later = [f"t[{i}] = {place(x)};" for i, x in enumerate(entries) if isinstance(x, Term)]
@@ -125,8 +118,8 @@ def _filled(tree: Tree, dialect: LoopDialect, model: str, place: Callable[[Term]
     lines = "".join(f"    {line}\n" for line in [*unused, *copied, *later])
     return (
         f"enum {{ {p}table_size = {len(entries)} }};\n\n"
-        f"{dialect.head} void {p}table({model}{dialect.type} *t)\n{{\n"
-        f"    static const {dialect.constant} given[] = {{\n{numbers}    }};\n{lines}}}\n"
+        f"{_head(dialect)} void {p}table({model}{dialect.type} *t)\n{{\n"
+        f"    static const {constant} given[] = {{\n{numbers}    }};\n{lines}}}\n"
     )
 
 
