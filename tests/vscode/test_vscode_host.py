@@ -28,7 +28,7 @@ def test_features(browser: Browser, server: CodeServer, folder: Path) -> None:
 def test_waking(browser: Browser, server: CodeServer, tmp_path: Path) -> None:
     (tmp_path / "package.xml").write_text('<?xml version="1.0"?>\n<package/>\n')
     inertia = 'ixx="0.01" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.09"'
-    (tmp_path / "arm.urdf").write_text('<?xml version="1.0"?>\n' + urdf_link(inertia))
+    (tmp_path / "arm.urdf").write_text(urdf_link(inertia))
     outcome = run_suite(browser, server, tmp_path, HOST / "waking.js")
     assert outcome.code == 0, str(outcome)
 

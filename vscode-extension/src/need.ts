@@ -1,29 +1,16 @@
-// When a server is needed: VS Code wakes the extension for any XML, since a URDF alone is nothing else to it.
+// When a server is needed: the extension wakes in every window, since a URDF alone is plain text to the editor.
 import * as vscode from "vscode";
-import { isRobot, OTHER_ROBOTS, TRANSFORMS } from "./clientOptions";
+import { isRobot, TRANSFORMS } from "./clientOptions";
 
-/** Start the server: at once, but with the first robot where only some other XML woke the extension. */
+/** Start the server with the first robot that is opened. */
 export function startWhenNeeded(server: { start(): Promise<void> }): vscode.Disposable {
-  const listening = vscode.workspace.onDidOpenTextDocument((document) => isOurs(document) && start());
-  const start = () => {
+  const listening = vscode.workspace.onDidOpenTextDocument(startFor);
+  vscode.workspace.textDocuments.forEach(startFor);
+  return listening;
+
+  function startFor(document: vscode.TextDocument): void {
+    if (document.languageId !== TRANSFORMS && !isRobot(document)) return;
     listening.dispose();
     void server.start();
-  };
-  const open = vscode.workspace.textDocuments;
-  if (open.some(isOurs) || !open.some(({ languageId }) => languageId === "xml")) start();
-  else void isInFolder().then((isThere) => isThere && start());
-  return listening;
-}
-
-function isOurs(document: vscode.TextDocument): boolean {
-  return document.languageId === TRANSFORMS || isRobot(document);
-}
-
-/** Whether a robot in a folder may have woken the extension; a search that fails finds none. */
-async function isInFolder(): Promise<boolean> {
-  try {
-    return (await vscode.workspace.findFiles(OTHER_ROBOTS, undefined, 1)).length > 0;
-  } catch {
-    return false;
   }
 }

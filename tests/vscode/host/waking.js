@@ -1,4 +1,4 @@
-// XML wakes the extension; a server is started for robots only.
+// The extension is awake in every window; a server is started for robots only.
 "use strict";
 const assert = require("node:assert/strict");
 const { runAll, eventually, extension, open, codes, configure } = require("./harness");
@@ -6,7 +6,7 @@ const { runAll, eventually, extension, open, codes, configure } = require("./har
 exports.run = () =>
   runAll({
     "XML that is no robot starts no server": async () => {
-      assert.equal((await open("package.xml")).languageId, "xml");
+      await open("package.xml");
       await eventually(() => extension().isActive, "activation");
       assert.equal(await extension().exports.settled(), "stopped");
     },
@@ -17,9 +17,9 @@ exports.run = () =>
       await configure("importStrategy", undefined);
     },
 
-    "the first robot starts it": async () => {
+    "the first robot starts it, even one that is plain text to the editor": async () => {
       const document = await open("arm.urdf");
-      assert.equal(document.languageId, "xml");
+      assert.equal(document.languageId, "plaintext");
       await eventually(() => codes(document.uri).includes("KD302"), "KD302");
       assert.equal(await extension().exports.settled(), "running");
     },
