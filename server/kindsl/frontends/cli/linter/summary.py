@@ -15,7 +15,10 @@ def summary(outcome: RunOutcome) -> str:
     """Return the line that counts documents, findings and safe fixes."""
     n_files = len(outcome.files)
     if not n_files and not outcome.failures:
-        return "no documents (*.kindsl) found\n"
+        return (
+            "no documents (*.kindsl) found; a URDF or SDF is judged where it is named, "
+            "in folders by 'include' in kindsl.toml\n"
+        )
     numbers = ((severity, outcome.count(severity)) for severity in Severity)
     counts = ", ".join(counted(number, severity) for severity, number in numbers if number)
     line = f"{counts or 'no findings'} in {counted(n_files, 'document')}"
