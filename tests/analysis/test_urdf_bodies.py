@@ -199,6 +199,14 @@ def test_numbers_of_the_other_side_are_the_files() -> None:
     ]
 
 
+def test_a_side_whose_com_is_in_another_unit() -> None:
+    text = (
+        sides("", "-").replace("0.1 -0.05 0", "0.1 -0.05 0.02").replace("0.1 0.05 0", "1 0.5 0.2")
+    )
+    (told,) = messages(text)
+    assert told.startswith("'right_arm' is not the mirror image of 'left_arm': x of the CoM is 0.1")
+
+
 def test_a_side_with_the_moments_of_another_part() -> None:
     tensor = 'ixx="0.0221" ixy="0.0071" ixz="0" iyy="0.0323" iyz="0" izz="0.0417"'
     hand = link("hand", "0.1 0.1 0.02", tensor, "3.1")

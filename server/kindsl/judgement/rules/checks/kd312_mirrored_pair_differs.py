@@ -2,8 +2,8 @@
 
 ## What it does
 Compares links whose names are mirror images, `LF_hip` and `RF_hip`, `left_arm` and `right_arm`.
-Where nearly all of the ten numbers of their inertias agree, it reports one or two that differ, and
-signs that are not those of any turn or reflection of the axes.
+Where nearly all of the ten numbers of their inertias agree, it reports one or two that differ, or
+all three of the centre of mass, and signs that are not those of any turn or reflection of the axes.
 
 ## Why is this bad?
 Such parts are copied and then edited by hand. One number that was changed on one side only, or one

@@ -1,7 +1,7 @@
 """A number of one limb differs from its twins.
 
 ## What it does
-Compares limbs that are meant to be alike: three or more legs, arms or fingers of one body, phrase
+Compares limbs that are meant to be alike: three or more legs, arms or fingers of one body, told
 apart by sides and rows (`LF_hip`, `RH_hip`) or by numbers (`leg3_coxa`). Link frames of mirrored
 limbs may lie in other ways; what counts is whether some mirroring or turning of the limb makes all
 numbers those of its twins. Where all limbs agree but one, and one translation or rotation of it

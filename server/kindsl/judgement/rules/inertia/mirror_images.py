@@ -19,6 +19,8 @@ from kindsl.robots.limbs.weighing import seen_by
 _DIFFERENCES = Fact[tuple[object, tuple[str, bool]]]("differences of pairs")
 _SIGNIFICANT = 0.05
 _MOST_DIFFERENCES = 2
+# A CoM in another unit differs in all three, where mass and moments are the same to the digit.
+_OF_COM = [1, 2, 3]
 _ROUNDED = 1e-3
 
 Values = Mapping[str, float]
@@ -107,7 +109,8 @@ def mirror_difference(names: tuple[str, str], *both: MassDistribution) -> str:
     sizes = [_SIGNIFICANT * kinds[(i > 0) + (i > 3)] for i in range(len(TEN))]
     differing = [i for i, (a, b) in enumerate(pairs) if abs(a - b) > sizes[i]]
     exact = sum(a == b for a, b in pairs)
-    if 0 < len(differing) <= _MOST_DIFFERENCES and exact + len(differing) == len(TEN):
+    is_told = 0 < len(differing) <= _MOST_DIFFERENCES or differing == _OF_COM
+    if is_told and exact + len(differing) == len(TEN):
         if len(differing) == 2 and _are_swapped(*(pairs[i] for i in differing)):
             swapped = " and ".join(TEN[i] for i in differing)
             return f"'{right}' is not the mirror image of '{left}': {swapped} were swapped"
