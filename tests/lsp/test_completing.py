@@ -106,3 +106,12 @@ def test_an_editor_without_snippets_inserts_one_line() -> None:
         for item in items:
             assert not set("\n\r\0$") & set(item["textEdit"]["newText"])
             assert item["insertTextFormat"] == 1
+
+
+def test_an_item_of_a_document_that_is_closed_stays_as_it_is() -> None:
+    item = {"label": "link", "data": {"uri": URI, "kind": "keyword"}}
+    with ready_client() as client:
+        client.open(URI, ARM)
+        assert "documentation" in client.request("completionItem/resolve", item)
+        client.close(URI)
+        assert client.request("completionItem/resolve", item) == item

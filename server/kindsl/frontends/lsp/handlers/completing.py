@@ -58,10 +58,11 @@ def _list(view: Sight, found: "Completions", position: types.Position) -> dict[s
 
 
 @handlers.session(types.COMPLETION_ITEM_RESOLVE)
-def resolve(session: Session, item: types.CompletionItem) -> Any:
-    """Add the text beside the list."""
+async def resolve(session: Session, item: types.CompletionItem) -> Any:
+    """Add the text beside the list, none where the document was closed meanwhile."""
     data = item.data if isinstance(item.data, dict) else {}
-    return session.ask(_with_documentation, str(data.get("uri", "")), item)
+    found = await session.ask(_with_documentation, str(data.get("uri", "")), item)
+    return item if found is None else found
 
 
 def _found(view: View, offset: int, context: types.CompletionContext | None) -> "Completions":
