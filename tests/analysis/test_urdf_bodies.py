@@ -319,6 +319,20 @@ def test_many_densities_are_told_once(number: int) -> None:
         assert "'part_h'" in other and "7 more" in other
 
 
+@pytest.mark.parametrize(
+    ("number", "told"),
+    [
+        (1, "inertia of 'wall0' is a placeholder: mass and moments are 1"),
+        (3, "inertias of 'wall0' and 2 more are placeholders: mass and moments are 1"),
+    ],
+)
+def test_placeholders_are_told_once(number: int, told: str) -> None:
+    ones = 'ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"'
+    walls = (link(f"wall{n}", "0 0 0", ones, "1") for n in range(number))
+    joints = (joint(f"fix{n}", "base", f"wall{n}", "0 0 0", "fixed") for n in range(number))
+    assert messages(robot(*walls, *joints)) == [told]
+
+
 def test_absent_limits_are_told_once() -> None:
     text = legs().replace('lower="-1" upper="1" ', "")
     assert messages(text) == [

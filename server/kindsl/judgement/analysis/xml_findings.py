@@ -163,7 +163,8 @@ def _placeholders(model: Model) -> Iterator[Finding]:
             units.append(link)
     if units:
         at = units[0].inertia or units[0].name
-        what = f"inertia of '{units[0].name}'{_more(units)} is a placeholder: "
+        verb = "are placeholders" if units[1:] else "is a placeholder"
+        what = f"inertia{'s' if units[1:] else ''} of '{units[0].name}'{_more(units)} {verb}: "
         yield _of_all(units, at, f"{what}mass and moments are 1")
 
 
