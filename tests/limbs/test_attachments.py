@@ -91,6 +91,22 @@ def test_numbered_limbs() -> None:
     assert misplaced(*changed) == ([("leg2_shank", "leg2_thigh")], [])
 
 
+@pytest.mark.parametrize(
+    "feet", ["LF_foot RF_foot LH_foot RH_foot", "part_5 part_8 part_11 part_14"]
+)
+def test_numbered_joints_of_numbered_limbs(feet: str) -> None:
+    def legs(second: tuple[str, str]) -> list[Attachment]:
+        joints = [("hip_1", "ankle_1"), second, ("hip_3", "ankle_3"), ("hip_4", "ankle_4")]
+        made = []
+        for n, (foot, (upper, lower)) in enumerate(zip(feet.split(), joints, strict=True), 1):
+            made += [Attachment(f"aux_{n}", "trunk", upper), Attachment(foot, f"aux_{n}", lower)]
+        return made
+
+    assert misplaced(*legs(("hip_2", "ankle_2"))) == ([], [])
+    elsewhere, crossed = misplaced(*legs(("ankle_2", "hip_2")))
+    assert (elsewhere, crossed[0]) == ([], ("aux_2", "hip_2"))
+
+
 @pytest.mark.parametrize("name", ["torso_l", "neck"])
 def test_a_side_without_another_side_tells_nothing(name: str) -> None:
     chain = ("base", name, "head")

@@ -624,6 +624,36 @@ def test_a_base_may_lie_at_one_of_two_arms(right: str) -> None:
     assert codes(moved) == []
 
 
+@pytest.mark.parametrize(
+    ("kind", "left", "right"),
+    [
+        # Fingers that turn begin at one place, those that slide on both sides of it.
+        ("r", "0.0, 0.024, 0.089; 0.024, 0.0, 0.089", "0.0, 0.024, 0.089"),
+        ("p", "0.0, 0.015, 0.166; 0.0, 0.0, 0.166", "0.0, -0.015, 0.166"),
+    ],
+)
+def test_fingers_are_offered_the_place_that_they_had(kind: str, left: str, right: str) -> None:
+    def hand(place: str) -> str:
+        slide = "PI/2.0, 0.0, 0.0" if kind == "p" else "-PI/2.0, 0.0, -0.05"
+        other = "-PI/2.0, 0.0, 0.0" if kind == "p" else "-PI/2.0, 0.0, 0.05"
+        tip = "0.0, -0.14, 0.0"
+        links = "".join(
+            link(f"{side}_finger", 2 * n, f"{side}_tip via {side}_bend")
+            + link(f"{side}_tip", 2 * n + 1)
+            + placed_joint(f"{side}_slide", at, turn).replace("r_joint", f"{kind}_joint")
+            + placed_joint(f"{side}_bend", tip, "0.0, 0.0, 0.0")
+            for n, (side, at, turn) in enumerate(
+                (("left", place, slide), ("right", right, other)), 1
+            )
+        )
+        return robot(links, base="left_finger via left_slide right_finger via right_slide")
+
+    meant, wrong = map(hand, left.split("; "))
+    assert codes(meant) == []
+    (finding,) = found("KD510", wrong)
+    assert meant in [apply_edits(wrong, fix.edits) for fix in finding.choices]
+
+
 _FIVE, _THREE = tuple(range(0, 360, 72)), (10, 130, 250)
 
 

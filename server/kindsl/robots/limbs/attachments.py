@@ -205,7 +205,8 @@ class LimbNames:
         if label is None:
             return _View((name,), "none")
         mine = self._links.get(attachment.link, ("", ""))
-        is_same = all(x == y or not x or not y for x, y in zip(mine, label, strict=True))
+        pairs = zip(mine, label, strict=True)
+        is_same = all(x == y or not x or not y or x.isdigit() != y.isdigit() for x, y in pairs)
         return _View(self._read(name)[1], "same" if is_same else "other")
 
 
@@ -234,14 +235,32 @@ def _customs(link: str, joint: str) -> Iterator[object]:
         yield (*words, numbers[1][0] - numbers[0][0])
 
 
-def _words_of_numbered(attachments: Iterable[Attachment]) -> set[str]:
-    """Return the words before the numbers of three or more limbs: `leg` of `leg3_coxa`."""
-    heads: dict[tuple[str, _Words], dict[_Words, set[str]]] = {}
+def _words_of_numbered(attachments: Sequence[Attachment]) -> set[str]:
+    """Return the words before the numbers of three or more limbs: `leg` of `leg3_coxa`.
+
+    Of a limb whose head has a number, what any other name in it has before that number alone too.
+    """
+    heads: dict[tuple[str, _Words], dict[_Words, tuple[str, set[str]]]] = {}
     for link, parent, _ in attachments:
         side, row, words, part = label_of(link)
         numbers = tuple(word for word in words if word.isdigit())
         if numbers and not (side or row):
             before = {w for w, number in pairwise(words) if number.isdigit()}
-            heads.setdefault((parent, part), {})[numbers] = before
+            heads.setdefault((parent, part), {})[numbers] = link, before
     many = [by_number for by_number in heads.values() if len(by_number) > 2]
-    return {word for by_number in many for word in set.intersection(*by_number.values())}
+    found = {w for m in many for w in set.intersection(*(before for _, before in m.values()))}
+    number_of = {link: n[0] for m in many for n, (link, _) in m.items() if len(n) == 1}
+    for link, parent, _ in attachments:
+        if link not in number_of and parent in number_of:
+            number_of[link] = number_of[parent]
+    before_number: dict[str, set[tuple[str, bool]]] = {}
+    for link, _, joint in attachments if number_of else ():
+        number = number_of.get(link)
+        for word, other in pairwise(label_of(joint).words) if number else ():
+            if other.isdigit():
+                before_number.setdefault(word, set()).add((other, other == number))
+    return found | {
+        word
+        for word, seen in before_number.items()
+        if len(seen) > 2 and all(is_own for _, is_own in seen)
+    }

@@ -8,13 +8,14 @@ agree, each mass, CoM and moments that one limb only has so is convicted.
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain, combinations
 from math import dist, inf
-from operator import attrgetter, sub
+from operator import sub
 from typing import NamedTuple
 
 from kindsl.mechanics.rigid.pose import IDENTITY, Rotation, pose_from, product, transposed, turned
 from kindsl.robots.limbs.comparison import LimbComparison
 from kindsl.robots.limbs.limb import Body, Limbs, Side, held_by, matched
 from kindsl.robots.limbs.mounts import REFLECTIONS
+from kindsl.robots.limbs.names import is_held
 from kindsl.robots.limbs.slips import n_retyped
 from kindsl.robots.limbs.weighing import Accusation, Masses, Suspect, WeighedComparison, seen_by
 
@@ -204,41 +205,44 @@ def _of_pair(c: WeighedComparison) -> Iterator[LimbVerdict]:
         return
     most = 1 if len(limbs.rows) >= _SMALLEST[limbs.how] else 0
     ranked = [
-        (
-            (round(one.cost, 2), min(one.n_retyped, other.n_retyped)),
-            (one.n_slips + other.n_slips, other.change),
-            (one, other),
-        )
+        ((round(one.cost, 2), min(one.n_retyped, other.n_retyped)), (one, other))
         for one, other in c.accusations
+    ]
+    likeliest = min((likelihood for likelihood, _ in ranked), default=(0.0, most + 1))
+    # What the likeliest readings cannot tell is not told of another one.
+    tied = [
+        (one, other)
+        for likelihood, (one, other) in ranked
+        if likelihood == likeliest
         if one.place.what != "angles" or limbs.is_seen_below(one.place.joint)
         if not _is_base_at_one(limbs, one)
     ]
-    ranked.sort(key=lambda each: each[:2])
-    if ranked and ranked[0][0][1] <= most:
-        tied = [both for likelihood, _, both in ranked if likelihood == ranked[0][0]]
+    if tied and likeliest[1] <= most:
+        tied.sort(key=lambda both: (both[0].n_slips + both[1].n_slips, both[1].change))
         places = dict.fromkeys(said.place for both in tied for said in both)
-        # Each as the reading has it in which it has the fewest slips.
-        meant = [
-            min(
-                (both[i] for both in tied if both[i].place == said.place), key=attrgetter("n_slips")
-            )
-            for i, said in enumerate(tied[0])
-        ]
-        repairs = tuple(MeantNumbers(said.place, (said.meant,)) for said in meant[::-1])
-        yield LimbVerdict(tuple(places), repairs, (), False)
+        # Each as the reading has it in which it has the fewest slips, and mirrored rather than
+        # where its twin is.
+        at = {body.name: body.translation for _, *both in limbs.rows for body in both}
+        repairs = []
+        for i, first in enumerate(tied[0]):
+            own = (both[i] for both in tied if both[i].place == first.place)
+            meant = min(own, key=lambda said: (said.n_slips, said.meant == at[said.twin]))
+            repairs.append(MeantNumbers(meant.place, (meant.meant,)))
+        yield LimbVerdict(tuple(places), tuple(repairs[::-1]), (), False)
 
 
 def _is_base_at_one(limbs: LimbComparison, said: Accusation) -> bool:
     """Return whether a carrier's origin lies at one of two heads, so that no plane is between.
 
-    Fingers that slide apart may begin at one place.
+    Fingers may begin at one place.
     """
     _, one, other = limbs.rows[0]
     heads = one.joint, other.joint
     if said.place.what != "translation" or said.place.joint not in heads:
         return False
     twin = other if said.place.joint == one.joint else one
-    is_there = {one.kind, other.kind} != {"prismatic"} and all(
+    is_sliding = one.kind == other.kind == "prismatic"
+    is_there = not (is_sliding or is_held(one.name, other.name)) and all(
         abs(x - y) < _SAME_PLACE for x, y in zip(said.meant, twin.translation, strict=True)
     )
     return is_there or not any(one.translation) or not any(other.translation)
