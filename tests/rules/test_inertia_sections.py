@@ -2,7 +2,7 @@
 
 import pytest
 from tests.support.example_documents import document_of
-from tests.support.examples import STEEL_BALL, link
+from tests.support.examples import STEEL_BALL, link, placed_joint, robot
 from tests.support.one_rule import body, found, row, section, told, with_base
 
 from kindsl.language.semantics.parameters import Binding
@@ -81,6 +81,24 @@ def test_a_body_without_inertia(
 ) -> None:
     told_as = [(f.severity, f.message) for f in found("KD304", text, *targets)]
     assert told_as == ([] if expected is None else [expected])
+
+
+@pytest.mark.parametrize(
+    ("place", "targets", "severity"),
+    [
+        ("0.0, 0.0, 0.0", (), "hint"),
+        ("0.0, 0.0, 0.1", (), "warning"),
+        ("0.0, 0.0, 0.0", ("robcogen",), "error"),
+    ],
+)
+def test_a_link_between_two_axes_of_one_joint_may_be_without_inertia(
+    place: str, targets: tuple[str, ...], severity: str
+) -> None:
+    links = link("slide", 1, "torso via turn", inertia="") + link("torso", 2)
+    text = robot(
+        links, placed_joint("turn", place, "0.0, 0.0, 0.0"), base="slide via shift", joints="shift"
+    )
+    assert [f.severity for f in found("KD304", text, *targets)] == [severity]
 
 
 @pytest.mark.parametrize("height", [0.5, 0.0])

@@ -206,6 +206,20 @@ def test_one_part_is_mounted_several_times(
     assert len(found("KD310", robot(*links, base=base, joints="a b c"))) == count
 
 
+@pytest.mark.parametrize(("iy", "count"), [("2.6e-07", 0), ("3.2e-07", 1)])
+def test_parts_that_carry_equally_many_links_may_be_one_part(iy: str, count: int) -> None:
+    knuckles, tips = ("ffknuckle", "mfknuckle", "thknuckle"), ("fftip", "mftip", "thtip")
+    section = inertia("0.008", "0.0", "3.2e-07", iy, iy)
+    links = [
+        link(knuckle, 2 * n, f"{tip} via {tip}_joint", section) + link(tip, 2 * n + 1)
+        for n, (knuckle, tip) in enumerate(zip(knuckles, tips, strict=True), 1)
+    ]
+    base = " ".join(f"{knuckle} via {knuckle}_joint" for knuckle in knuckles)
+    joints = " ".join(f"{name}_joint" for name in (*knuckles, *tips))
+    told = [f.message for f in found("KD310", robot(*links, base=base, joints=joints))]
+    assert sum("ffknuckle" in message for message in told) == count
+
+
 @pytest.mark.parametrize(("names", "count"), [("abc", 1), ("ab", 0), ("LF_a RF_a b", 0)])
 def test_three_different_parts_alike_are_suspicious(names: str, count: int) -> None:
     words = names.split() if " " in names else list(names)

@@ -236,7 +236,7 @@ def _without_meaning(
         slips += [(Slip.COPY, copy) for copy in around.copies[:1]]
     for moments, where in ((body.moments, ""), (shifted(body, -1.0).moments, " about the CoM")):
         if is_round(moments):
-            slips.append((Slip.PLACEHOLDER, (f"{moments[0]:.1g}{where}",)))
+            slips.append((Slip.PLACEHOLDER, (f"{float(f'{moments[0]:.1g}'):g}{where}",)))
             break
         # Of an impossible body equal moments about the CoM are as likely: a ball on a rod.
         if is_about_one_number(moments) and not found.is_impossible:

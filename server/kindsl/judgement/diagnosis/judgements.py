@@ -162,7 +162,7 @@ def is_round(moments: Symmetric) -> bool:
     size = float(f"{moments[0]:.1e}")
     meant = (size, size, size, 0.0, 0.0, 0.0)
     is_same = all(abs(a - b) <= 0.01 * size for a, b in zip(moments, meant, strict=True))
-    return 0.0 < size <= 1.0 and is_same and f"{size:.1e}"[2] == "0"
+    return size > 0.0 and is_same and f"{size:.1e}"[2] == "0"
 
 
 def is_about_one_number(moments: Symmetric) -> bool:

@@ -3,6 +3,7 @@
 ## What it does
 Reports a moving link without an `inertia_params` section: a warning, and an error for a floating
 base and for the target robcogen. Where no moving link of a robot has one, that is reported once.
+A link between two axes of one joint, which carries a single link at its own origin, is a hint.
 KD601 reports the section missing in a fixed base, which robcogen requires too.
 
 ## Why is this bad?
@@ -24,7 +25,9 @@ from kindsl.judgement.diagnosis.judgements import is_moving
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import ROBCOGEN, Context
 from kindsl.language.semantics.aspects import Aspect
+from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.numbers import written_pose
 
 _FEWEST_OF_ALL = 2
 _MOST_RELATED = 20
@@ -45,11 +48,25 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     for body in without:
         what = "floating base" if body.is_base else "link"
         severity = _severity(is_required, body.is_base)
+        if severity is Severity.WARNING and _is_between_axes(model, context, body):
+            severity = Severity.HINT
         yield Finding(body.name, f"{what} '{body.name}' has no inertia", severity=severity)
+
+
+def _is_between_axes(model: Model, context: Context, body: Link) -> bool:
+    """Return whether a link carries a single other one, whose joint is at its own origin."""
+    joints = [edge.joint for edge in model.tree.successor_edges(body) if edge.joint is not None]
+    poses = [written_pose(joint.pose, context.values) for joint in joints]
+    return len(poses) == 1 and poses[0] is not None and not any(poses[0].translation)
 
 
 def _severity(*is_error: bool) -> Severity:
     return Severity.ERROR if any(is_error) else Severity.WARNING
 
 
-RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.STRUCTURE)
+RULE = Rule(
+    __name__,
+    Severity.WARNING,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.PLACES,
+)

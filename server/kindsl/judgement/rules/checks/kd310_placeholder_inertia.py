@@ -4,7 +4,8 @@
 Reports a mass of 1.0 with three moments of 1.0, and the same mass and moments in three or more
 moving links of different parts. Parts are recognised by names without sides and numbers: `LF_hip`
 and `RH_hip` are one part, and so are `segment1` and `segment2`. Links of which none carries another
-may be one part that is mounted several times, as wheels are, where their moments have many digits.
+may be one part that is mounted several times, as wheels are, where their moments have many digits,
+or, not all equal, where they carry equally many links, as knuckles do.
 
 Says of an impossible inertia (KD301, KD302) or one of implausible density (KD311) that it is a
 placeholder where its three moments are one round number, or below 1 kg·m² within 5 %, and the
@@ -25,7 +26,7 @@ inertia_params {
 """
 
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import starmap
+from itertools import chain, starmap
 
 from kindsl.judgement.diagnosis.counterparts import telling_numbers
 from kindsl.judgement.diagnosis.judgements import is_moving, keyword
@@ -86,11 +87,15 @@ def _are_unlike(group: Iterable[tuple[Link, Inertia]]) -> bool:
 
 
 def _is_one_part(model: Model, bodies: Sequence[Link]) -> bool:
-    """Return whether bodies share what no two have by chance, and none carries another."""
-    if not any(telling.what == "moments" for telling in telling_numbers(bodies[0])):
+    """Return whether none carries another, and they share more than a placeholder by chance."""
+    carried = [model.tree.in_topological_order(body) for body in bodies]
+    if not set(chain.from_iterable(carried)).isdisjoint(bodies):
         return False
-    carried = {link for body in bodies for link in model.tree.in_topological_order(body)}
-    return carried.isdisjoint(bodies)
+    if any(telling.what == "moments" for telling in telling_numbers(bodies[0])):
+        return True
+    inertia, n_carried = bodies[0].inertia, {len(links) for links in carried}
+    moments = [inertia.moments[name].literal for name in MOMENTS[:3]] if inertia else []
+    return len(n_carried) == 1 and n_carried != {0} and len(set(moments)) > 1
 
 
 def _placeholder(body: Link, inertia: Inertia) -> Finding:
