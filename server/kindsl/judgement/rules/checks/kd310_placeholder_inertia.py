@@ -7,6 +7,10 @@ and `RH_hip` are one part, and so are `segment1` and `segment2`. Links of which 
 may be one part that is mounted several times, as wheels are, where their moments have many digits,
 or, not all equal, where they carry equally many links, as knuckles do.
 
+Of two parts on one chain with the same mass, centre of mass and moments of many digits, of which no
+third link has them, it reports the one that such a body fits less: its numbers were copied. None of
+383 published robots has such links.
+
 Says of an impossible inertia (KD301, KD302) or one of implausible density (KD311) that it is a
 placeholder where its three moments are one round number, or below 1 kg·m² within 5 %, and the
 products zero, and which link of
@@ -25,20 +29,31 @@ inertia_params {
 ```
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, starmap
+from operator import itemgetter
 
-from kindsl.judgement.diagnosis.counterparts import telling_numbers
-from kindsl.judgement.diagnosis.judgements import is_moving, keyword
+from kindsl.judgement.diagnosis.counterparts import (
+    TellingNumbers,
+    bodies_with,
+    is_same_body,
+    telling_numbers,
+)
+from kindsl.judgement.diagnosis.judge import weighed_as_written
+from kindsl.judgement.diagnosis.judgements import is_moving, judgement_of, keyword
+from kindsl.judgement.diagnosis.surroundings import surroundings
+from kindsl.judgement.diagnosis.unlike import EXACTLY
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.inertia.told_causes import explained
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Inertia, Link
 from kindsl.language.semantics.model import Model, model_part
+from kindsl.language.semantics.numbers import mass_distribution
 from kindsl.language.syntax.document import Chunk
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.language.text.facts import kept
+from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.robots.limbs.names import label_of
 
 _ENOUGH = 3
@@ -64,6 +79,10 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
             finding = _shared(group)
             if (id(finding.at.island), finding.at.start) not in places:
                 yield finding
+    copied = (_copied(model, pair, context.values) for pair in _pairs_on_chains(model))
+    for finding in filter(None, copied):
+        if (id(finding.at.island), finding.at.start) not in places:
+            yield finding
 
 
 @kept
@@ -91,11 +110,51 @@ def _is_one_part(model: Model, bodies: Sequence[Link]) -> bool:
     carried = [model.tree.in_topological_order(body) for body in bodies]
     if not set(chain.from_iterable(carried)).isdisjoint(bodies):
         return False
-    if any(telling.what == "moments" for telling in telling_numbers(bodies[0])):
+    if _telling_moments(bodies[0]):
         return True
     inertia, n_carried = bodies[0].inertia, {len(links) for links in carried}
     moments = [inertia.moments[name].literal for name in MOMENTS[:3]] if inertia else []
     return len(n_carried) == 1 and n_carried != {0} and len(set(moments)) > 1
+
+
+def _telling_moments(body: Link) -> list[TellingNumbers]:
+    return [telling for telling in telling_numbers(body) if telling.what == "moments"]
+
+
+def _pairs_on_chains(model: Model) -> Iterator[list[Link]]:
+    """Yield two parts of which one carries the other, and which alone have the same moments."""
+    for chunk in model.document.chunks:
+        for link, _ in chain.from_iterable(_moving(chunk).values()):
+            pair = [body for each in _telling_moments(link) for body in bodies_with(model, each)]
+            parts = {label_of(str(body.name)).part for body in pair}
+            if pair[:1] == [link] and len(pair) == len(parts) == 2:
+                below = chain.from_iterable(map(model.tree.in_topological_order, pair))
+                if not set(pair).isdisjoint(below):
+                    yield pair
+
+
+def _copied(model: Model, pair: Sequence[Link], values: Mapping[str, float]) -> Finding | None:
+    """Return what is said of two links, None where they are not alike or of no body."""
+    weighed: list[tuple[float, Link, Inertia]] = []
+    bodies: list[MassDistribution] = []
+    for link in pair:
+        body = mass_distribution(link.inertia, values) if link.inertia is not None else None
+        if link.inertia is None or body is None or body.mass <= 0.0:
+            return None
+        found = judgement_of(link, link.inertia, body, values)
+        cause = weighed_as_written(found, surroundings(model, values, found))
+        if cause is None:
+            return None
+        bodies.append(body)
+        weighed.append((cause.log_alone, link, link.inertia))
+    one, other = bodies
+    if not is_same_body(one, other, EXACTLY):
+        return None
+    (_, copy, inertia), (_, meant, own) = sorted(weighed, key=itemgetter(0))
+    message = f"'{copy.name}' has the mass, CoM and moments of '{meant.name}', another part"
+    return Finding(
+        keyword(inertia), message, (Related(keyword(own), f"inertia of '{meant.name}'"),)
+    )
 
 
 def _placeholder(body: Link, inertia: Inertia) -> Finding:
