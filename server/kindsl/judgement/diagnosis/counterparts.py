@@ -1,6 +1,6 @@
 """Links that may be images of one another: by their names, or by digits no two have by chance."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from itertools import chain, islice, permutations
 from math import isclose, isfinite, log
@@ -17,8 +17,8 @@ from kindsl.robots.limbs.names import label_of
 from kindsl.robots.limbs.weighing import seen_by
 
 _FEWEST_DIGITS = 7
-# Numbers are copied with their digits rounded, too.
-_ROUNDED, _NEXT = 5e-5, 1e-3
+# Numbers are copied with their digits rounded, too; sizes are told apart hardly more finely.
+_ROUNDED, _NEXT = 5e-5, 1e-4
 _MOST_PARTS = 8
 SAME = 0.02
 _PLACES = Fact[tuple[object, dict[str, tuple[int, ...]]]]("places of parts, by names")
@@ -31,8 +31,12 @@ def namesakes(model: Model, link: Link) -> list[Link]:
 
 def counterparts(model: Model, link: Link) -> list[Link]:
     """Return the namesakes of a link, and other links with the same moments or CoM."""
-    either = chain.from_iterable(may_be_counterparts(model, link))
-    return [other for other in dict.fromkeys(either) if other is not link]
+    return listed_but(link, may_be_counterparts(model, link))
+
+
+def listed_but(link: Link, lists: Iterable[Iterable[Link]]) -> list[Link]:
+    """Return the links of some lists, each once, but for one."""
+    return [other for other in dict.fromkeys(chain.from_iterable(lists)) if other is not link]
 
 
 def may_be_counterparts(model: Model, link: Link) -> tuple[Sequence[Link], Sequence[Link]]:
@@ -80,7 +84,7 @@ class TellingNumbers(NamedTuple):
     @property
     def size(self) -> int:
         """The order of magnitude, finely: what is the same has this one, or one next to it."""
-        return round(log(max(map(abs, self.numbers))) / _NEXT)
+        return round(log(sum(map(abs, self.numbers))) / _NEXT)
 
     def is_as(self, other: "TellingNumbers", seen: Callable[[float], float] = float) -> bool:
         """Return whether others are the same, as far as copies with fewer digits are."""
@@ -115,8 +119,9 @@ def telling_numbers(body: Link) -> list[TellingNumbers]:
     for what, group in (("moments", moments), ("CoM", inertia.com.components)):
         digits = {abs(v.literal): significant_digits(v.text) for v in group if v.literal}
         is_told = len(digits) > 1 and sum(digits.values()) >= _FEWEST_DIGITS
-        if is_told and all(map(isfinite, digits)):
-            found.append(TellingNumbers(what, tuple(value.literal or 0.0 for value in group)))
+        numbers = tuple(value.literal or 0.0 for value in group)
+        if is_told and isfinite(sum(map(abs, numbers))):
+            found.append(TellingNumbers(what, numbers))
     return found
 
 
@@ -151,7 +156,9 @@ def may_be_image(one: MassDistribution, other: MassDistribution, within: float =
 
     It changes the mass, the CoM or the moments, so that the two others agree but for signs.
     """
-    return sum(_agreeing(one, other, within)) > 1
+    agreeing = _agreeing(one, other, within)
+    n = next(agreeing) + next(agreeing)
+    return n > 1 or (n == 1 and next(agreeing))
 
 
 def _agreeing(one: MassDistribution, other: MassDistribution, within: float) -> Iterator[bool]:

@@ -1,13 +1,13 @@
 """Links that agree with others of the robot in two of mass, CoM and moments, not in the third."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import partial
 from typing import NamedTuple
 
 from kindsl.judgement.diagnosis.counterparts import (
-    counterparts,
     is_mirror_image,
     is_turned_image,
+    listed_but,
     may_be_counterparts,
     may_be_image,
 )
@@ -70,9 +70,9 @@ def unlike_among(model: Model, body_of: Callable[[Link], MassDistribution | None
     found: dict[Link, Unlike] = {}
     n_alike = 0
     for link in model.bodies:
-        compared = partial(_compared, model, link, body_of)
-        given = body_of, *may_be_counterparts(model, link)
-        is_alike, unlike = link.facts.made_of(_COMPARED, given, compared)
+        near = may_be_counterparts(model, link)
+        compared = partial(_compared, link, near, body_of)
+        is_alike, unlike = link.facts.made_of(_COMPARED, (body_of, near), compared)
         n_alike += is_alike
         if unlike is not None and (unlike.is_outvoted or unlike.twins[0][0] not in found):
             found[link] = unlike
@@ -82,13 +82,15 @@ def unlike_among(model: Model, body_of: Callable[[Link], MassDistribution | None
 
 
 def _compared(
-    model: Model, link: Link, body_of: Callable[[Link], MassDistribution | None]
+    link: Link,
+    near: Iterable[Iterable[Link]],
+    body_of: Callable[[Link], MassDistribution | None],
 ) -> _Compared:
     """Return whether a link is the image of another one, and of which it is nearly."""
     body = body_of(link)
     if body is None:
         return False, None
-    others = [(o, b) for o in counterparts(model, link) if (b := body_of(o)) is not None]
+    others = [(o, b) for o in listed_but(link, near) if (b := body_of(o)) is not None]
     names = tuple(other_sides(str(link.name)))
     named = [(o, b) for o, b in others if str(o.name) in names]
     is_alike, unlike = _unlike(link, body, others, EXACTLY, EXACTLY)
