@@ -4,8 +4,8 @@
 
 Without documents for the robots of `../shared/robcogen_interface`. Prints, for each function and
 for the gradients of inverse and forward dynamics, the processor's seconds until the first answer,
-the least processor's milliseconds of all threads for an answer, those of NumPy, their ratio, and
-how far the answers are apart, relative to the largest number.
+the least processor's milliseconds of all threads for an answer, those for one state without `jit`,
+those of NumPy, their ratio, and how far the answers are apart, relative to the largest number.
 """
 
 import argparse
@@ -66,7 +66,8 @@ def compare(document: Path, states: int) -> None:
         function, first = _compiled(getattr(module, name), values)
         other = getattr(mechanism, "forward_kinematics" if name == "poses" else name)
         mine, numpy_s = (_least(partial(f, *values)) for f in (function, other))
-        told = f"NumPy {numpy_s:6.2f} ms  ratio {mine / numpy_s:5.1f}"
+        told = f"{_without_jit(getattr(module, name), values)}  "
+        told += f"NumPy {numpy_s:6.2f} ms  ratio {mine / numpy_s:5.1f}"
         if name != "poses":
             pairs = zip(
                 jax.tree.leaves(function(*values)), jax.tree.leaves(other(*values)), strict=True
@@ -79,7 +80,7 @@ def compare(document: Path, states: int) -> None:
         slope = jax.grad(lambda *v, f=dynamics: sum(a.sum() for a in jax.tree.leaves(f(*v))))
         function, first = _compiled(slope, calls[name])
         mine = _least(partial(function, *calls[name]))
-        _row(document, f"grad of {name}", first, mine, "")
+        _row(document, f"grad of {name}", first, mine, _without_jit(slope, calls[name]))
 
 
 def _compiled(
@@ -89,6 +90,13 @@ def _compiled(
     start = time.process_time()
     jax.block_until_ready(compiled(*values))
     return lambda *v: jax.block_until_ready(compiled(*v)), time.process_time() - start
+
+
+def _without_jit(function: Callable[..., object], values: list[np.ndarray]) -> str:
+    """Return how long answers for one state take that are not the first."""
+    one = partial(function, *(rows[0] for rows in values))
+    jax.block_until_ready(one())
+    return f"without jit {_least(lambda: jax.block_until_ready(one())):6.2f} ms"
 
 
 def _least(call: Callable[[], object]) -> float:
