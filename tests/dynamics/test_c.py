@@ -100,3 +100,25 @@ def test_what_is_known_is_read_from_its_context(size: int, monkeypatch: pytest.M
     assert "(void)" not in text
     for given, inside in _functions(text).values():
         assert ("m" in given) == ("m->mass" in inside or "(m, " in inside)
+
+
+@pytest.mark.parametrize("size", [2, 500])
+def test_a_template_reads_all_before_it_stores(size: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """So the array that it fills may be the one that it takes."""
+    monkeypatch.setattr(c, "OPERATIONS_PER_PART", size)
+    monkeypatch.setattr(c, "MOST_IN_TEMPLATE", size)
+    graph = Graph()
+    x, y, z = graph.vector(3)
+    outputs: list[Scalar | None] = [y, x + y, None, x * y - z, 2.0, x]
+    dialect = Dialect("S", sign="", number="S({})", parameter="S", scalar="S")
+    body = CBody(
+        "f",
+        dialect.arrays({"a": [x, y, z]}, are_given=True),
+        dialect.arrays({"o": outputs}, are_given=False),
+    )
+    functions = _functions(c_definition(graph, body, dialect))
+    assert (len(functions) > 1) == (size == 2)
+    *parts, (_, whole) = functions.values()
+    assert not any("o[" in inside for _, inside in parts)
+    assert "a[" not in whole[whole.index("o[") :] and "_part" not in whole[whole.index("o[") :]
+    assert {place for _, place in _written(whole[whole.index("    o[") :])} == {0, 1, 3, 4, 5}
