@@ -189,3 +189,28 @@ def test_copied_moments_are_told_of_inner_models() -> None:
     (found,) = analyse(ARM.replace(six, copied)).findings
     assert found.code == "KD315" and "'hand::palm'" in found.message
     assert ARM.replace(six, copied)[found.start : found.end] == "<ixy>"
+
+
+def test_a_knee_that_is_placed_in_the_model_differs_from_the_other_side() -> None:
+    """A joint whose link is placed in the model has no numbers of its own to be written."""
+    tensor = "<ixx>0.00021</ixx><iyy>0.00004</iyy><izz>0.00023</izz>"
+    blocks = []
+    for side, sign in (("left", ""), ("right", "-")):
+        above = "trunk"
+        for part, y in (("hip", "0.1"), ("thigh", "0.15"), ("shin", "0.25")):
+            name = f"{side}_{part}"
+            blocks.append(
+                f"<link name='{name}'><pose>0.02 {sign}{y} 0 0 0 0</pose><inertial>"
+                f"<mass>0.2</mass><inertia>{tensor}</inertia></inertial></link>"
+                f"<joint name='{name}_joint' type='revolute'><parent>{above}</parent>"
+                f"<child>{name}</child><axis><xyz>1 0 0</xyz></axis></joint>"
+            )
+            above = name
+    text = f"<sdf version='1.9'><model name='m'><link name='trunk'/>{''.join(blocks)}</model></sdf>"
+    assert told(text) == []
+    (found,) = analyse(text.replace("0.02 -0.25 0", "0.02 -0.52 0")).findings
+    assert found.code == "KD510" and not found.choices
+    assert found.message == (
+        "translation of 'right_shin_joint' and translation of 'left_shin_joint' differ: "
+        "one slip keeps the two sides from being alike"
+    )

@@ -59,7 +59,9 @@ def xml_limb_verdicts(model: Model) -> list[LimbVerdict]:
                 if odd.isdisjoint(links):
                     repairs = tuple(map(written.repair, verdict.repairs))
                     known = tuple(each for each in repairs if each is not None)
-                    whole = known if len(known) == len(repairs) else ()
+                    untold = () if verdict.is_convicted else verdict.repairs
+                    nothing = tuple(each._replace(meant=()) for each in untold)
+                    whole = known if len(known) == len(repairs) else nothing
                     found.append(verdict._replace(repairs=whole))
     return found
 

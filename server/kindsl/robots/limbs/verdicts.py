@@ -29,7 +29,10 @@ _Way = Mapping[_Pair, Rotation]
 
 
 class MeantNumbers(NamedTuple):
-    """A place with the numbers that its twins have there, at each assignment of parameters."""
+    """A place with the numbers that its twins have there, at each assignment of parameters.
+
+    Without numbers where these cannot be written by themselves.
+    """
 
     place: Suspect
     meant: tuple[tuple[float, ...], ...]

@@ -43,7 +43,7 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     yield from _of_copies(model, context)
     for verdict in limb_slips(model, context).verdicts:
         if not verdict.is_convicted and verdict.repairs:
-            (here, _), (there, _) = verdict.repairs
+            (here, meant), (there, _) = verdict.repairs
             bodies = [model.body_named[p.link] for p in verdict.places if p.what in OF_A_LINK]
             if any(is_told_of(body, model, context) for body in bodies):
                 continue
@@ -55,6 +55,8 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
                     if like_twin
                     else f"and {phrase(there)} {as_numbers(twin)}"
                 )
+                if not meant:
+                    message = f"{phrase(here)} and {phrase(there)} differ"
                 message += ": one slip keeps the two sides from being alike"
                 places = [place for place in verdict.places if place != here]
                 others = [Related(located(model, place), phrase(place)) for place in places]
@@ -99,6 +101,8 @@ def _texts(
     model: Model, context: Context, repair: MeantNumbers, other: MeantNumbers
 ) -> tuple[str, ...] | None:
     """Return the numbers at a place as the other side has them, None where none can be written."""
+    if not repair.meant:
+        return None
     own, twin = numbers_at(model, repair.place), numbers_at(model, other.place)
     return retyped(own, [twin], repair.meant, limb_slips(model, context).assignments)
 
