@@ -66,7 +66,8 @@ class Analysis:
     @cached_property
     def model(self) -> Model:
         """The robot, as far as the text describes one."""
-        return Model(self.syntax)
+        with paused_collector():
+            return Model(self.syntax)
 
     @cached_property
     def context(self) -> Context:
