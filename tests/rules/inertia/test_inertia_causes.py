@@ -389,3 +389,10 @@ def test_a_round_number_of_any_size_is_a_placeholder_and_no_unit() -> None:
     (found,) = [f for f in analyse(text).findings if f.code in (*CAUSES, "KD310")]
     assert (found.code, found.fix) == ("KD310", None)
     assert "Ix, Iy and Iz are all 100" in found.message
+
+
+def test_a_round_number_greater_than_any_link_s_is_in_another_unit() -> None:
+    leg = "inertia_params { mass = 1.2 CoM = (0.0, 0.0, 0.0) Ix=3000.0 Iy=3000.0 Iz=3000.0"
+    text = document_of_bodies([f"{leg} Ixy=0.0 Ixz=0.0 Iyz=0.0 }}"])
+    (found,) = [f for f in analyse(text).findings if f.code in (*CAUSES, "KD310")]
+    assert (found.code, "kg·mm²" in found.message) == ("KD308", True)

@@ -50,6 +50,8 @@ _JUDGED: "Fact[tuple[Mapping[str, float] | None, _Judged]]" = Fact("judgements")
 # The numbers of an inertia in words, as `MassDistribution` has them.
 TEN = ("mass", "x of the CoM", "y of the CoM", "z of the CoM", *MOMENTS)
 _SINGULAR = 1e-9
+# In kg·m²: of a link of a tonne that is a metre long. What is more is in another unit.
+_GREATEST_TYPED = 1e3
 
 
 class Verdict(Enum):
@@ -162,7 +164,7 @@ def is_round(moments: Symmetric) -> bool:
     size = float(f"{moments[0]:.1e}")
     meant = (size, size, size, 0.0, 0.0, 0.0)
     is_same = all(abs(a - b) <= 0.01 * size for a, b in zip(moments, meant, strict=True))
-    return size > 0.0 and is_same and f"{size:.1e}"[2] == "0"
+    return 0.0 < size <= _GREATEST_TYPED and is_same and f"{size:.1e}"[2] == "0"
 
 
 def is_about_one_number(moments: Symmetric) -> bool:
