@@ -12,10 +12,9 @@ EXAMPLE ?= examples/quadruped.kindsl
 export PYTHONDONTWRITEBYTECODE :=
 # Files in order: those of few tests, some of them long, would else come last and run alone.
 BROWSERS := tests/typist tests/web tests/vscode tests/preview
-IN_PARALLEL := $(BIN)/python -m pytest --dist loadfile --no-loadscope-reorder
-# Who drives a browser waits for a third of the time: three keep two cores busy.
-RUN_TESTS = $(IN_PARALLEL) -n 2 $(BROWSERS:%=--ignore=%); others=$$?; \
-	$(IN_PARALLEL) -n 3 $(BROWSERS) && exit $$others
+IN_PARALLEL := $(BIN)/python -m pytest -n 2 --dist loadfile --no-loadscope-reorder
+RUN_TESTS = $(IN_PARALLEL) $(BROWSERS:%=--ignore=%); others=$$?; \
+	$(IN_PARALLEL) $(BROWSERS) && exit $$others
 
 .PHONY: demo demo-web playground test thorough fix lint types layers docs tables bench vsix screenshots clean
 
