@@ -202,6 +202,27 @@ def test_what_a_program_places_for_the_hand_to_follow_is_no_part_of_the_robot(
     assert not any("weld" in remark for remark in read.remarks)
 
 
+def test_what_is_held_to_the_world_is_held_to_no_target(tmp_path: Path) -> None:
+    text = (
+        "<mujoco><worldbody><body name='upper'><joint axis='0 1 0'/><geom size='.1'/></body>"
+        "<body mocap='true'><geom size='.1'/></body></worldbody>"
+        "<equality><weld body1='upper'/></equality></mujoco>"
+    )
+    with pytest.raises(FormatError, match="closes a kinematic loop"):
+        robot(text, tmp_path)
+
+
+def test_a_robot_that_a_program_carries_about_is_kept(tmp_path: Path) -> None:
+    text = (
+        "<mujoco><worldbody><body name='mount' mocap='true'><geom size='.1'/>"
+        "<body name='finger'><joint axis='0 1 0'/><geom size='.1'/></body></body>"
+        "</worldbody></mujoco>"
+    )
+    read = robot(text, tmp_path)
+    assert [body.name for body in read.robot.bodies] == ["mount", "finger"]
+    assert not any("mocap" in remark for remark in read.remarks)
+
+
 def test_an_equality_of_one_joint_names_it_alone(tmp_path: Path) -> None:
     text = LOSSY.replace(" joint2='shoulder'/></equality>", "/></equality>")
     (told,) = [remark for remark in robot(text, tmp_path).remarks if "equality" in remark]

@@ -55,8 +55,8 @@ def losses(spec: Any) -> Iterator[str]:
         yield f"geometry and meshes of {_bodies(n_drawn)} dropped"
     for equality in _of_the_robot(spec):
         yield f"{_named(equality)} dropped: the joints are now independent"
-    for name in _targets(spec):
-        yield f"the mocap body '{name}' dropped: it is a target, no part of the robot"
+    for body in _targets(spec):
+        yield f"the mocap body '{body.name}' dropped: it is a target, no part of the robot"
 
 
 def strip(spec: Any) -> None:
@@ -68,7 +68,7 @@ def strip(spec: Any) -> None:
             spec.delete(element)
     for equality in list(spec.equalities):
         spec.delete(equality)
-    for body in [body for body in spec.bodies if body.mocap]:
+    for body in _targets(spec):
         spec.delete(body)
     always = mujoco.mjtInertiaFromGeom.mjINERTIAFROMGEOM_TRUE
     for body in spec.bodies:
@@ -144,14 +144,18 @@ def _check_equalities(spec: Any) -> None:
             )
 
 
-def _targets(spec: Any) -> list[str]:
-    """Return the bodies without joints that a program places, for others to follow."""
-    return [str(body.name) for body in spec.bodies if body.mocap]
+def _targets(spec: Any) -> list[Any]:
+    """Return the bodies that a program places for others to follow, and that carry no joint."""
+    return [body for body in spec.bodies if body.mocap and _is_rigid(body)]
+
+
+def _is_rigid(body: Any) -> bool:
+    return not len(body.joints) and all(map(_is_rigid, body.bodies))
 
 
 def _of_the_robot(spec: Any) -> list[Any]:
     """Return the equalities that hold no body to a target."""
-    targets = set(_targets(spec))
+    targets = {body.name for body in _targets(spec) if body.name}
     return [e for e in spec.equalities if targets.isdisjoint((e.name1, e.name2))]
 
 
