@@ -1,13 +1,13 @@
 """Places of the numbers of a limb, and their names."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from kindsl.judgement.diagnosis.judgements import TEN, keyword
 from kindsl.language.semantics.declarations import Child, Joint, Vector
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import frame_of_com
-from kindsl.language.semantics.places import Located, Place, has_problem_within
+from kindsl.language.semantics.places import Located, has_problem_within
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.robots.limbs.weighing import Suspect
 
@@ -60,9 +60,11 @@ def place_of_parent(model: Model, link: str) -> Located:
     connection = carrying(model, link)
     if connection is None:
         return child_of(model, link) or model.body_named[link].name
-    island: Any = connection.joint.island
-    place: Place = island.reference("parent")
-    return place
+    from kindsl.robots.interchange.robot_island import RobotIsland
+
+    island = connection.joint.island
+    assert isinstance(island, RobotIsland)
+    return island.reference("parent")
 
 
 def place_of_joint(model: Model, link: str) -> Located:

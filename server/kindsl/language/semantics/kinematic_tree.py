@@ -2,9 +2,11 @@
 
 from collections.abc import Iterable, Mapping
 from functools import cached_property
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 from kindsl.language.semantics.declarations import Child, Joint, Link
+
+_End = TypeVar("_End", Link, Joint)
 
 
 class Edge(NamedTuple):
@@ -45,20 +47,12 @@ class KinematicTree:
     @cached_property
     def above(self) -> dict[Link, list[Edge]]:
         """The edges that lead to a body; more than one is a defect."""
-        above: dict[Link, list[Edge]] = {}
-        for edge in self.edges:
-            if edge.link is not None:
-                above.setdefault(edge.link, []).append(edge)
-        return above
+        return _grouped((edge.link, edge) for edge in self.edges)
 
     @cached_property
     def joint_uses(self) -> dict[Joint, list[Edge]]:
         """The edges that name a joint; more than one is a defect."""
-        uses: dict[Joint, list[Edge]] = {}
-        for edge in self.edges:
-            if edge.joint is not None:
-                uses.setdefault(edge.joint, []).append(edge)
-        return uses
+        return _grouped((edge.joint, edge) for edge in self.edges)
 
     @cached_property
     def reachable(self) -> set[Link]:
@@ -129,3 +123,11 @@ class KinematicTree:
                 depth[edge.link] = len(bodies)
                 bodies.append(edge.link)
                 stack.append(iter(self.below.get(edge.link, ())))
+
+
+def _grouped(pairs: Iterable[tuple[_End | None, Edge]]) -> dict[_End, list[Edge]]:
+    found: dict[_End, list[Edge]] = {}
+    for end, edge in pairs:
+        if end is not None:
+            found.setdefault(end, []).append(edge)
+    return found

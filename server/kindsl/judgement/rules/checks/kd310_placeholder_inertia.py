@@ -65,7 +65,7 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each unit inertia, and one for each inertia that many links have."""
     told = list(explained(model, context, "KD310"))
     yield from told
-    places = {(id(finding.at.island), finding.at.start) for finding in told}
+    found: list[Finding] = []
     groups: dict[Numbers, list[tuple[Link, Inertia]]] = {}
     for chunk in model.document.chunks:
         for numbers, group in _moving(chunk).items():
@@ -76,13 +76,11 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
         elif not (numbers[0] and None not in numbers and any(numbers[1:]) and _are_unlike(group)):
             continue
         elif not _is_one_part(model, [body for body, _ in group]):
-            finding = _shared(group)
-            if (id(finding.at.island), finding.at.start) not in places:
-                yield finding
+            found.append(_shared(group))
     copied = (_copied(model, pair, context.values) for pair in _pairs_on_chains(model))
-    for finding in filter(None, copied):
-        if (id(finding.at.island), finding.at.start) not in places:
-            yield finding
+    found += filter(None, copied)
+    places = {(id(each.at.island), each.at.start) for each in told}
+    yield from (each for each in found if (id(each.at.island), each.at.start) not in places)
 
 
 @kept

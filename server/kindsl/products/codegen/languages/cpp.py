@@ -17,9 +17,7 @@ from kindsl.products.codegen.reference import Reference
 
 # The argument that holds what parameters decide.
 CONSTANTS = "constants"
-DIALECT = Dialect(
-    "S", sign="", number="S({})", scope="detail::", parameter="S", scalar="S"
-)  # fmt: skip
+DIALECT = Dialect("S", sign="", number="S({})", scope="detail::", parameter="S", scalar="S")
 
 
 def cpp_header(library: Library) -> str:
