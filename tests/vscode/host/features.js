@@ -2,7 +2,7 @@
 "use strict";
 const assert = require("node:assert/strict");
 const vscode = require("vscode");
-const { runAll, eventually, extension, settledApi, open, codes, configure } = require("./harness");
+const { runAll, eventually, extension, settledApi, documentInFront, open, codes, configure } = require("./harness");
 
 const BROKEN = "broken.kindsl";
 const URDF = `<robot name="pan"><link name="base"/><link name="head"/>
@@ -83,11 +83,11 @@ exports.run = () =>
 
     "an untitled document is served": async () => {
       await vscode.commands.executeCommand("kindsl.newFile");
-      const { document } = vscode.window.activeTextEditor;
+      const isNew = (it) => /^Robot Name \{\n\nRobotBase base \{/.test(it.getText());
+      const document = await documentInFront(isNew, "a new robot");
       assert.equal(document.uri.scheme, "untitled");
       assert.equal(document.languageId, "kinematics-dsl");
       const edit = new vscode.WorkspaceEdit();
-      assert.match(document.getText(), /^Robot Name \{\n\nRobotBase base \{/);
       assert.deepEqual(codes(document.uri), []);
       edit.insert(document.uri, new vscode.Position(0, 0), "Robot r { RobotBase b { } nonsense }");
       await vscode.workspace.applyEdit(edit);
@@ -100,10 +100,11 @@ exports.run = () =>
         const uri = vscode.Uri.joinPath(vscode.workspace.workspaceFolders[0].uri, name);
         await vscode.workspace.fs.writeFile(uri, new TextEncoder().encode(content));
         await vscode.commands.executeCommand("kindsl.importFile", uri);
-        const { document } = vscode.window.activeTextEditor;
+        const robot = `Robot ${name.split(".")[0]} {`;
+        const isRobot = (it) => it.getText().startsWith(robot) && it.getText().includes("link head {");
+        const document = await documentInFront(isRobot, `the robot of ${name}`);
         assert.equal(document.uri.scheme, "untitled");
         assert.equal(document.languageId, "kinematics-dsl");
-        assert.match(document.getText(), /^Robot \w+ \{[^]*link head \{/);
         await eventually(async () => (await symbols(document.uri)).length > 0, "an outline");
         await vscode.commands.executeCommand("workbench.action.revertAndCloseActiveEditor");
       }
@@ -115,7 +116,7 @@ exports.run = () =>
       edit.replace(document.uri, new vscode.Range(0, 0, document.lineCount, 0), URDF.replaceAll("head", "neck"));
       await vscode.workspace.applyEdit(edit);
       await vscode.commands.executeCommand("kindsl.importFile", document.uri);
-      assert.match(vscode.window.activeTextEditor.document.getText(), /link neck \{/);
+      await documentInFront((it) => /link neck \{/.test(it.getText()), "the open robot's text as a document");
     },
   });
 

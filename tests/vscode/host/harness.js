@@ -44,6 +44,12 @@ async function settledApi() {
   return api;
 }
 
+/** The document in front, once `see` holds of it: VS Code tells what is in front some time after it has shown it. */
+async function documentInFront(see, what) {
+  const inFront = () => vscode.window.activeTextEditor?.document;
+  return eventually(() => (inFront() !== undefined && see(inFront()) ? inFront() : undefined), what);
+}
+
 function fileUri(name) {
   return vscode.Uri.joinPath(vscode.workspace.workspaceFolders[0].uri, name);
 }
@@ -83,4 +89,17 @@ async function configure(key, value) {
   return settledApi();
 }
 
-module.exports = { runAll, eventually, extension, settledApi, fileUri, open, readJson, messages, codes, set, configure };
+module.exports = {
+  runAll,
+  eventually,
+  extension,
+  settledApi,
+  documentInFront,
+  fileUri,
+  open,
+  readJson,
+  messages,
+  codes,
+  set,
+  configure,
+};
