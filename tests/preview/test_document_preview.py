@@ -36,6 +36,10 @@ def joint_x(preview, joint="lift"):
     return page_of(preview).at(f"/kindsl/robot/joints/{joint}")["joint"]["placement"][12]
 
 
+def look_of(preview, link):
+    return page_of(preview).at(f"/kindsl/robot/links/{link}/solid")["solid"]["look"]
+
+
 def status(preview):
     return page_of(preview).at("/kindsl/status")["status"]
 
@@ -171,6 +175,24 @@ def test_what_was_found_stays_listed_until_it_is_known_for_the_next_version():
     preview.list_findings([])
     assert status(preview)["total"] == 0
     assert not page_of(preview).at("/kindsl/findings/0")
+
+
+def test_a_body_looks_as_the_listed_findings_say():
+    heavy = analyse(ARM.replace("Iz = 0.12", "Iz = 0.34"))
+    preview = preview_of(ARM)
+    preview.put(heavy, preview.drawing(heavy))
+    assert look_of(preview, "upper") == "sound"
+    preview.list_findings(heavy.findings)
+    assert look_of(preview, "upper") == "impossible"
+    longer = analyse(heavy.text.replace("0.4,", "0.6,"))
+    preview.put(longer, preview.drawing(longer))
+    assert (look_of(preview, "upper"), look_of(preview, "slider")) == ("impossible", "sound")
+    sound = analyse(ARM)
+    drawing = preview.drawing(sound)
+    preview.list_findings(longer.findings)
+    preview.put(sound, drawing)
+    preview.list_findings(sound.findings)
+    assert look_of(preview, "upper") == "sound"
 
 
 async def test_a_version_is_drawn_once_and_then_only_told_of(monkeypatch):

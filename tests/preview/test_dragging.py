@@ -127,7 +127,7 @@ async def test_dropping_writes_one_number(page):
 async def test_an_impossible_text_is_told_while_it_moves():
     page, thing = Page(ARM), {"kind": "com", "name": "upper"}
     looks = [look_of(page, "upper")]
-    for value in (0.9, 40.0):
+    for value in (0.9, 4.0):
         await page.ask(**drag("move", "x", value, None) | thing)
         assert page.state("finding")
         looks.append(look_of(page, "upper"))

@@ -34,7 +34,7 @@ from kindsl.products.reports.drawing.robot import (
 from kindsl.products.reports.drawing.shapes import Disc, Drawing, Label, Line, Polygon, Spot
 from kindsl.products.reports.drawing.svg import svg_text
 from kindsl.robots.scene.size import extent
-from kindsl.robots.scene.solids import link_solids
+from kindsl.robots.scene.solids import Doubt, link_solids
 
 numbers = st.floats(-5.0, 5.0).map(lambda x: round(x, 3))
 points = st.lists(st.tuples(numbers, numbers, numbers), min_size=2, max_size=8, unique=True)
@@ -211,8 +211,8 @@ def test_a_picture_of_pixels_has_each_shape_where_it_is() -> None:
 
 
 def test_what_is_judged_is_striped_within_its_outline() -> None:
-    text = ARM.replace("Ix = 0.02", "Ix = 0.06", 1)
-    drawing = robot_drawing(skeleton_of(text))
+    doubts = {"slider": (Doubt("KD311", "of lead", False),)}
+    drawing = robot_drawing(skeleton_of(ARM), doubts=doubts)
     edges = [s for s in drawing.shapes if isinstance(s, Polygon) and s.edge != EDGE]
     stripes = [s for s in drawing.shapes if isinstance(s, Line) and s.color in JUDGED.values()]
     assert len(edges) == 1
@@ -237,12 +237,13 @@ def upper_as(look: str) -> list[Deep]:
         moments = (moments[0], moments[1], 1.4 * moments[2])
     body = MassDistribution(mass, place, (*moments, mass * x * y, 0.0, 0.0))
     skeleton = skeleton.with_masses((skeleton.masses[0], body, *skeleton.masses[2:]))
-    (upper,) = link_solids(skeleton, extent(skeleton))[1:2]
+    doubts = {"upper": (Doubt("KD302", "no body", True),)} if look == "impossible" else {}
+    (upper,) = link_solids(skeleton, extent(skeleton), doubts)[1:2]
     assert upper.is_oversized if look == "oversized" else upper.look == look
     poses, camera = skeleton.zero_poses, Camera(100.0, (0.0, 0.5))
     farthest = max(hypot(*point) for point in points_of(skeleton))
     assert farthest < 1.5 * hypot(0.4, 0.8)
-    return list(body_shapes(skeleton, poses, camera, {}, is_solid=True))[1:]
+    return list(body_shapes(skeleton, poses, camera, {}, doubts, is_solid=True))[1:]
 
 
 @pytest.mark.parametrize(
@@ -257,7 +258,7 @@ def test_a_body_is_drawn_as_it_is_judged(
     polygons = [shape for shape in shapes if isinstance(shape, Polygon)]
     assert [shape.opacity for shape in polygons if shape.opacity < 1.0] == opacities
     assert {shape.color for shape in shapes if isinstance(shape, Line)} == stripes
-    assert polygons[0].color == JUDGED.get("doubtful" if look == "oversized" else look, SHADED)
+    assert polygons[0].color == JUDGED.get(look, SHADED)
     assert len(upper_as("oversized")) == len(upper_as("sound")) - 1
 
 

@@ -15,16 +15,20 @@ from kindsl.judgement.analysis.analysis import analyse
 from kindsl.robots.scene.encoding import as_json, encode
 from kindsl.robots.scene.messages import Change, SetTransform, ValueMessage
 from kindsl.robots.scene.picture import picture
-from kindsl.robots.scene.robot import ghost_messages, robot_messages
+from kindsl.robots.scene.robot import ghost_messages, robot_messages, solid_messages
 
 CATEGORIES = {
     "base", "body", "axis", "link-frame", "joint-frame", "com", "robot-com", "inertia", "torque",
 }  # fmt: skip
 
 
+def drawn(name, skeleton):
+    return [*robot_messages(name, skeleton), *solid_messages(skeleton)]
+
+
 def categories(messages):
-    drawn = [m.path for m in messages if m.type == "set_object"]
-    return {path.split("/")[5] for path in drawn}
+    paths = [m.path for m in messages if m.type == "set_object"]
+    return {path.split("/")[5] for path in paths}
 
 
 @pytest.mark.parametrize("file", all_documents())
@@ -32,12 +36,12 @@ def test_every_category_is_drawn(file):
     analysis = analyse(file.read_text())
     shown = picture(analysis.model, analysis.context.values, None).skeleton
     wanted = CATEGORIES | set(shown.joint_kinds) | ({"optional-frame"} if shown.frames else set())
-    assert categories(robot_messages("robot", shown)) >= wanted
+    assert categories(drawn("robot", shown)) >= wanted
 
 
 def test_a_moved_joint_moves_transforms_only():
-    old = robot_messages("Arm", skeleton_of(ARM))
-    new = robot_messages("Arm", skeleton_of(ARM.replace("(0.4, 0.0, 0.0)", "(0.41, 0.0, 0.0)")))
+    old = drawn("Arm", skeleton_of(ARM))
+    new = drawn("Arm", skeleton_of(ARM.replace("(0.4, 0.0, 0.0)", "(0.41, 0.0, 0.0)")))
     sent = changes(keyed(old), keyed(new))
     kinds = {"joint", "set_transform", "model", "link", "solid"}
     assert {message.type for message in sent} == kinds
@@ -48,8 +52,8 @@ def test_a_moved_joint_moves_transforms_only():
 
 
 def test_a_new_mass_redraws_one_body():
-    old = robot_messages("Arm", skeleton_of(ARM))
-    new = robot_messages("Arm", skeleton_of(ARM.replace("mass = 2.0", "mass = 2.02")))
+    old = drawn("Arm", skeleton_of(ARM))
+    new = drawn("Arm", skeleton_of(ARM.replace("mass = 2.0", "mass = 2.02")))
     sent = changes(keyed(old), keyed(new))
     assert {message.type for message in sent} == {"set_transform", "link", "solid"}
     assert {m.name for m in sent if m.type == "link"} == {"upper"}
@@ -58,8 +62,8 @@ def test_a_new_mass_redraws_one_body():
 
 
 def test_a_renamed_link_takes_its_marks_along():
-    old = robot_messages("Arm", skeleton_of(ARM))
-    new = robot_messages("Arm", skeleton_of(ARM.replace("slider", "carriage")))
+    old = drawn("Arm", skeleton_of(ARM))
+    new = drawn("Arm", skeleton_of(ARM.replace("slider", "carriage")))
     deleted = [
         message.path for message in changes(keyed(old), keyed(new)) if message.type == "delete"
     ]
@@ -74,12 +78,12 @@ def test_a_digit_of_any_joint_changes_few_messages(links, seed, which):
     (x, y, z), joint = placements[which % links].translation, which % links
     placements[joint] = placements[joint]._replace(translation=(x + 0.01, y, z))
     edited = skeleton.with_placements(placements)
-    sent = changes(*(keyed(robot_messages("r", each)) for each in (skeleton, edited)))
+    sent = changes(*(keyed(drawn("r", each)) for each in (skeleton, edited)))
     assert sum(len(encode(message)) for message in sent) < 5000
 
 
 def test_placements_are_the_joints_homogeneous_matrices_by_columns():
-    messages = robot_messages("Arm", skeleton_of(ARM))
+    messages = drawn("Arm", skeleton_of(ARM))
     joint = next(m for m in messages if m.type == "joint" and m.name == "shoulder")
     wanted = [[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0.5], [0, 0, 0, 1]]
     np.testing.assert_allclose(np.reshape(joint.placement, (4, 4)).T, wanted, atol=1e-15)

@@ -25,6 +25,7 @@ from kindsl.frontends.preview.meshes import (
     twin_source,
 )
 from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.judgement.analysis.body_doubts import body_doubts
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.analysis.settings import pose_named
 from kindsl.robots.interchange.mesh_files import MeshFile
@@ -40,7 +41,8 @@ from kindsl.robots.scene.messages import (
 )
 from kindsl.robots.scene.parameters import parameter_messages
 from kindsl.robots.scene.picture import Picture, PictureState, picture
-from kindsl.robots.scene.robot import ghost_messages, robot_messages
+from kindsl.robots.scene.robot import ghost_messages, robot_messages, solid_messages
+from kindsl.robots.scene.solids import Doubts
 
 # More joints or parameters than any robot has.
 MOST_VALUES = 10_000
@@ -52,7 +54,9 @@ class ShownVersion(NamedTuple):
     Attributes:
         given: The values that it was made with.
         picture: Which bodies, and in what state.
-        robot: Their messages, None without bodies.
+        robot: Their messages but for their solids, None without bodies.
+        solids: Their solids, None without bodies.
+        doubts: What is doubtful about them in `solids`.
         parameters: The rows of the parameters.
         poses: The poses of the configuration.
     """
@@ -60,6 +64,8 @@ class ShownVersion(NamedTuple):
     given: dict[str, float]
     picture: Picture
     robot: Messages | None
+    solids: Messages | None
+    doubts: Doubts
     parameters: list[ParameterMessage]
     poses: list[PoseMessage]
 
@@ -114,16 +120,18 @@ class DocumentPreview:
         """Return the picture of a version; changes nothing, so any thread may ask."""
         given, model, settings = self._given(analysis), analysis.model, analysis.settings
         drawn = picture(model, given, self._last_good)
-        robot, guessed = None, drawn.guesses
+        robot, solids, guessed = None, None, drawn.guesses
+        doubts = body_doubts(self.findings)
         if drawn.skeleton is not None:
             name = str(model.name)
             shown = name, drawn.skeleton, guessed, settings.joints, drawn.unknown
             robot = keyed(robot_messages(*shown))  # Thousands, which the loop would wait for.
+            solids = keyed(solid_messages(drawn.skeleton, doubts, drawn.unknown))
         rows = parameter_messages(model, settings.bindings, self._parameters, guessed.values)
         poses = [
             PoseMessage(path_of("poses", n), n, joints) for n, joints in settings.poses.items()
         ]
-        return ShownVersion(given, drawn, robot, rows, poses)
+        return ShownVersion(given, drawn, robot, solids, doubts, rows, poses)
 
     def put(self, analysis: Analysis, drawing: ShownVersion | None = None) -> None:
         """Show a version, using its drawing if there is one; earlier findings stay listed."""
@@ -313,14 +321,26 @@ class DocumentPreview:
         self._shown = analysis, drawing
         self._draw_ghost()
         self._offer()
-        if drawing.robot is not None:
+        if drawing.robot is not None and drawing.solids is not None:
             self.channel.replace("robot", drawing.robot)
+            self.channel.replace("solids", drawing.solids)
         self.channel.replace("parameters", drawing.parameters)
         self.channel.replace("poses", drawing.poses)
 
     def _list(self, findings: Sequence[Diagnostic], text: str) -> None:
         self._show_status(findings)
         self.channel.replace("findings", finding_messages(findings, text))
+        self._doubt(body_doubts(findings))
+
+    def _doubt(self, doubts: Doubts) -> None:
+        """Draw the bodies by what is doubtful about them."""
+        if self._shown is None or self._shown[1].doubts == doubts:
+            return
+        analysis, drawing = self._shown
+        self._shown = analysis, drawing._replace(doubts=doubts)
+        if drawing.picture.skeleton is not None:
+            bodies = drawing.picture.skeleton, doubts, drawing.picture.unknown
+            self.channel.replace("solids", solid_messages(*bodies))
 
     def _show_status(self, findings: Sequence[Diagnostic], lost: str = "") -> None:
         drawn = self._shown[1].picture if self._shown is not None else None

@@ -27,6 +27,7 @@ class Diagnostic(NamedTuple):
     Attributes:
         subject: The thing that it is about.
         probability: Of the cause that the message names, where one was weighed against others.
+        also: Other things of which it says the same.
     """
 
     code: str
@@ -42,6 +43,7 @@ class Diagnostic(NamedTuple):
     explains: frozenset[str] = frozenset()
     subject: Subject = DOCUMENT
     probability: float | None = None
+    also: tuple[Subject, ...] = ()
 
     @property
     def url(self) -> str | None:
@@ -104,6 +106,7 @@ class Resolver:
             finding.explains,
             finding.subject or subject_at(finding.at),
             finding.probability,
+            tuple(map(subject_at, finding.also)),
         )
 
     def _fix(self, fix: Fix) -> TextFix:

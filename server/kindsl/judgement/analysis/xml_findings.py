@@ -113,7 +113,8 @@ def _folded(found: Sequence[tuple[Rule, Finding]]) -> Iterator[tuple[Rule, Findi
         (rule, worst), *others = sorted(fold, key=lambda each: -_oddity(each[1]))
         related = (Related(finding.at, finding.message) for _, finding in others[:A_FEW])
         message = f"{worst.message}; {len(others)} more links have an implausible density"
-        yield rule, worst._replace(message=message, related=tuple(related))
+        also = tuple(finding.at for _, finding in others)
+        yield rule, worst._replace(message=message, related=tuple(related), also=also)
 
 
 def _oddity(finding: Finding) -> float:

@@ -85,6 +85,7 @@ class Finding(NamedTuple):
             where it has none.
         subject: The thing that it is about, if not the one in whose text `at` lies.
         probability: Of the cause that the message names, where one was weighed against others.
+        also: Where other things are of which it says the same.
     """
 
     at: Located
@@ -97,6 +98,7 @@ class Finding(NamedTuple):
     explains: frozenset[str] = frozenset()
     subject: Subject | None = None
     probability: float | None = None
+    also: tuple[Located, ...] = ()
 
 
 DocumentCheck = Callable[[Model, Context], Iterator[Finding]]

@@ -5,6 +5,7 @@ from math import degrees
 from typing import Any
 
 from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.judgement.analysis.body_doubts import body_doubts
 from kindsl.judgement.analysis.settings import pose_named
 from kindsl.judgement.rules.inertia.shapes import shape_verdicts
 from kindsl.language.text.phrases import counted
@@ -64,7 +65,8 @@ def _heading(
     if shown.skeleton is not None:
         place = "At zero" if pose is None else f"In pose '{pose}'"
         caption = f"{place}: bodies, joints with their axes, frames (green), centres of mass (gold)"
-        yield Figure("robot", robot_drawing(_in_pose(shown.skeleton, analysis, pose)), caption)
+        posed, doubts = _in_pose(shown.skeleton, analysis, pose), body_doubts(analysis.findings)
+        yield Figure("robot", robot_drawing(posed, doubts=doubts), caption)
 
 
 def _in_pose(skeleton: Linkage, analysis: Analysis, pose: str | None) -> Linkage:

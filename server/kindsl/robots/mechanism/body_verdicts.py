@@ -1,8 +1,8 @@
-"""Doubts about the shape of a body, said once for rules, hovers, reports and the picture.
+"""Doubts about the shape of a body, said once for rules, hovers and reports.
 
 `body_verdicts(name, body, children, frames)` takes plain floats in the link frame and returns a
 `BodyVerdict` for each thing that is doubtful, the gravest first: its `kind` (a `BodyDoubt`, which
-is the word to show: `too light`, `too dense`, `apart`, `too long`, `across`, `behind`), the
+is the word for it: `too light`, `too dense`, `apart`, `too long`, `across`, `behind`), the
 `number` that says so, the `code` of the rule that reports it, and a `sentence` with the body's
 name. Of a fixed base do not ask: its inertia does not matter.
 
@@ -52,7 +52,7 @@ _MOST_KNOWN = 1 << 12
 
 
 class BodyDoubt(StrEnum):
-    """A possible defect of a body, as the picture calls it."""
+    """A possible defect of a body, in a word or two."""
 
     TOO_LIGHT = "too light"
     TOO_DENSE = "too dense"

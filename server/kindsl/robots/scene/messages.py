@@ -123,7 +123,7 @@ class SolidMessage(PlacedMessage):
     name: Annotated[str, "the link's"]
     core: Annotated[Core | None, "null where there is no solid to draw"]
     look: Annotated[Look, "`glass` would hide the robot, `doubtful` and `impossible` are judged"]
-    doubts: Annotated[tuple[Doubt, ...], "defects, proved or possible, the gravest first"]
+    doubts: Annotated[tuple[Doubt, ...], "what the linter says of it, the gravest first"]
     is_oversized: Annotated[bool, "whether it is too large to be drawn unless asked for"]
     bones: Annotated[tuple[Segment, ...], "to its joints and frames"]
     radius: Annotated[Metres, "of the bones"]

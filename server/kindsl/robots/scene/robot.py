@@ -35,7 +35,14 @@ from kindsl.robots.scene.messages import (
     path_of,
 )
 from kindsl.robots.scene.size import Extent, Segment, extent
-from kindsl.robots.scene.solids import LinkSolid, known_masses, link_solids, usual_density
+from kindsl.robots.scene.solids import (
+    NO_DOUBTS,
+    Doubts,
+    LinkSolid,
+    known_masses,
+    link_solids,
+    usual_density,
+)
 
 # What is the same at each keystroke is made once.
 _MOST_KNOWN = 1 << 12
@@ -50,7 +57,7 @@ def robot_messages(
     limits: Mapping[str, JointProperties] = NO_LIMITS,
     unknown: Mapping[str, str] = NOTHING_UNKNOWN,
 ) -> list[Part]:
-    """Return everything that is drawn of a mechanism, and the numbers the page places it by.
+    """Return what is drawn of a mechanism but its solids, and the numbers the page places it by.
 
     Args:
         name: The robot's.
@@ -65,8 +72,20 @@ def robot_messages(
     messages.extend(_numbers("robot", skeleton, size, ellipsoids, guessed, unknown))
     messages.extend(_limits(skeleton, limits))
     messages.extend(_robot_marks(skeleton, size, ellipsoids))
-    messages.extend(_solids("robot", skeleton, size, unknown))
     return messages
+
+
+def solid_messages(
+    skeleton: Linkage, doubts: Doubts = NO_DOUBTS, unknown: Mapping[str, str] = NOTHING_UNKNOWN
+) -> list[Part]:
+    """Return the bodies of a mechanism.
+
+    Args:
+        skeleton: Its bodies.
+        doubts: What is doubtful about them, by their names.
+        unknown: Why the mass distributions of some are not known, by their names.
+    """
+    return list(_solids("robot", skeleton, extent(skeleton), doubts, unknown))
 
 
 def ghost_messages(skeleton: Linkage) -> list[Part]:
@@ -75,7 +94,7 @@ def ghost_messages(skeleton: Linkage) -> list[Part]:
     ellipsoids = [inertia_ellipsoid(body) for body in skeleton.masses]
     nothing = NO_GUESSES, NOTHING_UNKNOWN
     messages: list[Part] = list(_numbers("ghost", skeleton, size, ellipsoids, *nothing))
-    messages.extend(_solids("ghost", skeleton, size, NOTHING_UNKNOWN))
+    messages.extend(_solids("ghost", skeleton, size, NO_DOUBTS, NOTHING_UNKNOWN))
     for link, segments in zip(skeleton.body_names, size.segments, strict=True):
         messages.extend(body_marks("ghost", link, segments, "body"))
     return messages
@@ -142,12 +161,10 @@ def _numbers(
 
 
 def _solids(
-    tree: str, skeleton: Linkage, size: Extent, unknown: Mapping[str, str]
+    tree: str, skeleton: Linkage, size: Extent, doubts: Doubts, unknown: Mapping[str, str]
 ) -> Iterator[Part]:
-    bodies = zip(
-        skeleton.body_names, link_solids(skeleton, size, unknown), size.segments, strict=True
-    )
-    for name, solid, segments in bodies:
+    solids = link_solids(skeleton, size, doubts, unknown)
+    for name, solid, segments in zip(skeleton.body_names, solids, size.segments, strict=True):
         yield _solid(path_of(tree, "links", name, "solid"), name, solid, segments)
 
 

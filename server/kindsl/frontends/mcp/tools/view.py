@@ -12,6 +12,7 @@ from mcp.types import ImageContent
 from kindsl.frontends.mcp.documents import BoundArguments, document
 from kindsl.frontends.mcp.folder import Folder, ToolError
 from kindsl.frontends.mcp.tool import Content, Field, text
+from kindsl.judgement.analysis.body_doubts import body_doubts
 from kindsl.products.reports.drawing.robot import robot_drawing
 from kindsl.products.reports.drawing.shapes import Drawing
 from kindsl.products.reports.drawing.svg import svg_text
@@ -38,7 +39,8 @@ def run(arguments: ViewArguments, folder: Folder) -> list[Content]:
     shown = picture(analysis.model, analysis.context.values, None)
     if shown.skeleton is None:
         raise ToolError(shown.message or "there is nothing to draw")
-    drawing = robot_drawing(_moved(shown.skeleton, arguments.q), preset=arguments.preset)
+    moved, doubts = _moved(shown.skeleton, arguments.q), body_doubts(analysis.findings)
+    drawing = robot_drawing(moved, preset=arguments.preset, doubts=doubts)
     notes = [text(shown.message)] if shown.message else []
     return [_content(drawing, arguments.format), *notes]
 

@@ -106,14 +106,14 @@ export interface Core {
   readonly shell: number;
 }
 
-/** A defect of a body, or a possible one. */
+/** What the linter says of a body's numbers. */
 export interface Doubt {
-  /** A short name of it. */
-  readonly word: string;
   /** Of the rule that reports it. */
   readonly code: string;
   /** For people. */
   readonly sentence: string;
+  /** Whether no body can have such numbers. */
+  readonly is_proved: boolean;
 }
 
 /** A straight piece of a body, from its frame's origin. */
@@ -134,7 +134,7 @@ export interface SolidMessage {
   readonly core: Core | null;
   /** `glass` would hide the robot, `doubtful` and `impossible` are judged. */
   readonly look: "sound" | "glass" | "doubtful" | "impossible";
-  /** Defects, proved or possible, the gravest first. */
+  /** What the linter says of it, the gravest first. */
   readonly doubts: readonly Doubt[];
   /** Whether it is too large to be drawn unless asked for. */
   readonly is_oversized: boolean;

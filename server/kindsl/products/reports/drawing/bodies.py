@@ -10,7 +10,7 @@ from kindsl.products.reports.drawing.camera import Camera, across, depth
 from kindsl.products.reports.drawing.shapes import Line, Polygon, Shape, Spot
 from kindsl.robots.mechanism.linkage import Linkage
 from kindsl.robots.scene.size import Segment, extent
-from kindsl.robots.scene.solids import LinkSolid, link_solids
+from kindsl.robots.scene.solids import NO_DOUBTS, Doubts, LinkSolid, link_solids
 
 BODY, SHADED, BASE = "93a6bc", "7389a3", "56697f"
 JOINTS = {"revolute": "c8752f", "prismatic": "2f8a7c"}
@@ -38,6 +38,7 @@ def body_shapes(
     poses: Sequence[RigidPose],
     camera: Camera,
     colors: Mapping[str, str],
+    doubts: Doubts = NO_DOUBTS,
     *,
     is_solid: bool,
 ) -> Iterator[Deep]:
@@ -48,10 +49,11 @@ def body_shapes(
         poses: Of its bodies in the base's frame.
         camera: Where it is seen from.
         colors: Of links that are not drawn in the usual colour, `rrggbb`.
+        doubts: What is doubtful about them, by their names.
         is_solid: Whether solids are drawn, or bones and joints alone.
     """
     size = extent(skeleton)
-    solids = link_solids(skeleton, size)
+    solids = link_solids(skeleton, size, doubts)
     for body, (name, solid) in enumerate(zip(skeleton.body_names, solids, strict=True)):
         own = BASE if body == 0 else SHADED if solid.is_shaded else BODY
         color = colors.get(name, JUDGED.get(solid.look, own))

@@ -8,6 +8,7 @@ from kindsl.products.reports.drawing.camera import HEIGHT, WIDTH, Camera, camera
 from kindsl.products.reports.drawing.shapes import Disc, Drawing, Label, Line, Spot
 from kindsl.robots.mechanism.linkage import Linkage
 from kindsl.robots.scene.size import extent
+from kindsl.robots.scene.solids import NO_DOUBTS, Doubts
 
 AXIS, COM, FRAME, NAME = "2b4562", "b8860b", "3f9a52", "33404d"
 _AXIS_WIDTH, _COM_RADIUS, _FRAME_RADIUS = 1.6, 2.6, 3.0
@@ -39,6 +40,7 @@ def robot_drawing(
     camera: Camera | None = None,
     colors: Mapping[str, str] = NO_COLORS,
     preset: str = "bodies",
+    doubts: Doubts = NO_DOUBTS,
 ) -> Drawing:
     """Return the picture of a robot.
 
@@ -47,13 +49,14 @@ def robot_drawing(
         camera: Where it is seen from; None for one that shows all of it.
         colors: Of links and frames that are not drawn in the usual colour, `rrggbb`.
         preset: The name of what it is to show, one of `PRESETS`.
+        doubts: What is doubtful about its bodies, by their names.
     """
     parts = PRESETS[preset]
     camera = camera or camera_for(points_of(skeleton))
     poses = skeleton.zero_poses
     deep = sorted(
         [
-            *body_shapes(skeleton, poses, camera, colors, is_solid="solids" in parts),
+            *body_shapes(skeleton, poses, camera, colors, doubts, is_solid="solids" in parts),
             *(mark for part, mark in _marks(skeleton, poses, camera, colors) if part in parts),
         ],
         key=lambda thing: thing.depth,

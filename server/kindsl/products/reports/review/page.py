@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from math import dist, isclose
 
 from kindsl.judgement.analysis.analysis import Analysis, analyse
+from kindsl.judgement.analysis.body_doubts import body_doubts
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.rules.base import Severity
 from kindsl.language.text.lines import LineIndex
@@ -126,14 +127,16 @@ def _numbers(
 
 
 def _pictures(old: Analysis, new: Analysis, found: Difference | None) -> Iterator[Block]:
-    sides = [shown_skeleton(analysis) for analysis in (old, new)]
-    shown = [skeleton for skeleton in sides if skeleton is not None]
+    sides = [(shown_skeleton(each), body_doubts(each.findings)) for each in (old, new)]
+    shown = [skeleton for skeleton, _ in sides if skeleton is not None]
     if not shown:
         return
     camera = camera_for([point for skeleton in shown for point in points_of(skeleton)])
     pictures = tuple(
-        Figure(name, robot_drawing(skeleton, camera, colors), name.capitalize())
-        for name, skeleton, colors in zip(("before", "after"), sides, _colors(found), strict=True)
+        Figure(name, robot_drawing(skeleton, camera, colors, doubts=doubts), name.capitalize())
+        for name, (skeleton, doubts), colors in zip(
+            ("before", "after"), sides, _colors(found), strict=True
+        )
         if skeleton is not None
     )
     yield Heading("Pictures")
