@@ -10,7 +10,8 @@ from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import cached_property
-from itertools import accumulate, chain
+from itertools import accumulate, chain, pairwise
+from math import isqrt
 from typing import TYPE_CHECKING
 
 from kindsl.language.syntax.comment_problems import is_open
@@ -28,7 +29,6 @@ if TYPE_CHECKING:
 IN_ORDER = re.compile(
     "".join(LETTERS[p.rstrip("?+")] + p[len(p.rstrip("?+")) :] for p in ORDERS["document"])
 )
-_CHUNK = 96
 _MANY_EDITS = 64
 
 
@@ -205,10 +205,23 @@ def _islands(text: str, starts: list[int], known: Iterable[Island]) -> list[Isla
 
 
 def chunks_of(islands: Sequence[Island]) -> tuple[Chunk, ...]:
-    """Return islands in chunks."""
-    return tuple(
-        Chunk(tuple(islands[first : first + _CHUNK])) for first in range(0, len(islands), _CHUNK)
-    )
+    """Return islands in chunks, sized for the least steps an edit takes."""
+    return _in_chunks(islands, _most_in_chunk(len(islands)))
+
+
+def _most_in_chunk(n_islands: int) -> int:
+    """Return how many islands a chunk holds: an edit walks all of one, and over all chunks.
+
+    A step over a chunk takes as long as about four over islands.
+    """
+    return max(2 * isqrt(n_islands), 1)
+
+
+def _in_chunks(islands: Sequence[Island], most: int) -> tuple[Chunk, ...]:
+    """Return islands in as few chunks as hold them, all of about one size."""
+    count = -(-len(islands) // most)
+    ends = [len(islands) * number // count for number in range(count + 1)] if count else []
+    return tuple(Chunk(tuple(islands[first:end])) for first, end in pairwise(ends))
 
 
 def _edited_once(document: SyntaxDocument, start: int, end: int, new: str) -> SyntaxDocument:
@@ -286,9 +299,9 @@ def _replaced(
     low = min(bisect_right(indices, first) - 1, len(document.chunks) - 1)
     high = max(bisect_right(indices, max(stop - 1, first)), low + 1)
     old = [island for chunk in document.chunks[low:high] for island in chunk.islands]
-    base = indices[low]
+    base, most = indices[low], _most_in_chunk(len(document))
     old[first - base : stop - base] = islands
     return SyntaxDocument(
-        (*document.chunks[:low], *chunks_of(old), *document.chunks[high:]) or chunks_of(islands),
+        (*document.chunks[:low], *_in_chunks(old, most), *document.chunks[high:]),
         document.versions,
     )
