@@ -1,13 +1,15 @@
 """A user's decisions about the rules: selection, severities, targets, values."""
 
 from collections.abc import Collection, Mapping
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from kindsl.judgement.rules.base import Rule, Severity
 from kindsl.language.semantics.parameters import Binding, JointProperties
 from kindsl.language.text.nearest import hint, nearest_word
 from kindsl.language.text.phrases import listed
-from kindsl.robots.comparison.twins import TwinFile
+
+if TYPE_CHECKING:
+    from kindsl.robots.comparison.twins import TwinFile
 
 _FIRST_DIGITS_OF_SYNTAX = "KD0"
 
@@ -37,7 +39,7 @@ class Settings(NamedTuple):
     poses: Mapping[str, Mapping[str, float]] = {}
     known: Mapping[str, int] = {}
     version: str = "1.0.0"
-    twins: tuple[TwinFile, ...] = ()
+    twins: "tuple[TwinFile, ...]" = ()
 
     def rebound(self, values: Mapping[str, float]) -> "Settings":
         """Return these settings with parameters bound to other values, in their former ranges."""

@@ -1,12 +1,14 @@
 """The decisions of one table of a configuration, or of a command line."""
 
 from collections.abc import Mapping
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.judgement.rules.base import Severity
 from kindsl.language.semantics.parameters import Binding, JointProperties
-from kindsl.robots.comparison.twins import TwinFile
+
+if TYPE_CHECKING:
+    from kindsl.robots.comparison.twins import TwinFile
 
 
 class Decisions(NamedTuple):
@@ -32,7 +34,7 @@ class TwinTable(NamedTuple):
     """
 
     pattern: str
-    twin: TwinFile
+    twin: "TwinFile"
     place: tuple[int, int]
 
 

@@ -10,15 +10,8 @@ are likely.
 from collections.abc import Mapping, Sequence
 from enum import Enum
 from operator import mul
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-from kindsl.judgement.diagnosis.digits import (
-    Bounds,
-    all_written_as,
-    bounds_by_digits,
-    likely_half_widths,
-    numbers_written,
-)
 from kindsl.language.semantics.declarations import Declarations, Inertia, Link
 from kindsl.language.semantics.expressions import ParameterUse, symbols
 from kindsl.language.semantics.lowering import declarations
@@ -45,6 +38,9 @@ from kindsl.mechanics.rigid.matter import (
     is_plainly_dense_as_matter,
 )
 from kindsl.robots.mechanism.body_verdicts import GREATEST_LENGTH
+
+if TYPE_CHECKING:
+    from kindsl.judgement.diagnosis.digits import Bounds
 
 _JUDGED: "Fact[tuple[Mapping[str, float] | None, _Judged]]" = Fact("judgements")
 # The numbers of an inertia in words, as `MassDistribution` has them.
@@ -219,7 +215,7 @@ def verdict_of(
     return Verdict.SINGULAR
 
 
-def is_impossible_within(bounds: Bounds, pairs: tuple[Eigenpair, Eigenpair, Eigenpair]) -> bool:
+def is_impossible_within(bounds: "Bounds", pairs: tuple[Eigenpair, Eigenpair, Eigenpair]) -> bool:
     """Return whether an axis proves that no body has numbers within bounds.
 
     Args:
@@ -258,6 +254,9 @@ def judgement_of(
     link: Link, inertia: Inertia, body: MassDistribution, values: Mapping[str, float]
 ) -> Judgement:
     """Return the judgement on a complete inertia with a positive mass, possible or not."""
+    # Imported for suspects only, since it delays the linter's start.
+    from kindsl.judgement.diagnosis.digits import likely_half_widths, numbers_written
+
     pairs = eigensystem(second_moments_about_com(body))
     half = likely_half_widths(numbers_written(inertia, values))
     verdict = verdict_of(body, half, pairs)
@@ -270,6 +269,8 @@ def judgement_of(
 def _is_proved_impossible(
     inertia: Inertia, values: Mapping[str, float], pairs: tuple[Eigenpair, Eigenpair, Eigenpair]
 ) -> bool:
+    from kindsl.judgement.diagnosis.digits import all_written_as, bounds_by_digits
+
     # A value's digits are those of the shortest decimal number that is equal to it.
     known = {name: all_written_as(repr(value)) for name, value in _used(inertia, values).items()}
     bounds = bounds_by_digits(inertia, known)

@@ -9,7 +9,6 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache, partial
 from itertools import chain
 from typing import NamedTuple
-from zlib import crc32
 
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.limb_places import is_broken
@@ -153,6 +152,9 @@ def _assignments(model: Model, context: Context) -> tuple[Values, ...]:
 
 @lru_cache(maxsize=1024)
 def _value(name: str, kind: object, n: int) -> float:
+    # Imported for parameters only, since it delays the linter's start.
+    from zlib import crc32
+
     low, width = _ARBITRARY.get(kind, _ANYTHING)
     return low + width * (crc32(f"{name} {n}".encode()) % 9973) / 9973.0
 

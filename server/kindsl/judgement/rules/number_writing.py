@@ -9,7 +9,7 @@ from kindsl.language.semantics.expressions import Expression
 from kindsl.language.text.decimals import fixed_decimal, significant_decimal, significant_digits
 
 _SUMS = frozenset(("add", "subtract"))
-_SIGN = re.compile(r"([+-])\s*")
+_SIGN = r"([+-])\s*"
 _DIVISORS = ("", "2.0", "4.0", "3.0", "6.0", "1.5", "0.5", "8.0", "12.0")
 
 
@@ -54,7 +54,7 @@ def rescaled(group: Sequence[Expression], values: Sequence[float]) -> list[Repla
 
 def opposite(value: Expression) -> str:
     """Return a value with the other sign, in its own form."""
-    sign = _SIGN.match(value.text)
+    sign = re.match(_SIGN, value.text)
     if not value.text or value.literal == 0.0:
         return value.text
     if value.node.kind in _SUMS:

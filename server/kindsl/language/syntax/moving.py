@@ -5,7 +5,7 @@ import re
 from kindsl.language.syntax.scanner import comments
 from kindsl.language.syntax.tree import Edit, Node, Token
 
-_REST_OF_LINE = re.compile(r"[ \t]*(?://[^\r\n]*)?(?=[\r\n]|\Z)")
+_REST_OF_LINE = r"[ \t]*(?://[^\r\n]*)?(?=[\r\n]|\Z)"
 
 
 def moved_behind(text: str, first: Node, last: Node, position: int) -> tuple[Edit, ...]:
@@ -16,7 +16,7 @@ def moved_behind(text: str, first: Node, last: Node, position: int) -> tuple[Edi
     moved = text[start : last.end]
     if not moved[:1].isspace():
         moved = " " + moved
-    rest = _REST_OF_LINE.match(text, position)
+    rest = re.compile(_REST_OF_LINE).match(text, position)
     if rest is not None and "\n" in moved[: len(moved) - len(moved.lstrip())]:
         position = rest.end()
     elif position < len(text) and not text[position].isspace():

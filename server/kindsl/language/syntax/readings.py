@@ -16,7 +16,7 @@ from kindsl.language.syntax.value_forms import formed_values, is_signed_product
 from kindsl.language.syntax.vocabulary import VALUE_HOLDERS
 from kindsl.language.text.facts import Fact, kept
 
-_POWER = re.compile(r"([-+]?[0-9]*\.[0-9]+)([eE][0-9]+)")
+_POWER = r"([-+]?[0-9]*\.[0-9]+)([eE][0-9]+)"
 _Rewrite = Callable[[Node, bool], Node | None]
 _AS_READ: "Fact[dict[_Rewrite, Island]]" = Fact("as read")
 
@@ -143,7 +143,7 @@ def _power(node: Node) -> re.Match[str] | None:
     token = node.children[0]
     if node.kind != "number" or not isinstance(token, Token) or token.kind != "POWER_FLOAT":
         return None
-    return _POWER.fullmatch(token.text)
+    return re.fullmatch(_POWER, token.text)
 
 
 def _read_in_two_ways(island: Island) -> Iterator[TwoReadings]:

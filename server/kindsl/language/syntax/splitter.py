@@ -20,7 +20,7 @@ _FIRST_SECTIONS = frozenset(words_of(*(part for block in BLOCKS for part in HOLD
 _POSE = frozenset(words_of(*POSE))
 _LONGEST_FIRST = "|".join(sorted(BLOCK_KEYWORDS | _HEADS, key=len, reverse=True))
 _CANDIDATE = re.compile(rf"//[^\r\n]*|/\*|(?<![\w^])({_LONGEST_FIRST})(\w*)")
-_BLOCK_LINE = re.compile(rf"(?:^|(?<=\r))[ \t]*(?:{'|'.join(sorted(BLOCK_KEYWORDS))})\b", re.M)
+_BLOCK_LINE = rf"(?:^|(?<=\r))[ \t]*(?:{'|'.join(sorted(BLOCK_KEYWORDS))})\b"
 _AHEAD = re.compile(r"[ \t\r\n]*+(?://[^\r\n]*+[ \t\r\n]*+)*+(\^?\w+|/\*|(?s:.))?")
 _WORD = re.compile(r"\^?[^\W\d]\w*")
 LOOKAHEAD = 6
@@ -46,7 +46,7 @@ def split(text: str) -> Split:
             if match[0] == "/*":
                 if last_close < position:
                     has_open_comment = True
-                    line = _BLOCK_LINE.search(text, position)
+                    line = re.compile(_BLOCK_LINE, re.M).search(text, position)
                     position = line.start() if line else len(text)
                 else:
                     position = text.find("*/", position) + 2

@@ -3,7 +3,7 @@
 import re
 from bisect import bisect_right
 
-_LINE_END = re.compile(r"\r\n|\n|\r")
+_LINE_END = r"\r\n|\n|\r"
 
 
 class LineIndex:
@@ -16,7 +16,7 @@ class LineIndex:
 
     def __init__(self, text: str) -> None:
         self.length = len(text)
-        self.starts = [0, *(match.end() for match in _LINE_END.finditer(text))]
+        self.starts = [0, *(match.end() for match in re.finditer(_LINE_END, text))]
 
     def position(self, offset: int) -> tuple[int, int]:
         """Return `(line, column)` of an offset, clamped to the text."""

@@ -14,7 +14,7 @@ JUDGED_SUFFIXES = (".urdf", ".sdf")
 XACRO_SUFFIX = ".xacro"
 _DOCTYPE = r"!DOCTYPE[^\[>]*(?:\[[^\]]*\]\s*)?"
 _BEFORE_ROOT = rf"\ufeff?\s*(?:<(?:\?.*?\?|!--.*?--|{_DOCTYPE})>\s*)*"
-_ROOT = re.compile(rf"{_BEFORE_ROOT}<(robot|sdf|mujoco(?:include)?)[\s/>]", re.DOTALL)
+_ROOT = rf"{_BEFORE_ROOT}<(robot|sdf|mujoco(?:include)?)[\s/>]"
 _FORMATS = {"robot": "urdf", "sdf": "sdf", "mujoco": "mjcf", "mujocoinclude": "mjcf"}
 
 
@@ -30,7 +30,7 @@ def other_format(name: str, text: str) -> "Format | None":
     suffix = name[name.rfind(".") :].lower() if "." in name else ""
     if suffix == OWN_SUFFIX:
         return None
-    root = _ROOT.match(text)
+    root = _root(text)
     if root is None and not suffix:
         return None
     from kindsl.robots.interchange.registry import format_named, format_of_suffix
@@ -52,7 +52,7 @@ def syntax_of(name: str, text: str) -> "SyntaxDocument":
         name: Of the file.
         text: Its text.
     """
-    root = _ROOT.match(text)
+    root = _root(text)
     kind = "" if root is None or name.endswith(OWN_SUFFIX) else root[1]
     lower = name.lower()
     if lower.endswith(".urdf") or (kind == "robot" and not lower.endswith(".sdf")):
@@ -70,6 +70,12 @@ def syntax_of(name: str, text: str) -> "SyntaxDocument":
     from kindsl.language.syntax.document import parse
 
     return parse(text)
+
+
+def _root(text: str) -> re.Match[str] | None:
+    """Return the beginning of an XML file; other texts need no expression, slow to compile."""
+    is_xml = text.removeprefix("\ufeff").lstrip().startswith("<")
+    return re.match(_ROOT, text, re.DOTALL) if is_xml else None
 
 
 def unjudged(text: str) -> "SyntaxDocument":

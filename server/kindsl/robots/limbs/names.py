@@ -11,10 +11,9 @@ _OF_BODY = (
     "ankle|arm|clavicle|elbow|eye|femur|finger|foot|forearm|hand|hip|humerus|knee|leg|radius|shin"
     "|shoulder|thigh|thumb|tibia|toe|wheel|wrist"
 )
-_WORD = re.compile(
-    rf"(?<![A-Za-z])[lrLR](?=(?:{_OF_BODY})s?(?![a-z]))|[A-Z]+(?![a-z])|[A-Z]?[a-z]+"
+_TOKEN = re.compile(
+    rf"(?<![A-Za-z])[lrLR](?=(?:{_OF_BODY})s?(?![a-z]))|[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+"
 )
-_TOKEN = re.compile(rf"{_WORD.pattern}|\d+")
 _SIDES = {
     "l": "r", "lf": "rf", "lh": "rh", "lr": "rr", "lb": "rb", "lm": "rm",
     "fl": "fr", "hl": "hr", "rl": "rr", "bl": "br", "ml": "mr", "left": "right",
@@ -95,7 +94,7 @@ def other_side(name: str) -> str | None:
 
 def other_sides(name: str) -> Iterator[str]:
     """Yield all names that the twin of a left or a right part may have, the likeliest first."""
-    match = next((m for m in _WORD.finditer(name) if m[0].lower() in _EITHER), None)
+    match = next((m for m in _TOKEN.finditer(name) if m[0].lower() in _EITHER), None)
     if match is None:
         return
     word = match[0].lower()

@@ -19,7 +19,6 @@ Writes the mass without its sign where the body is possible then. Unsafe: it is 
 
 from collections.abc import Iterator, Mapping
 
-from kindsl.judgement.diagnosis.digits import likely_half_widths, numbers_written
 from kindsl.judgement.diagnosis.judgements import Verdict, is_moving, verdict_of
 from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
@@ -51,6 +50,9 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
 
 def _without_sign(inertia: Inertia, mass: Expression, values: Mapping[str, float]) -> Fix | None:
     """Return the fix that takes the sign away, None where the body would be impossible still."""
+    # Imported for a mass below zero only, since it delays the linter's start.
+    from kindsl.judgement.diagnosis.digits import likely_half_widths, numbers_written
+
     written = mass_distribution(inertia, values)
     if written is None or mass.literal is None or has_problem_within(inertia):
         return None

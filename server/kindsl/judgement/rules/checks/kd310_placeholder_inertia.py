@@ -39,9 +39,7 @@ from kindsl.judgement.diagnosis.counterparts import (
     is_same_body,
     telling_numbers,
 )
-from kindsl.judgement.diagnosis.judge import weighed_as_written
 from kindsl.judgement.diagnosis.judgements import is_moving, judgement_of, keyword
-from kindsl.judgement.diagnosis.surroundings import surroundings
 from kindsl.judgement.diagnosis.unlike import EXACTLY
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
@@ -133,6 +131,10 @@ def _pairs_on_chains(model: Model) -> Iterator[list[Link]]:
 
 def _copied(model: Model, pair: Sequence[Link], values: Mapping[str, float]) -> Finding | None:
     """Return what is said of two links, None where they are not alike or of no body."""
+    # Imported for copies only, since it delays the linter's start.
+    from kindsl.judgement.diagnosis.judge import weighed_as_written
+    from kindsl.judgement.diagnosis.surroundings import surroundings
+
     weighed: list[tuple[float, Link, Inertia]] = []
     bodies: list[MassDistribution] = []
     for link in pair:
