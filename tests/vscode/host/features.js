@@ -64,7 +64,7 @@ exports.run = () =>
       await eventually(() => document.getText() !== before, "the number");
       assert.equal(document.getText(), before.replace("(0.4, 0.0", "(0.55, 0.0"));
       await vscode.commands.executeCommand("undo");
-      assert.equal(document.getText(), before);
+      await eventually(() => document.getText() === before, "the number as it was");
       await document.save();
     },
 
