@@ -7,8 +7,7 @@ from weakref import WeakKeyDictionary
 
 from playwright.async_api import Browser, Error, Page, async_playwright
 from tests.delays import injected
-from tests.preview.robots import require
-from tests.vscode.browser import ARGUMENTS
+from tests.vscode.browser import ARGUMENTS, BROWSERS, require
 
 from kindsl.frontends.preview.assets import PreviewUnavailableError
 from kindsl.frontends.preview.documents import OnReveal
@@ -105,7 +104,7 @@ HAS = """(messages) => {
 
 @asynccontextmanager
 async def chromium() -> AsyncIterator[Browser]:
-    path = require("chromium", "chromium-browser", "google-chrome")
+    path = require(*BROWSERS)
     async with async_playwright() as playwright:
         browser = await playwright.chromium.launch(executable_path=path, args=list(ARGUMENTS))
         yield browser

@@ -1,11 +1,8 @@
 """Documents for the preview's tests."""
 
-import os
-import shutil
 from collections.abc import Mapping
 from pathlib import Path
 
-import pytest
 from tests.support import robots
 from tests.support.models import Style, random_model
 
@@ -44,13 +41,3 @@ def mechanics_of(skeleton: Linkage) -> Mechanics:
 def plain_robot(links: int, seed: int = 0) -> Analysis:
     """Return a random robot without parameters."""
     return analyse(random_model(links, seed, PLAIN))
-
-
-def require(*programs: str) -> str:
-    """Return the first program found; else skip the test, or fail where everything must run."""
-    found = next((path for path in map(shutil.which, programs) if path), None)
-    if found is not None:
-        return found
-    if os.environ.get("CI") == "true":
-        pytest.fail(f"{programs[0]} is not installed")
-    pytest.skip(f"{programs[0]} is not installed")

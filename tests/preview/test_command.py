@@ -8,9 +8,10 @@ import sys
 from contextlib import asynccontextmanager
 
 import pytest
-from tests.preview.robots import ARM, BROKEN_ARM, PARAMETRIC_ARM, require
+from tests.preview.robots import ARM, BROKEN_ARM, PARAMETRIC_ARM
 from tests.preview.websocket import connected, first_part, whole_state
 from tests.support.ports import free_port
+from tests.vscode.browser import require
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.robots.interchange.format import ORDINARY

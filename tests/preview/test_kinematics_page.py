@@ -10,11 +10,11 @@ from tests.preview.robots import (
     ROOT,
     mechanics_of,
     plain_robot,
-    require,
     skeleton_in,
     skeleton_of,
 )
 from tests.support.spatial import rotation_from_intrinsic_xyz
+from tests.vscode.browser import require
 
 from kindsl.robots.scene.encoding import as_dict
 from kindsl.robots.scene.robot import NOTHING_UNKNOWN, robot_messages

@@ -3,7 +3,7 @@
 import subprocess
 
 import pytest
-from tests.preview.robots import require
+from tests.vscode.browser import require
 
 from kindsl.frontends.preview.linking import LinkingError, linked
 

@@ -1,4 +1,4 @@
-"""The browser that shows VS Code: Debian's Chromium, without a screen, with software WebGL."""
+"""The browser that shows pages: Debian's Chromium, without a screen, with software WebGL."""
 
 import os
 import shutil
@@ -9,6 +9,8 @@ from typing import NoReturn
 import pytest
 from playwright.sync_api import Browser, sync_playwright
 
+# The first one has no windows and menus of its own, which cost as much as what is in the page.
+BROWSERS = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome")
 # Robots are drawn by WebGL in software; what is around them without it, which costs a third less.
 ARGUMENTS = (
     "--no-sandbox",
@@ -24,12 +26,12 @@ ARGUMENTS = (
 TIMEOUT = 120_000  # milliseconds
 
 
-def require(program: str) -> str:
-    """Return a program's path; without it skip the test, or fail where everything must run."""
-    path = shutil.which(program)
-    if path is None:
-        missing(f"{program} is not installed")
-    return path
+def require(*programs: str) -> str:
+    """Return the first program found; else skip the test, or fail where everything must run."""
+    found = next((path for path in map(shutil.which, programs) if path), None)
+    if found is None:
+        missing(f"{' or '.join(programs)} is not installed")
+    return found
 
 
 def missing(reason: str) -> NoReturn:
@@ -42,7 +44,7 @@ def missing(reason: str) -> NoReturn:
 @contextmanager
 def chromium(*more: str) -> Iterator[Browser]:
     """Run a browser, with more arguments than the usual."""
-    path, arguments = require("chromium"), [*ARGUMENTS, *more]
+    path, arguments = require(*BROWSERS), [*ARGUMENTS, *more]
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=path, args=arguments, timeout=TIMEOUT)
         yield browser
