@@ -10,7 +10,7 @@ import re
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from decimal import Decimal
-from math import dist
+from math import dist, log
 from typing import NamedTuple
 
 from planted_slips import Robot, edited, run
@@ -18,6 +18,15 @@ from planted_slips import Robot, edited, run
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.analysis.text_fix import TextFix
+from kindsl.judgement.diagnosis.judge import weighed, weighed_as_written
+from kindsl.judgement.diagnosis.judgements import (
+    Verdict,
+    is_about_one_number,
+    is_round,
+    judgement_of,
+)
+from kindsl.judgement.diagnosis.slips import Hypothesis
+from kindsl.judgement.diagnosis.surroundings import surroundings
 from kindsl.language.semantics.declarations import Inertia, Link
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.numbers import mass_distribution
@@ -27,6 +36,9 @@ from kindsl.mechanics.rigid.body import MassDistribution, shifted
 
 HEADING = "## Slips in bodies\n"
 SIGNIFICANT = 0.03
+# A slip in a hundred bodies is many: numbers that are less so much likelier do not tell it.
+RARE = 100.0
+NO_MATTER, AS_LIKELY = "of no matter before", "as likely as written"
 Body = MassDistribution
 Plant = Callable[[random.Random, Body, Sequence[Body]], Body | None]
 
@@ -217,6 +229,7 @@ class Outcome(NamedTuple):
         has_fix: Whether a fix is offered.
         is_right: Whether it restores the numbers.
         told: What is found.
+        hidden: Why nobody could be sure of it, empty where that is not so.
     """
 
     codes: tuple[str, ...]
@@ -226,6 +239,7 @@ class Outcome(NamedTuple):
     has_fix: bool
     is_right: bool
     told: tuple[str, ...]
+    hidden: str
 
 
 def outcome(robot: Robot, link: Link, text: str, meant: Body, words: str) -> Outcome:
@@ -248,7 +262,32 @@ def outcome(robot: Robot, link: Link, text: str, meant: Body, words: str) -> Out
         tuple(f"{f.code} {f.message}" for f in found)
         + tuple(f"  {r.message}" for f in found for r in f.related)
         + tuple(f"  fix {fix.title}" for fix in fixes),
+        _hidden(analysis, place, meant),
     )
+
+
+def _hidden(analysis: Analysis, link: Link, meant: Body) -> str:
+    """Return why nobody could be sure of a slip: of numbers that were nobody's, or may be meant."""
+    assert link.inertia is not None
+    values = analysis.context.values
+    before = judgement_of(link, link.inertia, meant, values)
+    about_com = shifted(meant, -1.0).moments
+    is_odd = any(is_round(m) or is_about_one_number(m) for m in (meant.moments, about_com))
+    if is_odd or before.verdict is not Verdict.POSSIBLE:
+        return NO_MATTER
+    body = mass_distribution(link.inertia, values)
+    if body is None or body.mass <= 0.0:
+        return ""
+    found = judgement_of(link, link.inertia, body, values)
+    around = surroundings(analysis.model, values, found)
+    if found.verdict is not Verdict.POSSIBLE or around.twins:
+        return ""
+    as_meant = weighed(Hypothesis((), meant, found.half, 1.0), found, around)
+    as_written = weighed_as_written(found, around)
+    if as_meant is None or as_written is None:
+        return ""
+    gain = as_meant.log_likelihood - as_written.log_likelihood
+    return AS_LIKELY if gain < log(RARE) else ""
 
 
 def _is_at(finding: Diagnostic, start: int, end: int) -> bool:
@@ -335,6 +374,12 @@ def table(pool: Sequence[Robot], number: int, seed: int, show: bool = False) -> 
         f"told {sum(bool(e.codes) for e in total) / len(total):.1%}, first {first / len(total):.1%}"
         f", fixes right {sum(e.is_right for e in fixes)} of {len(fixes)}"
     )
+    for why in (NO_MATTER, AS_LIKELY):
+        missed = [e for e in total if e.hidden == why and not e.is_first]
+        silent = sum(not e.codes for e in missed)
+        print(
+            f"{why}: {silent / len(total):.1%} not told, {len(missed) / len(total):.1%} not first"
+        )
     return "\n".join(lines) + "\n"
 
 
