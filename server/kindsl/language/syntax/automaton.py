@@ -18,7 +18,7 @@ TARGETS = [dict(zip(SYMBOLS[rules], to, strict=True)) for *_, rules, to in STATE
 _LOSABLE = frozenset((*KEYWORDS.values(), *"{}()=,]>", "NAME", "FLOAT", "INT"))
 _LOSABLE -= {"PI", "LOWER_PI", "FLOATING"}
 _MATTER = 5
-_MOST_KNOWN = 20_000  # ten megabytes at most
+_MOST_KNOWN = 7500  # ten megabytes at most
 
 
 class Stack:
