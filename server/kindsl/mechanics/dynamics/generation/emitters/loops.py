@@ -18,6 +18,9 @@ _PARAMETERS = {
     _KERNEL.findall(_TEXT)
 }  # fmt: skip
 PREFIX = "loops_"
+# Each branch begins a new row, so that wide rows are not full: derivatives of a tree of 38 joints
+# take 10 to 16 % less time in rows of four than of eight; of a chain of 60 8 % less and 7 % more.
+WIDEST_ROW = 4
 
 
 def loops_text(
@@ -76,9 +79,9 @@ def loop_call(
     p, kernel = prefix + PREFIX, function.name.removesuffix("_loaded")
     none = f"({dialect.type} *)0"
     given = ", ".join(["t", *(texts.get(name, none) for name in _PARAMETERS[kernel])])
-    table_of = f"{p}table({f'{model}, ' if model else ''}t);"
-    size = f"{p}table_size"
-    return f"    {dialect.type} t[{size}];\n    {table_of}\n    {p}{kernel}({given});\n"
+    S, table_of = dialect.type, f"{p}table({f'{model}, ' if model else ''}room)"
+    room = f"{S} room[{p}table_size];"
+    return f"    {room}\n    const {S} *t = {table_of};\n    {p}{kernel}({given});\n"
 
 
 def _head(dialect: Dialect) -> str:
@@ -87,12 +90,14 @@ def _head(dialect: Dialect) -> str:
 
 def _rows(dialect: Dialect, prefix: str) -> str:
     """Return the type of some numbers of a matrix's row, and how many these are."""
-    p, lanes = prefix + PREFIX, f"{prefix}lanes"
-    one, macro = f"enum {{ {p}width = 1 }};", lanes.upper()
+    p, macro = prefix + PREFIX, f"{prefix}lanes".upper()
+    one = f"enum {{ {p}width = 1 }};"
     if dialect.template:
         return one
     return (
-        f"#if defined({macro})\ntypedef {lanes} {p}row;\nenum {{ {p}width = {macro} }};\n"
+        f"#if defined({macro})\n"
+        f"enum {{ {p}width = {macro} < {WIDEST_ROW} ? {macro} : {WIDEST_ROW} }};\n"
+        f"typedef {dialect.type} {p}row __attribute__((vector_size({p}width * 8)));\n"
         f"#else\ntypedef {dialect.type} {p}row;\n{one}\n#endif"
     )
 
@@ -100,7 +105,7 @@ def _rows(dialect: Dialect, prefix: str) -> str:
 def _filled(
     tree: Tree, dialect: Dialect, p: str, model: str, place: Callable[[Term], str]
 ) -> str:  # fmt: skip
-    """Return the function that fills the table."""
+    """Return the function that finds the table, in the room given where it is no constant."""
     rows, S = table(tree), dialect.type
     entries = [x for row in rows for x in row]
     # Automatic derivatives' numbers cannot be constants of a table.
@@ -112,14 +117,18 @@ def _filled(
         for row in rows
     )
     later = [f"t[{i}] = {place(x)};" for i, x in enumerate(entries) if isinstance(x, Term)]
-    name = model.rstrip(", ").split(" ")[-1].lstrip("*")
-    unused = [f"(void){name};"] if model and not later else []
-    copied = [f"for (int k = 0; k < {p}table_size; k++) {{", f"    t[k] = ({S})given[k];", "}"]
-    lines = "".join(f"    {line}\n" for line in [*unused, *copied, *later])
+    is_constant = not later and not is_template
+    names = [model.rstrip(", ").split(" ")[-1].lstrip("*")] * (bool(model) and not later)
+    lines = [f"(void){name};" for name in [*names, *["t"] * is_constant]]
+    if not is_constant:
+        copied = [f"for (int k = 0; k < {p}table_size; k++) {{", f"    t[k] = ({S})given[k];", "}"]
+        lines += [*copied, *later]
+    lines.append(f"return {'given' if is_constant else 't'};")
+    text = "".join(f"    {line}\n" for line in lines)
     return (
         f"enum {{ {p}table_size = {len(entries)} }};\n\n"
-        f"{_head(dialect)} void {p}table({model}{dialect.type} *t)\n{{\n"
-        f"    static const {constant} given[] = {{\n{numbers}    }};\n{lines}}}\n"
+        f"{_head(dialect)} const {S} *{p}table({model}{S} *t)\n{{\n"
+        f"    static const {constant} given[] = {{\n{numbers}    }};\n{text}}}\n"
     )
 
 
