@@ -1,5 +1,7 @@
 """What follows what is found once for all readings, but not kept for ever."""
 
+from sys import getrefcount
+
 import pytest
 
 from kindsl.language.syntax.automaton import Stack, initial
@@ -24,6 +26,14 @@ def test_stacks_are_forgotten_when_they_take_ten_megabytes(
     first = initial("link")
     monkeypatch.setattr(Stack, "made", Stack.made + 10_000_000 // _BYTES)
     assert initial("link") is not first
+
+
+def test_none_is_kept_longer_than_others(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Stack, "made", 1_000_000_000)
+    other = initial("joint")
+    monkeypatch.setattr(Stack, "made", 2_000_000_000)
+    initial("link")
+    assert getrefcount(other) == 2, "by this test alone"
 
 
 def test_of_what_may_be_lost_no_token_is_left_out_that_can_stand() -> None:

@@ -76,12 +76,12 @@ def initial(start: str) -> Stack:
 
     When a great many stacks have been made, they are forgotten and made anew.
     """
-    return _initial(start, Stack.made // _MOST_KNOWN)
+    return _beginnings(Stack.made // _MOST_KNOWN)[start]
 
 
-@lru_cache(maxsize=len(STARTS))
-def _initial(start: str, _era: int) -> Stack:
-    return Stack(STARTS[start][0], None)
+@lru_cache(maxsize=1)
+def _beginnings(_era: int) -> dict[str, Stack]:
+    return {start: Stack(state, None) for start, (state, _) in STARTS.items()}
 
 
 def is_complete(stack: Stack, start: str) -> bool:
