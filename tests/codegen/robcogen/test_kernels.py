@@ -101,23 +101,33 @@ class Asked:
                 ]
                 if name.endswith(("_constants", "fill", "append")) or "int " in arguments:
                     continue
-                body = "".join(
-                    f"    double {n}_[{self.size(name, n) + SPARE}];\n"
-                    f"    for (double& one : {n}_) one = {UNTOUCHED};\n"
-                    for n in results
-                )
-                space = f"{self.kind}::kernels::"
-                if results == ["X"]:
-                    size = self.size(name, "X")
-                    body += f"    for (int i = 0; i < {size}; i++) X_[i] = 0.0;\n"
-                    body += f"    {space}{name}_constants<Numbers>(X_);\n"
-                given = ", ".join(f"{n}_" if n in results else n for n in names)
-                body += f"    {space}{name}<Numbers>({given});\n"
-                body += "".join(
-                    f'    row("{self.kind}:{name}:{n}", {n}_, {self.size(name, n) + SPARE});\n'
-                    for n in results
-                )
-                yield f"    {{\n{body}    }}\n"
+                if not name.startswith("s_"):
+                    yield self.call(name, name, names, results)
+                    continue
+                for letter, place in (("m", 3), ("f", 18)):
+                    yield self.call(name, letter + name[1:], names, ["X"], f", X_ + {place}")
+
+    def call(
+        self, name: str, shown: str, names: list[str], results: list[str], coupling: str = ""
+    ) -> str:
+        """Return the statements of one call, which ends with the place of the coupling if any."""
+        body = "".join(
+            f"    double {n}_[{self.size(shown, n) + SPARE}];\n"
+            f"    for (double& one : {n}_) one = {UNTOUCHED};\n"
+            for n in results
+        )
+        space = f"{self.kind}::kernels::"
+        if results == ["X"]:
+            size = self.size(shown, "X")
+            body += f"    for (int i = 0; i < {size}; i++) X_[i] = 0.0;\n"
+            body += f"    {space}{name}_constants<Numbers>(X_{coupling});\n"
+        given = ", ".join(f"{n}_" if n in results else n for n in names if n != "C") + coupling
+        body += f"    {space}{name}<Numbers>({given});\n"
+        body += "".join(
+            f'    row("{self.kind}:{shown}:{n}", {n}_, {self.size(shown, n) + SPARE});\n'
+            for n in results
+        )
+        return f"    {{\n{body}    }}\n"
 
     def size(self, function: str, result: str) -> int:
         """Return the length of a result."""

@@ -227,10 +227,16 @@ class GeneratedRobot:
 
     def matrix_kernels(self, name: str, columns: Sequence[Sequence[Scalar]]) -> list[str]:
         """Return two functions: of a matrix's constants other than zero, and of what varies."""
-        entries = [x for column in columns for x in column]
-        constants = {k: repr(x) for k, x in enumerate(entries) if isinstance(x, float) and x}
+        return self.entry_kernels(name, {"X": [x for column in columns for x in column]})
+
+    def entry_kernels(self, name: str, gives: Mapping[str, Sequence[Scalar | None]]) -> list[str]:
+        """Return the same of matrices by their names; None are entries that are not theirs."""
+        constants = {
+            array: {k: repr(x) for k, x in enumerate(entries) if isinstance(x, float) and x}
+            for array, entries in gives.items()
+        }
         fixed = self.rendered("matrix_constants.h", name=name, constants=constants)
-        varying = {"X": [x if isinstance(x, Term) else None for x in entries]}
+        varying = {a: [x if isinstance(x, Term) else None for x in gives[a]] for a in gives}
         return [fixed, self.kernel(name, {"q": self.library.inputs.q}, varying, has_comments=False)]
 
     @cached_property

@@ -29,19 +29,26 @@ class Kind(NamedTuple):
     """A kind of transforms.
 
     Attributes:
-        letter: First of its functions' names.
+        letter: Of the matrices in short.
         name: First of its class's name.
         what: What its class holds, in a sentence.
+        coupling: Where the block of spatial ones is that couples turns and shifts, as an argument.
     """
 
     letter: str
     name: str
     what: str
+    coupling: str = ""
+
+    @property
+    def function(self) -> str:
+        """First of its functions' names: spatial ones have the same entries."""
+        return "s" if self.coupling else "h"
 
 
 KINDS = (
-    Kind("m", "Motion", "The 6x6 transforms of motion vectors."),
-    Kind("f", "Force", "The 6x6 transforms of force vectors."),
+    Kind("m", "Motion", "The 6x6 transforms of motion vectors.", ", this->data() + 3"),
+    Kind("f", "Force", "The 6x6 transforms of force vectors.", ", this->data() + 18"),
     Kind("h", "Homogeneous", "The 4x4 transforms of points."),
 )
 
@@ -57,9 +64,12 @@ def transforms(
             matrices.append(MatrixMember(pair.name, 0, bool(robot.kinematic_groups)))
             continue
         E, p = robot.pose_in(pair.base, pair.target)
-        for kind in KINDS:
-            columns = transpose(matrix_of(kind.letter, E, p))
-            functions += robot.matrix_kernels(f"{kind.letter}_{pair.name}", columns)
+        columns, n = transpose(matrix_of("m", E, p)), 3
+        coupling = [x for column in columns[:n] for x in [*column[n:], *[None] * n]]
+        halves = [[*c[:n], *[None] * n] for c in columns[:n]] + columns[n:]
+        spatial = {"X": [x for half in halves for x in half], "C": coupling}
+        functions += robot.entry_kernels(f"s_{pair.name}", spatial)
+        functions += robot.matrix_kernels(f"h_{pair.name}", _columns(E, p))
         matrices.append(MatrixMember(pair.name, 0, robot.depends_on_parameters(chain(*E, p))))
     return matrices, [*functions, *products, robot.rendered("across.h")]
 

@@ -4,8 +4,8 @@ inline void across(int link, @takes_p@const typename TRAIT::Scalar* q, typename 
     switch (link) {
 {% for i in links %}
     case @i@:
-        m_@robot.across(i)@_constants<TRAIT>(X);
-        m_@robot.across(i)@<TRAIT>(@p@q, X);
+        s_@robot.across(i)@_constants<TRAIT>(X, X + 3);
+        s_@robot.across(i)@<TRAIT>(@p@q, X, X + 3);
         break;
 {% endfor %}
     }

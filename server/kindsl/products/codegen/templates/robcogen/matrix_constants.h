@@ -1,12 +1,14 @@
 template <class TRAIT>
-inline void @name@_constants(typename TRAIT::Scalar* X)
+inline void @name@_constants(typename TRAIT::Scalar* @constants|join(", typename TRAIT::Scalar* ")@)
 {
-{% if constants %}
+{% if constants.values()|select|list %}
     typedef typename TRAIT::Scalar S;
-{% for place, value in constants.items() %}
-    X[@place@] = S(@value@);
-{% endfor %}
-{% else %}
-    (void)X;
 {% endif %}
+{% for array, values in constants.items() %}
+{% for place, value in values.items() %}
+    @array@[@place@] = S(@value@);
+{% else %}
+    (void)@array@;
+{% endfor %}
+{% endfor %}
 }

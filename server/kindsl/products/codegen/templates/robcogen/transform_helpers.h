@@ -1,9 +1,9 @@
 template <class S>
-inline void fill(const S* T, S* X, int coupling)
+inline void fill(const S* T, S* X, S* C)
 {
     for (int j = 0; j < 3; j++) {
         const S *e = T + 4 * j, *r = T + 12;
-        S *first = X + 6 * j, *second = X + 6 * j + 21, *cross = X + 6 * j + coupling;
+        S *first = X + 6 * j, *second = X + 6 * j + 21, *cross = C + 6 * j;
         for (int i = 0; i < 3; i++) {
             first[i] = second[i] = e[i];
         }
@@ -12,10 +12,6 @@ inline void fill(const S* T, S* X, int coupling)
         cross[2] = r[0] * e[1] - r[1] * e[0];
     }
 }
-template <class S>
-inline void m_fill(const S* T, S* X) { fill(T, X, 3); }
-template <class S>
-inline void f_fill(const S* T, S* X) { fill(T, X, 18); }
 
 /** T = T * B, and zeros in B. */
 template <class S>

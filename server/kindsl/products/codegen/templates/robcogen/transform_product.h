@@ -15,16 +15,14 @@ inline void h_@pair.name@(
     append(X, B);
 {% endfor %}
 }
-{% for letter in "mf" %}
 
 template <class TRAIT>
-inline void @letter@_@pair.name@_constants(typename TRAIT::Scalar* X) { (void)X; }
+inline void s_@pair.name@_constants(typename TRAIT::Scalar* X, typename TRAIT::Scalar* C) { (void)X, (void)C; }
 template <class TRAIT>
-inline void @letter@_@pair.name@(
-    @takes_p@const typename TRAIT::Scalar* q, typename TRAIT::Scalar* X)
+inline void s_@pair.name@(
+    @takes_p@const typename TRAIT::Scalar* q, typename TRAIT::Scalar* X, typename TRAIT::Scalar* C)
 {
     typename TRAIT::Scalar T[16];
     h_@pair.name@<TRAIT>(@p@q, T);
-    @letter@_fill(T, X);
+    fill(T, X, C);
 }
-{% endfor %}

@@ -36,19 +36,19 @@ public:
 
 {% for matrix in matrices %}
 {% set name = matrix.name %}
-{% set joint = across[name] if kind.letter == "m" and name in across else none %}
+{% set joint = across[name] if kind.name == "Motion" and name in across else none %}
     class Type_@name@ : public Transform@kind.name@<Scalar, Type_@name@> {
     public:
         EIGEN_MAKE_ALIGNED_OPERATOR_NEW
         Type_@name@()@" : position(0)" if joint else ""@
         {
             this->setZero();
-            kernels::@kind.letter@_@name@_constants<TRAIT>(this->data());
+            kernels::@kind.function@_@name@_constants<TRAIT>(this->data()@kind.coupling@);
             update(JState::Zero());
         }
         const Type_@name@& update(const JState& q)
         {
-@parameters.array(matrix, robot)@            kernels::@kind.letter@_@name@<TRAIT>(@parameters.first(matrix, robot)@raw(q), this->data());
+@parameters.array(matrix, robot)@            kernels::@kind.function@_@name@<TRAIT>(@parameters.first(matrix, robot)@raw(q), this->data()@kind.coupling@);
 {% if joint %}
             position = q(@joint - 1@);
 {% endif %}
@@ -58,7 +58,7 @@ public:
 
 {% endfor %}
 @parameters.construction(kind.name ~ "Transforms", robot)@
-{% if kind.letter == "m" and across %}
+{% if kind.name == "Motion" and across %}
     /** Keeps joint positions for what is computed without any; no matrix changes. */
     void storeJointStatus(const JState& q)
     {
