@@ -18,6 +18,7 @@ from tests.support.one_rule import found, section, told
 from tests.support.published import CORPUS, published
 
 from kindsl.judgement.analysis.analysis import analyse
+from kindsl.judgement.diagnosis.body_verdicts import BodyVerdict
 from kindsl.judgement.rules import limb_verdicts
 from kindsl.judgement.rules.inertia import shapes
 from kindsl.judgement.rules.inertia.shapes import shape_verdicts
@@ -26,7 +27,6 @@ from kindsl.language.text.edits import TextEdit, apply_edits
 from kindsl.robots.limbs.limb import Limbs
 from kindsl.robots.limbs.verdicts import ComparedLimbs, LimbVerdict, verdicts
 from kindsl.robots.limbs.weighing import Masses
-from kindsl.robots.mechanism.body_verdicts import BodyVerdict
 
 CODES = ("KD208", "KD209", "KD210", "KD509", "KD510")
 THIGH = "0.08, 0.0, 0.0"

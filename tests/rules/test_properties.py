@@ -10,9 +10,9 @@ from tests.support.examples import STEEL_BALL, joint, link, robot
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.diagnostics import Diagnostic
+from kindsl.judgement.diagnosis.body_verdicts import GREATEST_LENGTH
 from kindsl.judgement.rules.checks.kd404_unused_binding import unused_bindings
 from kindsl.language.text.edits import apply_edits
-from kindsl.robots.mechanism.body_verdicts import GREATEST_LENGTH
 
 steady = settings(deadline=None, max_examples=60)
 small = st.floats(-8.0, -3.0).map(lambda exponent: 10.0**exponent)

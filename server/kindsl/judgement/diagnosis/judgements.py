@@ -12,6 +12,7 @@ from enum import Enum
 from operator import mul
 from typing import TYPE_CHECKING, NamedTuple
 
+from kindsl.judgement.diagnosis.body_verdicts import GREATEST_LENGTH
 from kindsl.language.semantics.declarations import Declarations, Inertia, Link
 from kindsl.language.semantics.expressions import ParameterUse, symbols
 from kindsl.language.semantics.lowering import declarations
@@ -37,7 +38,6 @@ from kindsl.mechanics.rigid.matter import (
     is_dense_as_matter,
     is_plainly_dense_as_matter,
 )
-from kindsl.robots.mechanism.body_verdicts import GREATEST_LENGTH
 
 if TYPE_CHECKING:
     from kindsl.judgement.diagnosis.digits import Bounds

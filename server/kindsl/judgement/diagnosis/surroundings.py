@@ -5,6 +5,7 @@ from functools import partial
 from math import hypot, log
 from typing import NamedTuple
 
+from kindsl.judgement.diagnosis.body_verdicts import GREATEST_LENGTH
 from kindsl.judgement.diagnosis.counterparts import (
     are_near,
     bodies_with,
@@ -29,7 +30,6 @@ from kindsl.mechanics.rigid.pose import Rotation, Vector3, dot, transposed
 from kindsl.robots.limbs.names import label_of, other_sides
 from kindsl.robots.limbs.twin_frames import twin_frames
 from kindsl.robots.limbs.weighing import seen_by
-from kindsl.robots.mechanism.body_verdicts import GREATEST_LENGTH
 
 _Inertia = tuple[Link, MassDistribution]
 _FRAMES = Fact[tuple[object, dict[tuple[str, str], list[Rotation]]]]("frames of twins, by names")

@@ -2,10 +2,10 @@
 
 from collections.abc import Iterator
 
+from kindsl.judgement.diagnosis.body_verdicts import GREATEST_LENGTH
 from kindsl.judgement.rules.base import Fix
 from kindsl.judgement.rules.number_writing import rescaled
 from kindsl.language.semantics.declarations import Declarations, Frame, Joint, Vector
-from kindsl.robots.mechanism.body_verdicts import GREATEST_LENGTH
 
 # Nobody places a joint as finely as the first, m; what would be below the last may be in metres.
 _FINEST, _FINE = 5e-5, 1e-3

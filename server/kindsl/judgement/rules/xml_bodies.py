@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from math import hypot
 from typing import NamedTuple
 
+from kindsl.judgement.diagnosis.body_verdicts import DOUBTFUL_LENGTH
 from kindsl.judgement.diagnosis.judgements import IMPOSSIBLE, Verdict, judgements
 from kindsl.language.semantics.declarations import Joint, Link, Vector
 from kindsl.language.semantics.lowering import declarations
@@ -14,7 +15,6 @@ from kindsl.language.text.facts import kept
 from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3, rotation_from_z
 from kindsl.robots.interchange.xml_document import Connection, XmlDocument
-from kindsl.robots.mechanism.body_verdicts import DOUBTFUL_LENGTH
 from kindsl.robots.mechanism.link_inertia import link_inertia
 
 _AT_ORIGIN = (0.0, 0.0, 0.0)

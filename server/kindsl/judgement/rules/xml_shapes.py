@@ -3,6 +3,11 @@
 import re
 from collections.abc import Container, Iterator, Sequence
 
+from kindsl.judgement.diagnosis.body_verdicts import (
+    GREATEST_LENGTH,
+    body_verdicts,
+    is_as_large,
+)
 from kindsl.judgement.diagnosis.counterparts import images, unlike_numbers
 from kindsl.judgement.diagnosis.unlike import unlike_among
 from kindsl.judgement.rules.base import Finding, Related, Severity
@@ -23,11 +28,6 @@ from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import IDENTITY
 from kindsl.robots.limbs.names import label_of
 from kindsl.robots.limbs.weighing import Suspect
-from kindsl.robots.mechanism.body_verdicts import (
-    GREATEST_LENGTH,
-    body_verdicts,
-    is_as_large,
-)
 
 _MOMENT = re.compile(r"\bI([xyz])([xyz]?)\b(?=(?:[^']*'[^']*')*[^']*$)")
 _OF_LIMBS = frozenset(("KD208", "KD209", "KD210", "KD509", "KD510"))

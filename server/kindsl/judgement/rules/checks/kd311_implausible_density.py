@@ -23,11 +23,11 @@ is half a kilogram spread over 30 metres.
 
 from collections.abc import Iterator
 
+from kindsl.judgement.diagnosis.body_verdicts import density_verdict
 from kindsl.judgement.diagnosis.judgements import Verdict, judgements, keyword
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.language.semantics.declarations import Declarations
-from kindsl.robots.mechanism.body_verdicts import density_verdict
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:

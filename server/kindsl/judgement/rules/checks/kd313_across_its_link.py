@@ -28,6 +28,7 @@ where this lays the rod along the link. The fix is unsafe: it changes the robot.
 
 from collections.abc import Iterator
 
+from kindsl.judgement.diagnosis.body_verdicts import lies_along
 from kindsl.judgement.diagnosis.judgements import keyword
 from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
@@ -36,7 +37,6 @@ from kindsl.language.semantics.declarations import Inertia, Joint, Link
 from kindsl.language.semantics.numbers import mass_distribution
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.rigid.body import MassDistribution
-from kindsl.robots.mechanism.body_verdicts import lies_along
 
 _AXES = "xyz"
 # Of each of the ten numbers but the mass, where what takes its place stands: x for y, y for z.

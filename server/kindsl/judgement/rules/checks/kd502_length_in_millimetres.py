@@ -23,6 +23,7 @@ millimetres.
 
 from collections.abc import Iterator
 
+from kindsl.judgement.diagnosis.body_verdicts import DOUBTFUL_LENGTH, GREATEST_LENGTH, is_as_large
 from kindsl.judgement.diagnosis.judgements import keyword
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
@@ -37,7 +38,6 @@ from kindsl.language.semantics.numbers import mass_distribution
 from kindsl.language.syntax.document import Chunk
 from kindsl.language.syntax.tree import Island
 from kindsl.language.text.facts import kept
-from kindsl.robots.mechanism.body_verdicts import DOUBTFUL_LENGTH, GREATEST_LENGTH, is_as_large
 
 _ANY = SuspectCom("mm", is_sure=True)
 

@@ -6,6 +6,7 @@ written besides.
 
 from collections.abc import Iterator
 
+from kindsl.judgement.diagnosis.body_verdicts import BodyVerdict, body_verdicts
 from kindsl.judgement.diagnosis.judgements import Verdict, is_impossible, is_moving, judgements
 from kindsl.judgement.rules.context import Context
 from kindsl.language.semantics.declarations import Joint, Link, Pose
@@ -15,7 +16,6 @@ from kindsl.language.semantics.numbers import frame_of_com, written_pose
 from kindsl.language.semantics.unknown import Unknown
 from kindsl.language.text.facts import Fact
 from kindsl.mechanics.rigid.pose import Vector3
-from kindsl.robots.mechanism.body_verdicts import BodyVerdict, body_verdicts
 from kindsl.robots.mechanism.link_inertia import link_inertia
 
 _VERDICTS = Fact[tuple[object, list[BodyVerdict]]]("shape")

@@ -4,9 +4,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from kindsl.judgement.diagnosis.body_verdicts import BodyDoubt, body_verdicts
 from kindsl.mechanics.rigid.body import MassDistribution, shifted
 from kindsl.mechanics.rigid.pose import Vector3
-from kindsl.robots.mechanism.body_verdicts import BodyDoubt, body_verdicts
 
 END = (0.0, 0.0, 0.4)
 
