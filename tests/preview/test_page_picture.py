@@ -241,6 +241,10 @@ async def test_a_judged_body_is_told_by_its_name_wherever_it_is(browser, server)
         judged = page.locator("[data-verdict=impossible] .start")
         assert set(await judged.all_text_contents()) == {"upper"}
         await page.locator(".branch[data-verdict=impossible] .name", has_text="upper").wait_for()
+        await server.show("robot", analysis, ())
+        await page.locator(".branch[data-verdict=''] .name", has_text="upper").wait_for()
+        await server.show("robot", analysis, analysis.findings)
+        await page.locator(".branch[data-verdict=impossible] .name", has_text="upper").wait_for()
 
 
 async def test_large_robots_take_few_draw_calls_and_elements(browser, server):

@@ -9,7 +9,7 @@ import { applyFormulas } from "./formulas.js";
 /** @typedef {"rows" | "marks" | "values" | "parameters" | "findings" | "camera" | "poses" | "compare" | "torques"} Stale what is to be shown anew */
 
 /** @type {readonly News[]} */
-const ROW_NEWS = ["model", "link", "joint", "frame", "limits", "delete"]; // other rows
+const ROW_NEWS = ["model", "link", "solid", "joint", "frame", "limits", "delete"]; // other rows
 /** @type {readonly News[]} */
 const MARK_NEWS = ["solid", "set_object", "set_transform"]; // other marks in the picture
 /** @type {readonly News[]} */
