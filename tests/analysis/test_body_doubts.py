@@ -15,7 +15,7 @@ UNITS = re.sub(r"I([xyz]) = \S+", r"I\1 = 1.0", ARM)
 
 def doubted(text, settings=None):
     found = body_doubts(analyse(text, settings or Settings()).findings)
-    return {link: [(d.code, d.is_proved) for d in doubts] for link, doubts in found.items()}
+    return {link: [(d.code, d.is_error) for d in doubts] for link, doubts in found.items()}
 
 
 def test_an_error_is_proved_and_a_warning_is_not():

@@ -116,12 +116,19 @@ class DocumentPreview:
         self.put(analysis)
         self.list_findings(findings)
 
-    def drawing(self, analysis: Analysis) -> ShownVersion:
-        """Return the picture of a version; changes nothing, so any thread may ask."""
+    def drawing(
+        self, analysis: Analysis, findings: Sequence[Diagnostic] | None = None
+    ) -> ShownVersion:
+        """Return the picture of a version; changes nothing, so any thread may ask.
+
+        Args:
+            analysis: The version.
+            findings: Its findings; None while they are not known, then the listed ones count.
+        """
         given, model, settings = self._given(analysis), analysis.model, analysis.settings
         drawn = picture(model, given, self._last_good)
         robot, solids, guessed = None, None, drawn.guesses
-        doubts = body_doubts(self.findings)
+        doubts = body_doubts(self.findings if findings is None else findings)
         if drawn.skeleton is not None:
             name = str(model.name)
             shown = name, drawn.skeleton, guessed, settings.joints, drawn.unknown
@@ -150,7 +157,7 @@ class DocumentPreview:
 
     def try_out(self, trial: Analysis, findings: Sequence[Diagnostic]) -> None:
         """Show a trial and its findings; the current version is kept for `put_back`."""
-        self._put(trial, self.drawing(trial))
+        self._put(trial, self.drawing(trial, findings))
         self._list(findings, trial.text)
 
     def put_back(self) -> None:

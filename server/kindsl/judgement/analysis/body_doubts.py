@@ -28,6 +28,6 @@ def body_doubts(findings: Iterable[Diagnostic]) -> dict[str, tuple[Doubt, ...]]:
             if kind is SubjectKind.LINK:
                 doubts.setdefault(name, []).append(doubt)
     return {
-        link: tuple(sorted(own, key=lambda doubt: not doubt.is_proved))
+        link: tuple(sorted(own, key=lambda doubt: not doubt.is_error))
         for link, own in doubts.items()
     }

@@ -38,7 +38,7 @@ class Doubt(NamedTuple):
 
     code: Annotated[str, "of the rule that reports it"]
     sentence: Annotated[str, "for people"]
-    is_proved: Annotated[bool, "whether no body can have such numbers"]
+    is_error: Annotated[bool, "whether it is an error, else a warning"]
 
 
 Doubts: TypeAlias = Mapping[str, tuple[Doubt, ...]]
@@ -120,8 +120,8 @@ def usual_density(bodies: Sequence[MassDistribution]) -> float:
 
 
 def _look(doubts: tuple[Doubt, ...]) -> Look:
-    proved = any(doubt.is_proved for doubt in doubts)
-    return "impossible" if proved else "doubtful" if doubts else "sound"
+    has_error = any(doubt.is_error for doubt in doubts)
+    return "impossible" if has_error else "doubtful" if doubts else "sound"
 
 
 def _bare(doubts: tuple[Doubt, ...], unit: float) -> LinkSolid:
@@ -217,5 +217,7 @@ def _hides(link: LinkSolid, pose: RigidPose, extent: Extent) -> bool:
         return False
     if core.reach > extent.size:
         return True
+    if pose.point(core.center)[2] - math.hypot(*core.semi_axes) > limit:
+        return False
     x, y, z = pose.rotation[2]
     return pose.point(core.support((-x, -y, -z)))[2] < limit

@@ -112,8 +112,8 @@ export interface Doubt {
   readonly code: string;
   /** For people. */
   readonly sentence: string;
-  /** Whether no body can have such numbers. */
-  readonly is_proved: boolean;
+  /** Whether it is an error, else a warning. */
+  readonly is_error: boolean;
 }
 
 /** A straight piece of a body, from its frame's origin. */
