@@ -80,6 +80,18 @@ def test_a_parameter_is_typed_kept_and_given_back():
     assert joint_x(preview) == 0.5
 
 
+def test_a_typed_value_is_judged_in_the_picture():
+    text = ARM.replace("mass = 2.0", "mass = heavy[2.0]")
+    preview = preview_of(text)
+    assert look_of(preview, "upper") == "sound"
+    preview.set_parameters({"heavy": 2000.0})
+    assert look_of(preview, "upper") == "impossible"
+    preview.show(analyse(text), ())
+    assert look_of(preview, "upper") == "impossible"
+    preview.set_parameters({"heavy": None})
+    assert look_of(preview, "upper") == "sound"
+
+
 def test_a_configured_range_is_the_sliders():
     settings = Settings(bindings={"reach": Binding(0.35, 0.2, 0.5)})
     row = page_of(preview_of(PARAMETRIC_ARM, settings)).at("/kindsl/parameters/reach")["parameter"]

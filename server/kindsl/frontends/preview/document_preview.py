@@ -48,6 +48,20 @@ from kindsl.robots.scene.solids import Doubts
 MOST_VALUES = 10_000
 
 
+class MadeBeside(NamedTuple):
+    """What takes longer than a picture may.
+
+    Attributes:
+        comparison: With the description that is chosen, None if there is none.
+        meshes: None if none are to be drawn.
+        doubts: What is doubtful about the bodies as values from the page make them, None without.
+    """
+
+    comparison: ShownComparison | None = None
+    meshes: LinkMeshes | None = None
+    doubts: Doubts | None = None
+
+
 class ShownVersion(NamedTuple):
     """The picture of a version.
 
@@ -82,7 +96,7 @@ class DocumentPreview:
         turn: Held while a version is drawn.
         revision: How many versions have been shown.
         on_change: Called when a version is shown, or values of parameters are others.
-        recompare: Called when what is compared has changed; has `beside` made and shown.
+        recompare: Called when what is compared or judged has changed; has `beside` made and shown.
         mesh_files: The meshes that pages may load, by name.
     """
 
@@ -128,7 +142,7 @@ class DocumentPreview:
         given, model, settings = self._given(analysis), analysis.model, analysis.settings
         drawn = picture(model, given, self._last_good)
         robot, solids, guessed = None, None, drawn.guesses
-        doubts = body_doubts(self.findings if findings is None else findings)
+        doubts = self._known_doubts(self.findings) if findings is None else body_doubts(findings)
         if drawn.skeleton is not None:
             name = str(model.name)
             shown = name, drawn.skeleton, guessed, settings.joints, drawn.unknown
@@ -214,25 +228,29 @@ class DocumentPreview:
         self._wants_meshes = True
         self._offer()
 
-    def beside(self) -> tuple[ShownComparison | None, LinkMeshes | None]:
-        """Return the comparison and the meshes that are asked for; any thread may ask."""
+    def beside(self) -> MadeBeside:
+        """Return the comparison, meshes and doubts that are asked for; any thread may ask."""
         if self._shown is None:
-            return None, None
+            return MadeBeside()
         analysis, (given, drawn, *_) = self._shown
         skeleton = drawn.skeleton
         if skeleton is None or drawn.is_former:
-            return None, None
+            return MadeBeside()
         values = drawn.guesses.beside(given)
         other = self._others().get(self._chosen)
         source = self._meshes_of() if self._wants_meshes else None
-        return (
+        tried = analysis.changed((), self._parameters)
+        return MadeBeside(
             other and compared(self._label, analysis, values, skeleton, other),
             source and link_meshes(source, analysis.model, values, skeleton),
+            body_doubts(tried.findings) if self._parameters else None,
         )
 
-    def show_beside(self, found: tuple[ShownComparison | None, LinkMeshes | None]) -> None:
-        """Show a comparison and meshes; of a broken document the last ones stay."""
-        comparison, meshes = found
+    def show_beside(self, found: MadeBeside) -> None:
+        """Show a comparison, meshes and doubts; of a broken document the last ones stay."""
+        comparison, meshes, doubts = found
+        if doubts is not None and self._parameters:
+            self._doubt(doubts)
         if meshes is not None:
             self.mesh_files = meshes.files
             self.channel.replace("meshes", meshes.messages)
@@ -315,7 +333,8 @@ class DocumentPreview:
         source = self._meshes_of()
         if source is None or not self._wants_meshes:
             self.channel.replace("meshes", () if source is None else offered(source))
-        if self._chosen or self._compared is not None or (source and self._wants_meshes):
+        is_compared = self._chosen or self._compared is not None
+        if is_compared or self._parameters or (source and self._wants_meshes):
             self.recompare()
 
     def _meshes_of(self) -> MeshSource | None:
@@ -327,17 +346,24 @@ class DocumentPreview:
             self._last_good = drawing.picture
         self._shown = analysis, drawing
         self._draw_ghost()
-        self._offer()
         if drawing.robot is not None and drawing.solids is not None:
             self.channel.replace("robot", drawing.robot)
             self.channel.replace("solids", drawing.solids)
         self.channel.replace("parameters", drawing.parameters)
         self.channel.replace("poses", drawing.poses)
+        self._offer()
 
     def _list(self, findings: Sequence[Diagnostic], text: str) -> None:
         self._show_status(findings)
         self.channel.replace("findings", finding_messages(findings, text))
-        self._doubt(body_doubts(findings))
+        self._doubt(self._known_doubts(findings))
+
+    def _known_doubts(self, findings: Sequence[Diagnostic]) -> Doubts:
+        """Return the doubts of findings; with values from the page, of which they say nothing,
+        those that are shown."""
+        if self._parameters and self._shown is not None:
+            return self._shown[1].doubts
+        return body_doubts(findings)
 
     def _doubt(self, doubts: Doubts) -> None:
         """Draw the bodies by what is doubtful about them."""
