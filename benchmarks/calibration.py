@@ -3,8 +3,12 @@
 Slips are planted in robots as by `planted_bodies.py` and `planted_slips.py`. Each new finding makes
 a claim: with the probability that it carries, or with none. A claim holds if it names what was
 planted: about the planted body by the words of its cause, about a limb by the place, or by a fix
-that restores the robot. `--number N` slips of a kind are planted, `--half 1` (as usual) in robots
-that nothing was fitted on, `--seed N` chooses others, `--write` puts the table into the docs.
+that restores the robot. What was a placeholder before is one with a slip, too. What is told of
+other bodies counts only where nothing was before: the truth about an odd body of somebody else's is
+not known, in whatever words it is told.
+
+`--number N` slips of a kind are planted, `--half 1` (as usual) in robots that nothing was fitted
+on, `--seed N` chooses others, `--write` puts the table into the docs.
 """
 
 import argparse
@@ -22,8 +26,10 @@ from planted_slips import Robot, is_same, robots, write_section
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.analysis.fixing import announced
+from kindsl.judgement.diagnosis.judgements import is_round
 from kindsl.judgement.rules.subject import SubjectKind
 from kindsl.language.text.edits import apply_edits
+from kindsl.mechanics.rigid.body import MassDistribution, shifted
 
 HEADING = "## Claimed against true\n"
 BINS = (0.0, 0.5, 0.7, 0.8, 0.9, 0.95, 0.99, 1.0)
@@ -45,13 +51,21 @@ class Claim(NamedTuple):
     holds: bool
 
 
-def new_findings(robot: Robot, analysis: Analysis) -> Iterator[Diagnostic]:
-    """Yield what is told of causes that was not told before the slip, but for the density."""
+def new_findings(
+    robot: Robot, analysis: Analysis, links: Sequence[str]
+) -> Iterator[tuple[Diagnostic, bool]]:
+    """Yield what is told of causes that was not told before the slip, but for the density.
+
+    With each whether it is about one of the links with the slip; of others only where it is the
+    first cause that is told.
+    """
     before = set(map(_claim, robot.analysis.findings))
+    odd = {f.subject for f in robot.analysis.findings if f.probability is not None}
     for finding in announced(analysis):
         is_cause = finding.probability is not None or finding.code in CAUSES
-        if is_cause and _claim(finding) not in before:
-            yield finding
+        is_there = _is_about(finding, links, analysis)
+        if is_cause and _claim(finding) not in before and (is_there or finding.subject not in odd):
+            yield finding, is_there
 
 
 def _claim(finding: Diagnostic) -> tuple[object, ...]:
@@ -78,10 +92,12 @@ def of_bodies(pool: Sequence[Robot], number: int, seed: int) -> Iterator[Claim]:
                 continue
             n_planted += 1
             text = planted_bodies.planted(robot.analysis, inertia, meant, wrong)
-            for finding in new_findings(robot, analyse(text)):
+            copied = (other for other in others if other == wrong)
+            was_placeholder = any(map(_is_placeholder, (meant, *copied)))
+            expected = f"{words}|is a placeholder" if was_placeholder else words
+            for finding, is_there in new_findings(robot, analyse(text), [str(link.name)]):
                 sentence = re.split(r"; or if ", finding.message)[0]
-                is_there = _is_about(finding, [str(link.name)], robot.analysis)
-                holds = is_there and re.search(words, sentence) is not None
+                holds = is_there and re.search(expected, sentence) is not None
                 yield Claim(finding.code, finding.probability, holds)
 
 
@@ -104,12 +120,15 @@ def of_limbs(pool: Sequence[Robot], number: int, seed: int) -> Iterator[Claim]:
                 if slip is None or is_same(analysis, robot.analysis):
                     continue
                 n_planted += 1
-                for finding in new_findings(robot, analysis):
+                for finding, is_there in new_findings(robot, analysis, slip.links):
                     fixes = [fix for fix in (finding.fix, *finding.choices) if fix is not None]
                     mended = (analyse(apply_edits(slip.text, fix.edits)) for fix in fixes)
-                    holds = any(is_same(each, robot.analysis) for each in mended)
-                    holds = holds or _is_about(finding, slip.links, analysis)
+                    holds = is_there or any(is_same(each, robot.analysis) for each in mended)
                     yield Claim(finding.code, finding.probability, holds)
+
+
+def _is_placeholder(body: MassDistribution) -> bool:
+    return any(is_round(each.moments) for each in (body, shifted(body, -1.0)))
 
 
 def _is_about(finding: Diagnostic, links: Sequence[str], analysis: Analysis) -> bool:
@@ -167,7 +186,8 @@ INTRODUCTION = """\
 A finding that weighs causes carries the probability of the one that it names (`probability` in
 JSON). Of what is claimed at 90 %, 90 % should hold: that is measured on slips planted as below, in
 robots that nothing was fitted on. What carries no probability is counted by its rule. A claim holds
-if it names the slip that was planted, in the place where it was planted.
+if it names the slip that was planted, in the place where it was planted, or a placeholder where
+there was one before. What is told of a body that was odd before, and has no slip, is left out.
 `make calibration` prints the table, `python benchmarks/calibration.py --write FOLDER` makes it.
 """
 
