@@ -225,6 +225,19 @@ def test_moments_of_another_part_are_told(ixx: str) -> None:
     ]
 
 
+def test_of_two_parts_with_the_same_moments_the_one_unlike_its_twin_has_the_other_s() -> None:
+    """A hand that differs a little from its twin has not the moments of an arm that has its own."""
+    moments = ("0.33456", "0.28567", "0.13678", "0.01234", "0.02345", "0.1")
+    hands = (moments, ("0.38456", *moments[1:]))
+    arms = (moments, ("0.63456", "0.58567", "0.23678", "0.02234", "0.01345", "0.01"))
+    sections = [section("5.0", "0.0, 0.1, 0.2", *each) for each in (*hands, *arms)]
+    text = row(*sections, names="left_hand right_hand left_arm right_arm")
+    assert [message for message in told("KD312", text) if "another part" in message] == [
+        "'left_arm' is not the mirror image of 'right_arm': its moments are those of 'left_hand', "
+        "which is another part"
+    ]
+
+
 @pytest.mark.parametrize("place", range(10))
 def test_what_is_small_beside_its_kind_does_not_differ(place: int) -> None:
     """A difference below 5 % of the greatest mass, coordinate or moment."""

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
-from math import hypot, log
+from math import dist, hypot, log
 from typing import NamedTuple
 
 from kindsl.judgement.diagnosis.body_verdicts import GREATEST_LENGTH
@@ -205,12 +205,25 @@ def copies(model: Model, values: Mapping[str, float], link: Link) -> Iterator[tu
 
 
 def same_moments(model: Model, link: Link) -> Iterator[str]:
-    """Yield the names of links that have the moments of a link and are not its twins by name."""
+    """Yield the names of links that a link may have its moments from, not its twins by name.
+
+    Of two that share them, the one that is less like its own twins has those of the other.
+    """
     words = label_of(str(link.name)).words
     for telling in telling_numbers(link)[:1]:
-        names = map(str, (other.name for other in bodies_with(model, telling)))
-        if telling.what == "moments":
-            yield from (name for name in names if label_of(name).words != words)
+        for other in bodies_with(model, telling) if telling.what == "moments" else ():
+            is_other = label_of(str(other.name)).words != words
+            if is_other and _unlikeness(model, other) <= _unlikeness(model, link):
+                yield str(other.name)
+
+
+def _unlikeness(model: Model, link: Link) -> float:
+    """Return how far a link's moments are from those of its nearest namesake, as a share."""
+    namesake = namesakes(model, link)
+    known = {o: [*map(abs, body.moments)] for o, body in _with_inertia((link, *namesake), {})}
+    own = known.pop(link, [])
+    apart = (dist(own, each) / max(*own, *each) for each in known.values() if own)
+    return min(apart, default=0.0)
 
 
 def _with_inertia(links: Iterable[Link], values: Mapping[str, float]) -> Iterator[_Inertia]:
