@@ -175,7 +175,6 @@ def test_limits_are_judged_as_in_a_urdf(axis: str, code: str) -> None:
         "<limit><lower>-1e16</lower><upper>1e16</upper><effort>-1</effort></limit>",
         "<limit><lower>0</lower><upper>0</upper></limit>",
         "<limit><lower>-inf</lower><upper>inf</upper></limit>",
-        '<mimic joint="shoulder"/>',
     ],
 )
 def test_limits_that_sdf_means_otherwise_are_left_in_peace(axis: str) -> None:

@@ -146,6 +146,13 @@ def test_a_com_that_the_robot_reaches_is_in_metres() -> None:
     assert "KD502" not in [code for code, _ in found(robot(link("house", "0 0 15")))]
 
 
+def test_a_file_in_another_unit_is_told_at_each_length() -> None:
+    """Joints that are too far away do not make room for a CoM."""
+    text = arm("150 0 0").replace('xyz="0 0 0.3"', 'xyz="0 0 300"')
+    told = [f for f in analyse(text).findings if f.code == "KD502"]
+    assert sorted(text[f.start : f.end] for f in told) == ["150", "300"]
+
+
 @pytest.mark.parametrize(("mass", "codes"), [("5600", []), ("5.6", ["KD502"])])
 def test_a_joint_is_as_far_away_as_its_body_is_large(mass: str, codes: list[str]) -> None:
     tower = 'ixx="168000" ixy="0" ixz="0" iyy="168000" iyz="0" izz="2000"'

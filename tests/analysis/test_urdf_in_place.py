@@ -107,12 +107,39 @@ def test_a_comment_in_vain_and_one_that_nobody_knows_are_told() -> None:
         (ARM.replace('mass value="2"', 'mass value="2,5"'), "KD005", 6),
         (ARM.replace('      <mass value="2"/>\n', ""), "KD008", 5),
         (ARM.replace("</robot>", link("upper") + "</robot>"), "KD102", 13),
-        (ARM.replace('child link="upper"', 'child link="uper"'), "KD105", 10),
+        (ARM.replace('child link="upper"', 'child link="uper"'), "KD105", 11),
         (ARM.replace("</robot>", link("lost") + "</robot>"), "KD203", 13),
     ],
 )
 def test_what_is_no_urdf_is_a_finding_with_its_line(text: str, code: str, line: int) -> None:
     assert (code, line) in [(c, at) for c, _, at in told(text)]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "code", "value"),
+    [
+        ('lower="-1"', 'lower="-1.57.0"', "KD005", "-1.57.0"),
+        ('velocity="9"', 'velocity="9 rad/s"', "KD005", "9 rad/s"),
+        ("</joint>", '<dynamics damping="0,1"/></joint>', "KD005", "0,1"),
+        ("</joint>", '<mimic joint="shoulder"/></joint>', "KD525", "shoulder"),
+        ("</joint>", '<mimic joint="shoulder" offset="x"/></joint>', "KD005", "x"),
+        ("</joint>", "<mimic/></joint>", "KD525", "<mimic/>"),
+        ('child link="upper"', 'child link="uper"', "KD105", "uper"),
+        (f"      <inertia {TENSOR}/>\n", "", "KD008", "<inertial>"),
+        ("</inertial>", "</inertial><inertial />", "KD009", "<inertial />"),
+    ],
+)
+def test_what_a_joint_or_inertia_lacks_is_told_at_its_value(
+    old: str, new: str, code: str, value: str
+) -> None:
+    text = ARM.replace(old, new)
+    found = [(f.code, text[f.start : f.end]) for f in analyse(text).findings]
+    assert (code, value) in found
+
+
+def test_a_joint_without_end_may_have_any_limits() -> None:
+    endless = ARM.replace("revolute", "continuous").replace('lower="-1"', 'lower="none"')
+    assert told(endless) == []
 
 
 def test_several_defects_are_told_at_once() -> None:

@@ -248,7 +248,7 @@ def test_a_name_that_is_not_utf_8_is_refused(tmp_path: Path) -> None:
 def test_a_text_that_is_cut_off_is_told_with_its_line_alone(tmp_path: Path) -> None:
     path = tmp_path / "cut.xml"
     path.write_text('<mujoco>\n<worldbody>\n<body name="a"><joint na')
-    with pytest.raises(FormatError, match=r"^not a readable MJCF: not well-formed XML at line 3$"):
+    with pytest.raises(FormatError, match=r"^not a readable MJCF: not well-formed XML at line 3: "):
         read_mjcf(path, AS_WRITTEN)
 
 

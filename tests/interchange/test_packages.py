@@ -113,7 +113,7 @@ def test_a_model_that_is_not_found_is_told_with_its_line(tmp_path: Path, uri: st
 @pytest.mark.parametrize(
     ("text", "told"),
     [
-        ("no xml", ": not a readable SDF: not well-formed XML at line 1"),
+        ("no xml", ": not a readable SDF: not well-formed XML at line 1: syntax error"),
         ("<sdf/>", ": has no model"),
         (None, " cannot be read: Permission denied"),
     ],

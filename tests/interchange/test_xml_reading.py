@@ -63,7 +63,7 @@ LAUGHS = "".join(f'<!ENTITY l{i} "{f"&l{i - 1};" * 10}">' for i in range(1, 10))
         ('<?xml version="1.0" encoding="gb2312"?><r/>', "encoding that is not supported"),
         ("<r a='\0'/>", "not well-formed XML at line 1"),
         ("", "not well-formed XML at line 1"),
-        ("<r a='1'\na='2'/>", "not well-formed XML at line 2"),
+        ("<r a='1'\na='2'/>", "not well-formed XML at line 2: duplicate attribute"),
         ("<r>\n</r><r/>", "not well-formed XML at line 2"),
     ],
     ids=lambda value: value[:20],

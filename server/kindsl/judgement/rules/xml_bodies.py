@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from math import hypot
 from typing import NamedTuple
 
-from kindsl.judgement.diagnosis.body_verdicts import DOUBTFUL_LENGTH
+from kindsl.judgement.diagnosis.body_verdicts import DOUBTFUL_LENGTH, GREATEST_LENGTH, is_as_large
 from kindsl.judgement.diagnosis.judgements import IMPOSSIBLE, Verdict, judgements
 from kindsl.language.semantics.declarations import Joint, Link, Vector
 from kindsl.language.semantics.lowering import declarations
@@ -107,12 +107,14 @@ def far_coms(bodies: Sequence[XmlBody]) -> Iterator[tuple[Link, Vector]]:
     """Yield the CoMs that lie farther from their links than all joints together reach.
 
     Of 3,199 published parts none lies farther than nine tenths of that; a robot whose only joint
-    is next to its base has longer links, of which none is as long as `DOUBTFUL_LENGTH`.
+    is next to its base has longer links, of which none is as long as `DOUBTFUL_LENGTH`. Joints that
+    are too far away reach no farther than any.
     """
     reaches: list[float] = []
     for body in bodies:
         above = 0.0 if body.parent is None else reaches[body.parent]
-        reaches.append(above + hypot(*body.placement.translation))
+        reached = above + hypot(*body.placement.translation)
+        reaches.append(GREATEST_LENGTH if far_joint(body, bodies) else reached)
     reach = max(reaches, default=0.0)
     for part in (part for body in bodies for part in body.parts if reach > 0.0):
         frame, pose = frame_of_com(part.link), pose_of_com(part.link)
@@ -120,6 +122,20 @@ def far_coms(bodies: Sequence[XmlBody]) -> Iterator[tuple[Link, Vector]]:
             continue
         if hypot(*pose.translation) > max(reach, DOUBTFUL_LENGTH):
             yield part.link, frame.pose.translation
+
+
+def far_joint(body: XmlBody, bodies: Sequence[XmlBody]) -> Vector | None:
+    """Return where a joint is that no robot has so far from the body that carries it, or None."""
+    carrier = body.carrier
+    if carrier is None or not carrier.is_told or body.parent is None:
+        return None
+    translation, parent = carrier.joint.pose.translation, bodies[body.parent].mass
+    if translation is None:
+        return None
+    far = max(abs(component.literal or 0.0) for component in translation.components)
+    # What stands in a world may stand anywhere.
+    is_odd = far > GREATEST_LENGTH and parent is not None and not is_as_large(parent, far)
+    return translation if is_odd else None
 
 
 def pose_of_com(link: Link) -> RigidPose | None:

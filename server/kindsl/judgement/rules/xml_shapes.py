@@ -3,11 +3,7 @@
 import re
 from collections.abc import Container, Iterator, Sequence
 
-from kindsl.judgement.diagnosis.body_verdicts import (
-    GREATEST_LENGTH,
-    body_verdicts,
-    is_as_large,
-)
+from kindsl.judgement.diagnosis.body_verdicts import body_verdicts
 from kindsl.judgement.diagnosis.counterparts import images, unlike_numbers
 from kindsl.judgement.diagnosis.unlike import unlike_among
 from kindsl.judgement.rules.base import Finding, Related, Severity
@@ -19,7 +15,7 @@ from kindsl.judgement.rules.limb_places import numbers_at
 from kindsl.judgement.rules.limb_writing import as_numbers, rewriting
 from kindsl.judgement.rules.registry import rules_with
 from kindsl.judgement.rules.units import LENGTH_UNITS
-from kindsl.judgement.rules.xml_bodies import XmlBody, far_coms, odd_links, pose_of_com
+from kindsl.judgement.rules.xml_bodies import XmlBody, far_coms, far_joint, odd_links, pose_of_com
 from kindsl.language.semantics.declarations import Link, Vector
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.model import Model
@@ -49,9 +45,11 @@ def body_findings(model: Model, bodies: Sequence[XmlBody], context: Context) -> 
         bodies: Its bodies.
         context: Without values, since XML has no parameters.
     """
-    far = (_in_another_unit(com, is_com=True) for _, com in far_coms(bodies))
+    far = [_in_another_unit(com, is_com=True) for _, com in far_coms(bodies)]
+    joints = filter(None, (far_joint(body, bodies) for body in bodies))
+    far += (_in_another_unit(joint, is_com=False) for joint in joints)
     odd = odd_links(model, bodies)
-    yield from (("KD502", finding) for finding in (*far, *_far_joints(bodies)))
+    yield from (("KD502", finding) for finding in far)
     for code, cause in told_causes(model, context):
         is_sign_of_impossible = code == "KD307" and cause.severity is Severity.INFORMATION
         if code in _CAUSES and (is_sign_of_impossible or (cause.probability or 0.0) >= _SURE):
@@ -114,20 +112,6 @@ def _shapes(body: XmlBody) -> Found:
     for verdict in body_verdicts(str(body.link.name), mass, body.ends, frames):
         if verdict.code in _SHAPES:
             yield verdict.code, Finding(inertia, verdict.sentence)
-
-
-def _far_joints(bodies: Sequence[XmlBody]) -> Iterator[Finding]:
-    """Yield the moving joints that no robot has so far from the body that carries them."""
-    for body in bodies:
-        carrier = body.carrier
-        if carrier is None or not carrier.is_told or body.parent is None:
-            continue
-        translation, parent = carrier.joint.pose.translation, bodies[body.parent].mass
-        far = _greatest(translation) if translation is not None else 0.0
-        # What stands in a world may stand anywhere.
-        is_odd = far > GREATEST_LENGTH and parent is not None and not is_as_large(parent, far)
-        if translation is not None and is_odd:
-            yield _in_another_unit(translation, is_com=False)
 
 
 def _greatest(vector: Vector) -> float:

@@ -107,7 +107,8 @@ class _Reading:
         try:
             self._parser.Parse(content, True)
         except expat.ExpatError as error:
-            raise XmlError(f"not well-formed XML at line {error.lineno}", error.lineno) from error
+            what = f"not well-formed XML at line {error.lineno}: {expat.ErrorString(error.code)}"
+            raise XmlError(what, error.lineno) from error
         except (LookupError, ValueError) as error:
             if isinstance(error, XmlError):
                 raise

@@ -1,4 +1,4 @@
-"""A joint mimics a joint that is not there.
+"""A joint mimics a joint that is not there, or itself.
 
 ## What it does
 Looks at the `<mimic>` of each joint in a URDF or SDF.
@@ -27,10 +27,17 @@ def check_document(model: Model, _: object) -> Iterator[Finding]:
     for island, joint in joints:
         mimic = joint.find("mimic" if island.has_attributes else "axis/mimic")
         other = None if mimic is None else mimic.get("joint")
-        if mimic is not None and other is not None and f"{island.prefix}{other}" not in names:
-            close = hint(nearest_name(other, names - {island.full_name}))
-            message = f"joint '{island.full_name}' mimics a joint '{other}' that does not exist"
+        if mimic is None:
+            continue
+        name, followed = island.full_name, f"{island.prefix}{other}"
+        if other is None:
+            yield Finding(island.place(mimic), f"joint '{name}' mimics a joint that is not named")
+        elif followed not in names:
+            close = hint(nearest_name(other, names - {name}))
+            message = f"joint '{name}' mimics a joint '{other}' that does not exist"
             yield Finding(island.place(mimic, "joint"), f"{message}{close}")
+        elif followed == name:
+            yield Finding(island.place(mimic, "joint"), f"joint '{name}' mimics itself")
 
 
 RULE = Rule(__name__, Severity.ERROR, check_document=check_document)

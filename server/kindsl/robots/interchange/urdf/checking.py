@@ -21,6 +21,11 @@ from kindsl.robots.interchange.xml_reading import (
 WORLD = "world"
 _TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
 _SYNTAX, _NUMBER = "KD001", "KD005"
+_PROPERTIES = {
+    "limit": ("lower", "upper", "effort", "velocity"),
+    "dynamics": ("damping", "friction"),
+    "mimic": ("multiplier", "offset"),
+}
 
 
 class UrdfDefect(NamedTuple):
@@ -150,6 +155,13 @@ def _of_joint(joint: Any) -> Iterator[UrdfDefect]:
         else:
             yield from _missing(elements[0], "link")
     yield from _of_origin(joint)
+    moves = kind in ("revolute", "continuous", "prismatic")
+    for tag, names in _PROPERTIES.items() if moves else ():
+        # Without end it has no limits, whatever stands there.
+        for name in names[2:] if kind == "continuous" and tag == "limit" else names:
+            for element in joint.findall(tag):
+                if element.get(name) is not None:
+                    yield from _of_numbers(element, name, 1)
     for axis in joint.findall("axis") if kind not in ("fixed", "floating") else ():
         if axis.get("xyz") is not None:
             found = list(_of_numbers(axis, "xyz", 3))
@@ -179,13 +191,12 @@ def _of_tree(links: list[Any], joints: list[Any]) -> Iterator[UrdfDefect]:
         names[WORLD] = None
     parent: dict[str, Any] = {}
     for joint in joints:
-        ends = [joint.find(end) for end in ("parent", "child")]
-        for end in ends:
-            name = None if end is None else end.get("link")
+        for end in (*joint.findall("parent")[:1], *joint.findall("child")[:1]):
+            name = end.get("link")
             if name is not None and name not in names:
                 meant = hint(nearest_name(name, [n for n in names if n is not None]))
-                what = f"names a link '{name}' that does not exist{meant}"
-                yield UrdfDefect("KD105", joint, what)
+                what = f"of joint '{joint.get('name')}' names a link '{name}' that does not exist"
+                yield UrdfDefect("KD105", end, f"{what}{meant}", "link")
         child = end_of(joint, "child")
         if child in parent:
             first = parent[child].get("name")
