@@ -128,6 +128,13 @@ def test_a_blank_behind_a_minus_in_a_row_of_numbers() -> None:
     assert kindsl.mass_properties(spaced).moments == kindsl.mass_properties(report).moments
 
 
+@pytest.mark.parametrize("name", ["Creo_hip", "Creo_lever", "Creo_shank", "Inventor_wrist"])
+def test_a_blank_behind_a_minus_behind_labels_in_a_row(name: str) -> None:
+    spaced = re.sub(r"(?<=\s)-(?=\d)", "- ", REPORTS[name])
+    assert spaced != REPORTS[name]
+    assert kindsl.mass_properties(spaced) == kindsl.mass_properties(REPORTS[name])
+
+
 SIGNATURE = """--
 Dr. X. Yu, Z. Zorn | Tel: +49 351 4633 100
 Fax 0351 / 46 33 - 101, D-01069 Dresden
@@ -139,6 +146,13 @@ def test_a_signature_behind_a_report_is_none_of_it(name: str) -> None:
     found = kindsl.mass_properties(REPORTS[name])
     assert kindsl.mass_properties(REPORTS[name] + SIGNATURE) == found
     assert kindsl.mass_properties(REPORTS[name] + "+49 351 4633 100 20\n") == found
+
+
+@pytest.mark.parametrize("name", REPORTS)
+def test_decimals_around_a_report_are_not_its_own(name: str) -> None:
+    around = "Part 2.1 and 3,5 of the arm:\n{}\nSee you, Room 2.14, floor 1,5\n+49 351 4633 100\n"
+    found = kindsl.mass_properties(around.format(REPORTS[name]))
+    assert found == kindsl.mass_properties(REPORTS[name])
 
 
 def test_a_signature_behind_a_tensor_alone_is_none_of_it() -> None:

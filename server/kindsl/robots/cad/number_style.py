@@ -15,8 +15,11 @@ _GROUPED_BY_BLANKS = re.compile(
     r"(?<=[=:])(?P<number>\s*[-+]?\d{1,3}(?: \d{3})+)(?=[.,]\d|\s*(?:[^\d\s.,+-]|$))"
 )
 _GROUPED_BEFORE_UNIT = re.compile(r"(?<![\d.,])\d{1,3}(?: \d{3})+(?:[.,]\d+)?(?= *[a-zA-Zµ])")
-# Behind a mark, a bracket, a number or nothing: behind a word it may be a dash.
-_SIGN_APART = re.compile(r"(^\s*|[^\w\s.)\]]\s*|[\d.]\s+)([-+])\s+(?=[.,]?\d)")
+# Behind a mark, a bracket, a number, labels in a row or nothing: behind a word it may be a dash.
+_SIGN_APART = re.compile(
+    r"(^\s*|[^\w\s.)\]]\s*|[\d.]\s+|\b(?:[LIJ]\w{2}\s+){2}|\bX\s+Y\s+Z\s+)([-+])\s+(?=[.,]?\d)",
+    re.IGNORECASE,
+)
 _SINGLE = re.compile(r"\b(?:mass|[LIJP]\w{1,3}|[XYZ])\s*[=:]", re.IGNORECASE)
 _GROUPS = re.compile(r"[1-9]\d{0,2}(?:[.,]\d{3})+")
 

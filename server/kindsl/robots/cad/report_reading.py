@@ -65,6 +65,13 @@ _PRINCIPAL = re.compile(r"(?<![A-Za-z_])[PIJ]_?([xyzXYZ123])(?![A-Za-z_0-9])")
 _AXIS = re.compile(r"(?<![A-Za-z_])I_?([xyzXYZ123])\s*[=:]\s*[(\[]([^()\[\]]*)[)\]]")
 # Blanks of print, where they do not group digits.
 _BLANK = re.compile(r"(?<!\d)[\xa0\u2007\u2009\u202f]|[\xa0\u2007\u2009\u202f](?!\d{3})")
+# Lines of a report itself, not of what stands before and behind it.
+_LABELLED = re.compile(
+    r"^\W*(?:\w+ )?(?:mass|weight|density|volume)\b|inertia|cent(?:er|re) of"
+    r"|^[\W\de]*\d[.,]\d[\W\de]*$"
+    r"|\b(?:[LIJP][oc]?_?[xyz123]{1,2}|[XYZ])[\s=:]+[-+(]?\s*[\d.,]",
+    re.IGNORECASE,
+)
 _INDEX = {"x": 0, "y": 1, "z": 2, "1": 0, "2": 1, "3": 2}
 _DEFAULT_SYSTEM = re.compile(r"^\W*default\W*$|^_|^global$|^origin$|csys_def$", re.IGNORECASE)
 
@@ -78,7 +85,9 @@ def readings(text: str) -> Iterator[Callable[[], Report]]:
     text = _BLANK.sub(" ", text)
     lines = [_FRAME.sub("", line.translate(_MINUS), count=1) for line in text.splitlines()]
     lines = [with_joined_numbers(_REMARK.sub("", line).replace("|", "  ")) for line in lines]
-    styles = number_styles([line for line in lines if not _NAME.match(line)])
+    labelled = [at for at, line in enumerate(lines) if _LABELLED.search(line)]
+    own = lines[labelled[0] : labelled[-1] + 1] if labelled else lines
+    styles = number_styles([line for line in own if not _NAME.match(line)])
     if not styles:
         reason = "the report has decimal points and decimal commas"
         raise ReportError(program_of(text), reason)
