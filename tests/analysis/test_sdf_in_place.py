@@ -213,3 +213,36 @@ def test_a_knee_that_is_placed_in_the_model_differs_from_the_other_side() -> Non
         "translation of 'right_shin_joint' and translation of 'left_shin_joint' differ: "
         "one slip keeps the two sides from being alike"
     )
+
+
+def test_all_wrong_poses_names_and_types_are_told_at_once() -> None:
+    text = sdf_arm().replace(
+        "</model>",
+        """  <link name="a"><pose>0 0 0 0 0</pose></link>
+    <link name="b"><pose relative_to="c">0 0 0 0 0 0</pose></link>
+    <frame name="f"><pose rotation_format="quat_xyzw">0 0 0 0 0 0 0</pose></frame>
+    <link name="a"/>
+    <joint name="j" type="revolut"><parent>a</parent><child>b</child></joint>
+  </model>""",
+    )
+    found = [f.code for f in analyse(text).findings]
+    assert sorted(found) == ["KD001", "KD005", "KD005", "KD102", "KD107"]
+
+
+@pytest.mark.parametrize(
+    ("inclusion", "codes"),
+    [
+        ("<include><uri>model://arm</uri></include>", ["KD107"]),
+        ('<include merge="true"><uri>model://arm</uri></include>', []),
+        ("", ["KD105", "KD107", "KD107"]),
+    ],
+)
+def test_what_another_file_holds_is_not_missed(inclusion: str, codes: list[str]) -> None:
+    text = sdf_arm().replace(
+        "</model>",
+        f"""{inclusion}<frame name="f" attached_to="base"><pose relative_to="arm::tip"/></frame>
+    <frame name="g"><pose relative_to="lost">0 0 0 0 0 0</pose></frame>
+    <joint name="bolt" type="fixed"><parent>base</parent><child>arm::tip</child></joint>
+  </model>""",
+    )
+    assert sorted(f.code for f in analyse(text).findings) == codes

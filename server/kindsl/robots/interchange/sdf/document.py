@@ -15,10 +15,18 @@ from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.places import Place
 from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.language.text.nearest import hint, nearest_word
 from kindsl.mechanics.rigid.pose import IDENTITY
 from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.robot_island import RobotIsland, XmlPiece
-from kindsl.robots.interchange.sdf.elements import SdfError, is_true, pose_of, text_of
+from kindsl.robots.interchange.sdf.elements import (
+    SdfError,
+    defect,
+    is_true,
+    name_of,
+    pose_of,
+    text_of,
+)
 from kindsl.robots.interchange.sdf.frame_graph import WORLD, FrameGraph
 from kindsl.robots.interchange.sdf.nesting import flatten
 from kindsl.robots.interchange.sdf.sdf_reading import carried, mass_of
@@ -29,11 +37,13 @@ from kindsl.robots.interchange.xml_document import (
     rest_of_line,
     xml_document,
 )
-from kindsl.robots.interchange.xml_reading import TENSOR, XmlElement, parsed_xml
+from kindsl.robots.interchange.xml_reading import JOINT_KINDS, TENSOR, XmlElement, parsed_xml
 
 _NAMED = ("link", "joint", "frame")
 _TAG_OR_COMMENT = re.compile(r"""<!--.*?-->|<(?:[^"'>]|"[^"]*"|'[^']*')*>""", re.DOTALL)
+_UNDEFINED = ("KD105", "KD107")
 _DEFAULT = "1.0"
+_TYPES = (*JOINT_KINDS, "ball", "gearbox", "revolute2", "screw", "universal")
 
 
 class SdfIsland(RobotIsland):
@@ -92,8 +102,14 @@ def _of_elements(text: str, root: Any, former: SyntaxDocument | None) -> XmlDocu
     wrong: dict[tuple[int, str], SdfError] = {}
     # What is in inner models moves into the outer one, which the islands must not see.
     for model, prefix in _models(parsed_xml(text)):
+        included = list(model.iter("include"))
+        is_merged = any(each.get("merge") for each in included)
         for found in _connections(model, prefix, joints, root.get("version") or ""):
             if isinstance(found, SdfError):
+                # What is in an included model is not known here.
+                is_unknown = is_merged or (included and "::" in found.sentence)
+                if found.code in _UNDEFINED and is_unknown:
+                    continue
                 wrong[found.element.offset, found.sentence] = found
             else:
                 connections.append(found)
@@ -146,16 +162,29 @@ def _connections(
     """Yield what the joints of a model connect, or what is wrong with one or with a mass."""
     try:
         flatten(model)
-        graph = FrameGraph(model, version)
     except SdfError as error:
         yield error
         return
-    for link in model.iterfind("link"):
+    graph = None
+    while graph is None:
         try:
-            mass_of(link)
+            graph = FrameGraph(model, version)
+        except SdfError as error:
+            yield error
+            if error.element not in list(model):
+                return
+            model.remove(error.element)
+    for element in (*model.iterfind("link"), *model.iterfind("frame")):
+        try:
+            graph.model_T(name_of(element), element)
+            mass_of(element)
         except SdfError as error:
             yield error
     for element in model.iterfind("joint"):
+        kind = element.get("type") or ""
+        if kind not in _TYPES:
+            meant = hint(nearest_word(kind, _TYPES))
+            yield defect(element, f"has the unknown type '{kind}'{meant}", "KD001")
         joint = joints.get(f"{prefix}{element.get('name')}")
         try:
             if joint is not None:
