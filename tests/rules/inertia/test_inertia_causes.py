@@ -302,6 +302,14 @@ def test_parameters_are_named_with_their_values() -> None:
     assert "about the CoM is -0.17 kg·m² at load = 3" in heavy[0].message
 
 
+def test_moments_that_were_computed_for_one_load_are_no_slip_at_another() -> None:
+    text = "inertia_params { mass = load CoM = (0.0, 0.0, 0.1) Ix=0.21 Iy=0.21 Iz=0.06"
+    text = document_of_bodies([text + " Ixy=0.0 Ixz=0.0 Iyz=0.0 }"])
+    found = analyse(text, Settings(bindings={"load": Binding(60.0)})).findings
+    assert {f.code for f in found if f.code.startswith("KD3")} == {"KD301"}
+    assert "KD405" in {f.code for f in found}
+
+
 def test_two_slips_are_named_together() -> None:
     found = found_in(
         "inertia_params { mass = 2.0 CoM = (0.1, 0.0, 0.3)"

@@ -1,6 +1,6 @@
 """Inertias that need an explanation: impossible or implausible ones."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from math import inf
 
 from kindsl.judgement.diagnosis.judgements import (
@@ -10,6 +10,8 @@ from kindsl.judgement.diagnosis.judgements import (
     is_round,
     judgements,
 )
+from kindsl.language.semantics.declarations import Inertia
+from kindsl.language.semantics.expressions import Expression, ParameterUse, symbols
 from kindsl.language.semantics.model import Model, ModelPart
 from kindsl.language.text.facts import Fact
 from kindsl.mechanics.rigid.matter import density_of
@@ -35,8 +37,19 @@ def _suspects(part: ModelPart, values: Mapping[str, float]) -> list[Judgement]:
         found
         for declared in part.declared
         for found in (*judgements(declared, values), *far_judgements(declared, values))
-        if _is_suspect(found)
+        if _is_suspect(found) and not _are_constants_of_one_value(found.inertia)
     ]
+
+
+def _are_constants_of_one_value(inertia: Inertia) -> bool:
+    """Return whether the moments are constants, which fit one value of a parametric mass or CoM."""
+    mass = [inertia.mass] if inertia.mass is not None else []
+    com = inertia.com.components if inertia.com is not None else ()
+    return _is_parametric((*mass, *com)) and not _is_parametric(inertia.moments.values())
+
+
+def _is_parametric(values: Iterable[Expression]) -> bool:
+    return any(isinstance(use, ParameterUse) for value in values for use in symbols(value))
 
 
 def _is_suspect(found: Judgement) -> bool:
