@@ -125,7 +125,7 @@ def test_what_is_no_urdf_is_a_finding_with_its_line(text: str, code: str, line: 
         ("</joint>", '<mimic joint="shoulder" offset="x"/></joint>', "KD005", "x"),
         ("</joint>", "<mimic/></joint>", "KD525", "<mimic/>"),
         ('child link="upper"', 'child link="uper"', "KD105", "uper"),
-        (f"      <inertia {TENSOR}/>\n", "", "KD008", "<inertial>"),
+        (f"      <inertia {TENSOR}/>\n", "", "KD304", "upper"),
         ("</inertial>", "</inertial><inertial />", "KD009", "<inertial />"),
     ],
 )

@@ -133,9 +133,10 @@ def _mass(link: Link) -> float:
 
 
 def _is_massless(link: Link) -> bool:
-    """Return whether no mass is given: one that is negative or unreadable is reported itself."""
+    """Return whether no mass or no moments are given: what is unreadable is reported itself."""
     mass = link.inertia.mass if link.inertia is not None else None
-    return link.inertia is None or (mass is not None and mass.literal == 0.0)
+    is_empty = link.inertia is None or not link.inertia.moments
+    return is_empty or (mass is not None and mass.literal == 0.0)
 
 
 def _light_parts(bodies: Iterable[XmlBody]) -> set[int]:
@@ -170,7 +171,7 @@ def _placeholders(model: Model) -> Iterator[Finding]:
 
 
 def _missing(bodies: Iterable[XmlBody]) -> Iterator[Finding]:
-    """Yield one finding for all bodies of a file that move and have no mass."""
+    """Yield one finding for all bodies of a file that move and have no mass or no moments."""
     without = _massless(bodies)
     if without:
         verb = "have" if without[1:] else "has"
@@ -179,7 +180,7 @@ def _missing(bodies: Iterable[XmlBody]) -> Iterator[Finding]:
 
 
 def _massless(bodies: Iterable[XmlBody]) -> list[Link]:
-    """Return the first links of bodies that move and have no mass."""
+    """Return the first links of bodies that move and have no mass or no moments."""
     return [
         body.link
         for body in bodies

@@ -116,12 +116,10 @@ def _flaws(root: XmlElement) -> Iterator[tuple[str, str, int, str]]:
     links, joints = root.findall("link"), root.findall("joint")
     for link in links:
         inertials: list[Any] = link.findall("inertial")
-        what = f"<inertial> of link '{link.get('name')}'"
         for inertial in inertials[1:]:
-            message = f"{what} repeats that in line {inertials[0].sourceline}, which counts"
+            what = f"repeats that in line {inertials[0].sourceline}, which counts"
+            message = f"<inertial> of link '{link.get('name')}' {what}"
             yield "KD009", message, inertial.offset, ""
-        if inertials and inertials[0].find("inertia") is None:
-            yield "KD008", f"{what} has no <inertia>", inertials[0].offset, ""
     roots = root_links(links, joints)
     if any(end_of(joint, "parent") == WORLD for joint in joints):
         roots = [WORLD, *(name for name in roots if name != WORLD)]
