@@ -205,7 +205,8 @@ def test_transforms_documents_have_known_findings_too(kdsl_lint: Runner, folder:
 
 
 def test_findings_of_a_urdf_are_known_by_their_elements(kdsl_lint: Runner, folder: Path) -> None:
-    link = '<link name="{}"><inertial><mass value="-1"/></inertial></link>\n'
+    zeros = " ".join(f'{name}="0"' for name in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz"))
+    link = f'<link name="{{}}"><inertial><mass value="-1"/><inertia {zeros}/></inertial></link>\n'
     robot = f'<robot name="arm">\n{link.format("a")}</robot>\n'
     for name in ("arm.urdf", "b.urdf"):
         (folder / name).write_text(robot)
