@@ -16,6 +16,7 @@ from tests.support.bodies import (
     significant,
 )
 from tests.support.examples import joint, link, robot
+from tests.support.one_rule import found, row
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.diagnostics import Diagnostic
@@ -404,3 +405,12 @@ def test_a_round_number_greater_than_any_link_s_is_in_another_unit() -> None:
     text = document_of_bodies([f"{leg} Ixy=0.0 Ixz=0.0 Iyz=0.0 }}"])
     (found,) = [f for f in analyse(text).findings if f.code in (*CAUSES, "KD310")]
     assert (found.code, "kg·mm²" in found.message) == ("KD308", True)
+
+
+def test_no_cause_leaves_of_no_matter_a_body_whose_only_fault_is_that() -> None:
+    """A finger's link of 0.2 kg in kg·mm²; in kg·cm² it would be a hundred times too light."""
+    moments = "Ix=353.333 Iy=353.333 Iz=53.3333 Ixy=0.0 Ixz=0.0 Iyz=0.0"
+    text = row(f"inertia_params {{ mass = 0.2 CoM = (0.0, 0.0, 0.06) {moments} }}", names="finger")
+    (finding,) = found("KD308", text)
+    assert "if the moments were in kg·mm² and the moments were taken about the" in finding.message
+    assert not any("kg·cm²" in each.message for each in (finding, *finding.related))

@@ -59,7 +59,7 @@ _TELLINGS = Fact[tuple[object, _Coded | None]]("told causes")
 
 def findings(suspects: Sequence[Judgement], model: Model, context: Context) -> list[_Coded]:
     """Return what is told of inertias that need an explanation, with the code of its rule."""
-    diagnosed = diagnoses(suspects, model, context.values)
+    diagnosed = [*map(_of_matter, diagnoses(suspects, model, context.values))]
     told = [each for d in diagnosed if (each := _of_causes(d, context)) is not None]
     shared = _shared(diagnosed, told, model)
     if shared is not None:
@@ -77,6 +77,13 @@ def length_unit(causes: Sequence[Cause]) -> tuple[str, bool]:
     if cause is None:
         return "mm", False
     return cause.hypothesis.unit, cause.probability >= _SURE
+
+
+def _of_matter(diagnosis: Diagnosis) -> Diagnosis:
+    """Return a diagnosis without what leaves of no matter a body whose only fault is that."""
+    if diagnosis.found.is_impossible or all(map(is_plausible, diagnosis.causes)):
+        return diagnosis
+    return diagnosis._replace(causes=[*filter(is_plausible, diagnosis.causes)])
 
 
 def _of_causes(diagnosis: Diagnosis, context: Context) -> _Coded | None:
@@ -116,7 +123,7 @@ def _is_told(found: Judgement, causes: Sequence[Cause]) -> bool:
         # moment of a body that is wrong as a whole makes it possible too often.
         is_light = density_of(first.hypothesis.body.mass, first.shape.pairs) < _OSMIUM
         is_of_one = first.hypothesis.slips == (Slip.MOMENT,)
-        return found.is_impossible and is_light and not is_of_one and first.probability >= _LIKELY
+        return is_light and not is_of_one and first.probability >= _LIKELY
     density = density_of(found.body.mass, found.second_moments)
     if found.is_impossible or not _AIR < density < _OSMIUM:
         return first.probability >= _POSSIBLE
