@@ -87,6 +87,24 @@ def test_a_broken_file_is_told_with_all_lines(kindsl: Runner, folder: Path, comm
     )
 
 
+def test_a_second_inertia_keeps_nothing_from_being_computed(kindsl: Runner, folder: Path) -> None:
+    end = "</inertial>"
+    second = f'{end}<inertial><mass value="1"/>{end}'
+    (folder / "arm.urdf").write_text(URDF.replace(end, second, 1))
+    assert "KD009" in kindsl("lint", "arm.urdf").out
+    told = kindsl("compute", "arm.urdf")
+    assert (told.status, told.err) == (0, "arm.urdf: note: has an error, see kindsl lint\n")
+
+
+def test_a_xacro_without_errors_is_computed_without_a_note(kindsl: Runner, folder: Path) -> None:
+    macro = '<xacro:macro name="none" params=""/></robot>'
+    head = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" '
+    text = URDF.replace("</robot>", macro).replace("<robot ", head)
+    (folder / "arm.xacro").write_text(text)
+    told = kindsl("compute", "arm.xacro")
+    assert (told.status, told.err) == (0, "")
+
+
 def test_a_robot_beyond_the_language_is_told_in_a_sentence(kindsl: Runner, folder: Path) -> None:
     (folder / "arm.urdf").write_text(URDF.replace('"revolute"', '"planar"'))
     told = kindsl("info", "arm.urdf")

@@ -14,7 +14,12 @@ from kindsl.language.semantics.places import Located
 from kindsl.language.syntax.document import SyntaxDocument, parse
 from kindsl.robots.interchange.format import AS_WRITTEN, Format, FormatError, ReadingChoices
 from kindsl.robots.interchange.kindsl_writing import written_kindsl
-from kindsl.robots.interchange.syntaxes import other_format, syntax_of, unjudged
+from kindsl.robots.interchange.syntaxes import (
+    XACRO_SUFFIX,
+    other_format,
+    syntax_of,
+    unjudged,
+)
 from kindsl.robots.interchange.xml_document import XmlDocument
 
 
@@ -112,7 +117,8 @@ def analysed_robot(
     format = other_format(name, text)
     if format is None:
         return Analysis(parse(text), settings)
-    syntax = syntax_of(name, text)
+    # What a xacro expands to is judged where it is linted.
+    syntax = unjudged(text) if name.lower().endswith(XACRO_SUFFIX) else syntax_of(name, text)
     judged = Analysis(syntax if syntax.is_xml else unjudged(text), settings)
     try:
         document = _translated(format, name, text, path, choices, settings)

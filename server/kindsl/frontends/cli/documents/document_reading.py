@@ -118,7 +118,12 @@ def analysed_text(path: str, text: str, choices: Choices, file: Path | None = No
 
 
 def require_syntax(path: str, analysis: Analysis) -> None:
-    """Raise CommandError if a document has errors of syntax, for what needs all of it."""
+    """Raise CommandError if a document has errors of syntax, for what needs all of it.
+
+    Of a robot in another format all that is needed was read.
+    """
+    if analysis.syntax.is_xml:
+        return
     broken = [
         finding
         for finding in analysis.findings
