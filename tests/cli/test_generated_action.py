@@ -1,10 +1,12 @@
 """What the action runs where code is generated, and the hook's command."""
 
 import os
+import re
 import shlex
 import shutil
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -12,6 +14,7 @@ from tests.cli.conftest import Runner
 from tests.cli.samples import GOOD
 
 ROOT = Path(__file__).parents[2]
+HOOKS = ".pre-commit-hooks.yaml"
 SCRIPT = ROOT / ".ci" / "check-generated"
 KINDSL = f'#!/bin/sh\nexec "{sys.executable}" -m kindsl "$@"\n'
 
@@ -54,9 +57,18 @@ def test_the_action_tells_of_every_folder(generated: Path) -> None:
 
 
 def test_the_hook_runs_what_exists(kindsl: Runner, generated: Path) -> None:
-    hooks = (ROOT / ".pre-commit-hooks.yaml").read_text()
+    hooks = (ROOT / HOOKS).read_text()
     (entry,) = (line for line in hooks.splitlines() if "generate --" in line and "entry" in line)
     _, *words = shlex.split(entry.partition(": ")[2])
     assert kindsl(*words, "out/arm", "arm.kindsl") == (0, "", "")
     (generated / "arm.kindsl").write_text(GOOD.replace("0.5)", "0.6)"))
     assert kindsl(*words, "out/arm", "arm.kindsl").status == 1
+
+
+def test_action_and_hook_install_what_code_of_any_language_needs() -> None:
+    """RobCoGen's classes need more than all other languages."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    needed = [name.partition(">=")[0] for name in project["optional-dependencies"]["robcogen"]]
+    (line,) = re.findall(r"additional_dependencies: \[(.*)\]", (ROOT / HOOKS).read_text())
+    assert sorted(line.split(", ")) == sorted(needed)
+    assert '[ -n "$GENERATED" ]; then extra="[robcogen]"' in (ROOT / "action.yml").read_text()
