@@ -62,8 +62,10 @@ def _assert_right(module, made, expected: Reference, tolerance: float = 1e-12, *
         call = getattr(module, made.function_names[function.name])
         cases = [({}, expected.results(function))]
         if function.loaded is not None:
-            load = {"external_forces": expected.values["fext"]}
-            cases.append((load, expected.loaded_results(function)))
+            wrenches = expected.values["fext"]
+            for shape in (wrenches.shape, (*wrenches.shape[:-1], len(module.BODIES), 6)):
+                load = {"external_forces": wrenches.reshape(shape)}
+                cases.append((load, expected.loaded_results(function)))
         for load, answers in cases:
             found = call(**given, **load, **more)
             parts = [np.asarray(x) for x in (found if isinstance(found, tuple) else (found,))]
@@ -77,6 +79,14 @@ def test_numpy_on_random_trees(seed: int) -> None:
     _assert_right(
         _language(bodies, "python", quantities), library(bodies, quantities), reference(bodies)
     )
+
+
+@pytest.mark.parametrize("shape", [(), (6,), (5, 6), (4, 2, 6)])
+def test_forces_of_other_bodies_are_refused(shape: tuple[int, ...]) -> None:
+    bodies = bodies_of_seed(3)
+    module, zero = _language(bodies, "python"), np.zeros(bodies.n_links)
+    with pytest.raises(ValueError, match=rf"expected \(..., {6 * bodies.n_links + 6}\)"):
+        module.inverse_dynamics(zero, zero, zero, external_forces=np.zeros(shape))
 
 
 def test_numpy_in_batches_and_by_name() -> None:

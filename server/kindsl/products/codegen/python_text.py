@@ -51,7 +51,8 @@ Options: {stamp.options}
 
 {how}
 SI units and radians, angular part first, base coordinates; a floating base's six rows and columns
-come first. Joints are in the order of `JOINTS`.
+come first. Joints are in the order of `JOINTS`. External forces are
+a wrench on each of `BODIES` in its own coordinates, (..., bodies, 6).
 """
 '''
 
@@ -104,7 +105,7 @@ def public_function(library: Library, function: Function) -> str:
     call = f"_answer(_{name}, {shapes!r}, parameters, {vectors})"
     loaded = (
         f"    if {EXTERNAL} is not None:\n        return _answer(_{name}_loaded, {shapes!r}, "
-        f"parameters, {vectors}, ({EXTERNAL}, {len(library.external)}))\n"
+        f"parameters, {vectors}, (_flat({EXTERNAL}), {len(library.external)}))\n"
     )
     summary = function.summary[0].upper() + function.summary[1:]
     return (
