@@ -80,3 +80,29 @@ def test_octave_gives_the_mechanics_numbers(robot: str, tmp_path: Path) -> None:
         equal(found[f"H_{target.name}"], known[target.name])
     for _, target in library.wanted.jacobians:
         assert found[f"J_{target.name}"].any()
+
+
+@pytest.mark.skipif(OCTAVE is None, reason="there is no Octave")
+@pytest.mark.parametrize("name", ["upper_", "a_X_b", "end"])
+def test_inverse_dynamics_find_transforms_of_any_name(name: str, tmp_path: Path) -> None:
+    text = (
+        ROBOTS["arm"]
+        .replace("link upper_arm", f"link {name}")
+        .replace("upper_arm via", f"{name} via")
+    )
+    analysis, _ = generated(text, VALUES, tmp_path, language="octave")
+    mechanics = analysis.mechanism()
+    q, qd, qdd = np.sin(np.arange(1.0, 3.0 * mechanics.n_joints + 1.0)).reshape(3, -1)
+    (tmp_path / "main_.m").write_text(
+        "xm = updateMotionTransforms(initMotionTransforms(), Q);\n"
+        'printf("%.17g\\n", inverseDynamics(inertiaProperties(), xm, QD, QDD));\n'
+        .replace("QDD", str([*map(float, qdd)])).replace("QD", str([*map(float, qd)]))
+        .replace("Q", str([*map(float, q)]))
+    )  # fmt: skip
+    done = subprocess.run(
+        [str(OCTAVE), "--norc", "--quiet", "main_.m"],
+        cwd=tmp_path, capture_output=True, text=True, timeout=120, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    tau = [*map(float, done.stdout.split())]
+    np.testing.assert_allclose(tau, mechanics.inverse_dynamics(q, qd, qdd), rtol=1e-12, atol=1e-12)

@@ -16,12 +16,15 @@ from kindsl.products.codegen.robcogen.wanted_names import jacobian_pairs, transf
 def octave_files(library: Library) -> dict[str, str]:
     """Return the text of each function's file by its name."""
     robot = GeneratedRobot(library)
+    names = robot.frame_names
     poses = [(pair, *robot.pose_in(pair.base, pair.target)) for pair in transform_pairs(robot)]
     files: dict[str, str] = {}
     for kind in KINDS:
         letter = f"_X{kind.letter.upper()}_"
         matrices = {
-            f"{pair.base.name}{letter}{pair.target.name}": matrix_of(kind.letter, E, p)
+            letter.join(names[f.name] for f in (pair.base, pair.target)): matrix_of(
+                kind.letter, E, p
+            )
             for pair, E, p in poses
         }
         files |= _matrix_files(robot, f"{kind.name}Transforms", matrices)

@@ -13,7 +13,7 @@ function tau = inverseDynamics(ip, xm, qd, qdd, varargin)
 % links in their own coordinates.
 {% endif %}
     names = {{% for i in links %}'lf_@robot.bodies[i]@'@'' if loop.last else ', '@{% endfor %}};
-    across = {{% for i in links %}'@robot.across(i)|replace("_X_", "_XM_")@'@'' if loop.last else ', '@{% endfor %}};
+    across = {{% for i in links %}'@robot.frame(i)@_XM_@robot.frame(robot.tree.parents[i])@'@'' if loop.last else ', '@{% endfor %}};
     parents = [{% for i in links %}@robot.tree.parents[i]@@'' if loop.last else ', '@{% endfor %}];
     axes = [{% for i in links %}@3 if robot.tree.kinds[i] == 'revolute' else 6@@'' if loop.last else ', '@{% endfor %}];
     n = numel(parents);
