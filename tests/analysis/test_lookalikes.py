@@ -13,6 +13,7 @@ from kindsl.frontends.cli.documents.sources import is_decodable
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.judgement.analysis.fixing import fixed, is_safe
 from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.analysis.verdicts import verdicts
 from kindsl.language.semantics.declarations import Declarations
 from kindsl.language.semantics.expressions import Expression, symbols
 from kindsl.language.semantics.lowering import declarations
@@ -234,3 +235,10 @@ def test_robcogen2_reads_digits_of_another_script(written: str) -> None:
     }
     assert "error" in severities["both"]
     assert "error" not in severities["robcogen2"]
+
+
+def test_robcogen2_divides_by_no_zero_beside_such_digits() -> None:
+    text = robots.STUB.replace("Ixy=0.0", "Ixy=٣.٥", 1)
+    text = text.replace("Ix=0.3", "Ix=1.0/0.0")
+    (verdict,) = (v for v in verdicts(analyse(text)) if v.target == "robcogen2")
+    assert not verdict.reads

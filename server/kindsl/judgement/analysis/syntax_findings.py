@@ -27,10 +27,14 @@ def syntax_findings(model: Model, targets: frozenset[str]) -> Iterator[tuple[Rul
         return
     rules = {rule.code: rule for rule in all_rules()}
     is_read = targets <= {ROBCOGEN2} and _is_read_by_robcogen2(model)
+    # What else is wrong of a document of such numbers, a division by zero say, is no syntax.
+    are_numbers = all(_is_foreign_number(*each) for each in problems)
     for island, problem in problems:
         finding = _pasted(model, island, problem) or _finding(island, problem)
         if (targets == {ROBCOGEN} and _is_foreign_comment(island, problem)) or (
-            targets == {ROBCOGEN2} and _is_foreign_number(island, problem)
+            targets == {ROBCOGEN2}
+            and (is_read or not are_numbers)
+            and _is_foreign_number(island, problem)
         ):
             finding = finding._replace(severity=Severity.HINT)
         elif is_read:
