@@ -103,7 +103,7 @@ def test_a_comment_in_vain_and_one_that_nobody_knows_are_told() -> None:
 @pytest.mark.parametrize(
     ("text", "code", "line"),
     [
-        (ARM.replace("</robot>", ""), "KD001", 14),
+        (ARM.replace("</robot>", ""), "KD001", 2),
         (ARM.replace('mass value="2"', 'mass value="2,5"'), "KD005", 6),
         (ARM.replace('      <mass value="2"/>\n', ""), "KD008", 5),
         (ARM.replace("</robot>", link("upper") + "</robot>"), "KD102", 13),
@@ -229,6 +229,12 @@ def test_bytes_that_are_no_utf_8_are_told_with_their_place() -> None:
     text = ARM.replace('"arm"', '"\udce9"')
     assert told(text) == [("KD004", "error", 2)]
     assert "0xE9" in analyse(text).findings[0].message
+
+
+@pytest.mark.parametrize("text", ["<robot>", "<robot>\n", "<robot>\n<link>", ""])
+def test_no_finding_reaches_beyond_the_text(text: str) -> None:
+    (finding,) = analyse(f"<?xml version='1.0'?>{text}").findings
+    assert finding.end <= len(text) + 21
 
 
 def test_a_text_that_was_unreadable_is_judged_again_after_an_edit() -> None:

@@ -65,6 +65,9 @@ LAUGHS = "".join(f'<!ENTITY l{i} "{f"&l{i - 1};" * 10}">' for i in range(1, 10))
         ("", "not well-formed XML at line 1"),
         ("<r a='1'\na='2'/>", "not well-formed XML at line 2: duplicate attribute"),
         ("<r>\n</r><r/>", "not well-formed XML at line 2"),
+        ("<r>\n<a>\n<b/>\n", "not well-formed XML at line 2: <a> is not closed$"),
+        ("<r>\n<a>\n<b/>\n</r>", "at line 4: <a> in line 2 is not closed$"),
+        ("<r>\n<a>\n<b/>\n</r", "not well-formed XML at line 4: unclosed token"),
     ],
     ids=lambda value: value[:20],
 )

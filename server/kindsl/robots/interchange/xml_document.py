@@ -166,7 +166,8 @@ def unreadable(text: str, error: XmlError) -> XmlDocument:
         return refused(text, "KD004", message, *strange.span())
     start = LineIndex(text).offset(error.line - 1, 0)
     line = re.split(r"[\r\n]", text[start:], maxsplit=1)[0]
-    return refused(text, "KD001", str(error), start, start + max(len(line), 1))
+    end = min(start + max(len(line), 1), len(text))
+    return refused(text, "KD001", str(error), start, end)
 
 
 def refused(text: str, code: str, message: str, start: int, end: int) -> XmlDocument:

@@ -87,7 +87,7 @@ class _Reading:
     """One text on its way through expat."""
 
     def __init__(self) -> None:
-        self._depth = 0
+        self._open: list[tuple[str, int]] = []
         self._comments: tuple[str, ...] = ()
         self._ended: tuple[int, XmlElement] | None = None
         self._encoded: bytes | None = None
@@ -107,13 +107,23 @@ class _Reading:
         try:
             self._parser.Parse(content, True)
         except expat.ExpatError as error:
-            what = f"not well-formed XML at line {error.lineno}: {expat.ErrorString(error.code)}"
-            raise XmlError(what, error.lineno) from error
+            line, what = self._flaw(error)
+            raise XmlError(f"not well-formed XML at line {line}: {what}", line) from error
         except (LookupError, ValueError) as error:
             if isinstance(error, XmlError):
                 raise
             raise XmlError("in an encoding that is not supported") from error
         return cast(XmlElement, self._builder.close())
+
+    def _flaw(self, error: expat.ExpatError) -> tuple[int, str]:
+        """Return the line of an error and what it is; of an element without end where it begins."""
+        what = expat.ErrorString(error.code)
+        tag, line = self._open[-1] if self._open else ("", 0)
+        if tag and what == expat.errors.XML_ERROR_NO_ELEMENTS:
+            return line, f"<{tag}> is not closed"
+        if what == expat.errors.XML_ERROR_TAG_MISMATCH:
+            return error.lineno, f"<{tag}> in line {line} is not closed"
+        return error.lineno, what
 
     def _offset(self, index: int) -> int:
         """Return an offset in what was given; the parser counts the bytes of a text in UTF-8."""
@@ -131,13 +141,13 @@ class _Reading:
         return element
 
     def _start(self, tag: str, attributes: dict[str, str]) -> None:
-        self._depth += 1
-        if self._depth > _DEEPEST:
+        self._open.append((tag, self._parser.CurrentLineNumber))
+        if len(self._open) > _DEEPEST:
             self._refuse(f"elements nested deeper than {_DEEPEST}")
         self._builder.start(tag, attributes)
 
     def _end(self, tag: str) -> None:
-        self._depth -= 1
+        self._open.pop()
         element = cast(XmlElement, self._builder.end(tag))
         element.end = self._offset(self._parser.CurrentByteIndex)
         self._ended, self._comments = (self._parser.CurrentLineNumber, element), ()
