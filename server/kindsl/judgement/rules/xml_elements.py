@@ -1,8 +1,9 @@
 """The elements of robots in XML that rules look at."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from kindsl.judgement.rules.base import Related
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Place
 
@@ -83,3 +84,15 @@ def limited_joints(model: Model) -> Iterator[LimitedJoint]:
             limit: Any = joint.find("limit" if island.has_attributes else "axis/limit")
             ends = island.value(limit, "lower"), island.value(limit, "upper")
             yield LimitedJoint(island, joint, limit, kind, *ends)
+
+
+def told_together(found: Sequence[tuple[LimitedJoint, str]]) -> tuple[str, tuple[Related, ...]]:
+    """Return the first joint's name with the number of others, and places of a few of these.
+
+    Args:
+        found: One joint or more, with the limit to look at, or an empty text.
+    """
+    (first, _), *others = found
+    more = f" and {len(others)} more" if others else ""
+    related = (Related(joint.at(limit), f"joint '{joint.name}'") for joint, limit in others[:A_FEW])
+    return f"'{first.name}'{more}", tuple(related)

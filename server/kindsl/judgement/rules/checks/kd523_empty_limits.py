@@ -16,8 +16,8 @@ one without limits `continuous`.
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
-from kindsl.judgement.rules.xml_elements import A_FEW, limited_joints
+from kindsl.judgement.rules.base import Finding, Rule, Severity
+from kindsl.judgement.rules.xml_elements import limited_joints, told_together
 from kindsl.language.semantics.model import Model
 
 
@@ -29,18 +29,15 @@ def check_document(model: Model, _: object) -> Iterator[Finding]:
             continue
         lower, upper = joint.lower or 0.0, joint.upper or 0.0
         if joint.lower is None and joint.upper is None:
-            absent.append(joint)
+            absent.append((joint, ""))
         elif lower == upper:
             message = f"limits of joint '{joint.name}' are both {lower:g} {joint.unit}"
             yield Finding(joint.at("upper"), f"{message}: it cannot move")
     if absent:
-        first, *others = absent
-        more, they = (f" and {len(others)} more", "they") if others else ("", "it")
-        message = (
-            f"limits of joint '{first.name}'{more} are absent, which means 0: {they} cannot move"
-        )
-        related = tuple(Related(o.at(""), f"joint '{o.name}'") for o in others[:A_FEW])
-        yield Finding(first.at(""), message, related)
+        names, related = told_together(absent)
+        they = "they" if related else "it"
+        message = f"limits of joint {names} are absent, which means 0: {they} cannot move"
+        yield Finding(absent[0][0].at(""), message, related)
 
 
 RULE = Rule(__name__, Severity.WARNING, check_document=check_document)

@@ -18,8 +18,8 @@ without end is `continuous`.
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
-from kindsl.judgement.rules.xml_elements import A_FEW, limited_joints
+from kindsl.judgement.rules.base import Finding, Rule, Severity
+from kindsl.judgement.rules.xml_elements import limited_joints, told_together
 from kindsl.language.semantics.model import Model
 
 
@@ -27,12 +27,9 @@ def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield one finding for all joints of a file that need limits and have none."""
     without = [joint for joint in limited_joints(model) if joint.is_needed and joint.limit is None]
     if without:
-        first, *others = without
-        more = f" and {len(others)} more" if others else ""
-        verb = "have" if others else "has"
-        message = f"{first.kind} joint '{first.name}'{more} {verb} no limits"
-        related = [Related(joint.at(""), f"joint '{joint.name}'") for joint in others[:A_FEW]]
-        yield Finding(first.at(""), message, tuple(related))
+        names, related = told_together([(joint, "") for joint in without])
+        message = f"{without[0].kind} joint {names} {'have' if related else 'has'} no limits"
+        yield Finding(without[0].at(""), message, related)
 
 
 RULE = Rule(__name__, Severity.WARNING, check_document=check_document)

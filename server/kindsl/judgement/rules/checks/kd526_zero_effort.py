@@ -15,8 +15,8 @@ were written by an exporter and never filled in.
 
 from collections.abc import Iterator
 
-from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
-from kindsl.judgement.rules.xml_elements import A_FEW, LimitedJoint, limited_joints
+from kindsl.judgement.rules.base import Finding, Rule, Severity
+from kindsl.judgement.rules.xml_elements import LimitedJoint, limited_joints, told_together
 from kindsl.language.semantics.model import Model
 
 _NAMES = ("effort", "velocity")
@@ -26,15 +26,11 @@ def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield one finding for all joints of a file that may exert or move nothing."""
     still = [(joint, zeros) for joint in limited_joints(model) if (zeros := _zeros(joint))]
     if still:
-        (first, names), *others = still
-        more = f" and {len(others)} more" if others else ""
-        message = f"greatest {' and '.join(names)} of joint '{first.name}'{more} are 0"
-        if not more and len(names) == 1:
-            message = f"greatest {names[0]} of joint '{first.name}' is 0"
-        related = [
-            Related(joint.at(zeros[0]), f"joint '{joint.name}'") for joint, zeros in others[:A_FEW]
-        ]
-        yield Finding(first.at(names[0]), message, tuple(related))
+        first, zeros = still[0]
+        names, related = told_together([(joint, each[0]) for joint, each in still])
+        verb = "are" if related or len(zeros) > 1 else "is"
+        message = f"greatest {' and '.join(zeros)} of joint {names} {verb} 0"
+        yield Finding(first.at(zeros[0]), message, related)
 
 
 def _zeros(joint: LimitedJoint) -> list[str]:
