@@ -142,6 +142,17 @@ def test_a_joint_without_end_may_have_any_limits() -> None:
     assert told(endless) == []
 
 
+def test_limits_without_effort_or_velocity_are_told_once_a_file() -> None:
+    joints = joint("shoulder", "base", "upper"), joint("elbow", "upper", "lower", "continuous")
+    endless = joints[1].replace("</joint>", "<limit/></joint>")
+    text = robot(link("upper"), link("lower"), joints[0].replace(' effort="9"', ""), endless)
+    (found,) = analyse(text).findings
+    assert (found.code, str(found.severity)) == ("KD524", "warning")
+    assert found.message == "limits of joint 'shoulder' and 1 more have no effort"
+    assert text[found.start :].startswith('<limit lower="-1"')
+    assert [text[each.start : each.end] for each in found.related] == ["<limit/>"]
+
+
 def test_several_defects_are_told_at_once() -> None:
     text = BAD.replace('child link="upper"', 'child link="uper"')
     text = text.replace("</robot>", link("upper") + "</robot>")

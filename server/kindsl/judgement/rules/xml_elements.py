@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 # As many places of one finding are read one by one; of more its sentence gives the number.
 A_FEW = 3
 _LIMITED = ("revolute", "prismatic")
+# The greatest of both is given beside the limits of a joint.
+EFFORT = ("effort", "velocity")
 
 
 def elements(model: Model, tag: str) -> "Iterator[tuple[RobotIsland, XmlElement]]":
@@ -76,14 +78,17 @@ class LimitedJoint(NamedTuple):
         return self.island.place(self.element if self.limit is None else self.limit, limit)
 
 
+def joints_of(model: Model) -> Iterator[LimitedJoint]:
+    """Yield the joints of any type."""
+    for island, joint in elements(model, "joint"):
+        limit: Any = joint.find("limit" if island.has_attributes else "axis/limit")
+        ends = island.value(limit, "lower"), island.value(limit, "upper")
+        yield LimitedJoint(island, joint, limit, joint.get("type") or "", *ends)
+
+
 def limited_joints(model: Model) -> Iterator[LimitedJoint]:
     """Yield the joints that limits are for."""
-    for island, joint in elements(model, "joint"):
-        kind = joint.get("type") or ""
-        if kind in _LIMITED:
-            limit: Any = joint.find("limit" if island.has_attributes else "axis/limit")
-            ends = island.value(limit, "lower"), island.value(limit, "upper")
-            yield LimitedJoint(island, joint, limit, kind, *ends)
+    return (joint for joint in joints_of(model) if joint.kind in _LIMITED)
 
 
 def told_together(found: Sequence[tuple[LimitedJoint, str]]) -> tuple[str, tuple[Related, ...]]:

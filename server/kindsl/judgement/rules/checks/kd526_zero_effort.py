@@ -16,10 +16,8 @@ were written by an exporter and never filled in.
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
-from kindsl.judgement.rules.xml_elements import LimitedJoint, limited_joints, told_together
+from kindsl.judgement.rules.xml_elements import EFFORT, LimitedJoint, limited_joints, told_together
 from kindsl.language.semantics.model import Model
-
-_NAMES = ("effort", "velocity")
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
@@ -34,7 +32,7 @@ def check_document(model: Model, _: object) -> Iterator[Finding]:
 
 
 def _zeros(joint: LimitedJoint) -> list[str]:
-    return [name for name in _NAMES if joint.island.value(joint.limit, name) == 0.0]
+    return [name for name in EFFORT if joint.island.value(joint.limit, name) == 0.0]
 
 
 RULE = Rule(__name__, Severity.INFORMATION, check_document=check_document)
