@@ -41,7 +41,6 @@ from kindsl.robots.interchange.xml_reading import JOINT_KINDS, TENSOR, XmlElemen
 
 _NAMED = ("link", "joint", "frame")
 _TAG_OR_COMMENT = re.compile(r"""<!--.*?-->|<(?:[^"'>]|"[^"]*"|'[^']*')*>""", re.DOTALL)
-_UNDEFINED = ("KD105", "KD107")
 _DEFAULT = "1.0"
 _TYPES = (*JOINT_KINDS, "ball", "gearbox", "revolute2", "screw", "universal")
 
@@ -107,8 +106,7 @@ def _of_elements(text: str, root: Any, former: SyntaxDocument | None) -> XmlDocu
         for found in _connections(model, prefix, joints, root.get("version") or ""):
             if isinstance(found, SdfError):
                 # What is in an included model is not known here.
-                is_unknown = is_merged or (included and "::" in found.sentence)
-                if found.code in _UNDEFINED and is_unknown:
+                if found.missing and (is_merged or (included and "::" in found.missing)):
                     continue
                 wrong[found.element.offset, found.sentence] = found
             else:

@@ -40,7 +40,10 @@ class SdfError(FormatError):
         element: The element.
         sentence: What is wrong, without the line.
         code: The rule that it is reported under, empty for what is only not supported.
+        missing: The name that the element gives of what is not there, if that is wrong.
     """
+
+    missing = ""
 
     def __init__(self, element: Any, sentence: str, code: str) -> None:
         super().__init__(f"line {element.sourceline}: {sentence}")

@@ -111,7 +111,9 @@ class FrameGraph:
     def _element(self, name: str, asking: Any, code: str) -> Any:
         if name not in self._elements:
             meant = hint(nearest_name(name, self._elements))
-            raise defect(asking, f"names '{name}', which does not exist{meant}", code)
+            error = defect(asking, f"names '{name}', which does not exist{meant}", code)
+            error.missing = name
+            raise error
         return self._elements[name]
 
 
