@@ -153,6 +153,19 @@ def test_limits_without_effort_or_velocity_are_told_once_a_file() -> None:
     assert [text[each.start : each.end] for each in found.related] == ["<limit/>"]
 
 
+def test_joints_that_mimic_each_other_are_told_once_a_circle() -> None:
+    follows = {"a": "b", "b": "c", "c": "b", "d": "d", "e": "a"}
+    joints = [
+        joint(each, "base", f"of_{each}").replace("</joint>", f'<mimic joint="{other}"/></joint>')
+        for each, other in follows.items()
+    ]
+    found = analyse(robot(*(link(f"of_{each}") for each in follows), *joints)).findings
+    assert [f.message for f in found if f.code == "KD525"] == [
+        "joint 'b' mimics itself: b -> c -> b",
+        "joint 'd' mimics itself",
+    ]
+
+
 def test_several_defects_are_told_at_once() -> None:
     text = BAD.replace('child link="upper"', 'child link="uper"')
     text = text.replace("</robot>", link("upper") + "</robot>")

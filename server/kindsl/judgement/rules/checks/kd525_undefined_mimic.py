@@ -1,4 +1,4 @@
-"""A joint mimics a joint that is not there, or itself.
+"""A joint mimics a joint that is not there, or itself, perhaps through others.
 
 ## What it does
 Looks at the `<mimic>` of each joint in a URDF or SDF.
@@ -17,6 +17,7 @@ from collections.abc import Iterator
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.xml_elements import elements
 from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.places import Place
 from kindsl.language.text.nearest import hint, nearest_name
 
 
@@ -24,6 +25,8 @@ def check_document(model: Model, _: object) -> Iterator[Finding]:
     """Yield a finding for each joint that follows none."""
     joints = list(elements(model, "joint"))
     names = {island.full_name for island, _ in joints}
+    follows: dict[str, str] = {}
+    places: dict[str, Place] = {}
     for island, joint in joints:
         mimic = joint.find("mimic" if island.has_attributes else "axis/mimic")
         other = None if mimic is None else mimic.get("joint")
@@ -36,8 +39,17 @@ def check_document(model: Model, _: object) -> Iterator[Finding]:
             close = hint(nearest_name(other, names - {name}))
             message = f"joint '{name}' mimics a joint '{other}' that does not exist"
             yield Finding(island.place(mimic, "joint"), f"{message}{close}")
-        elif followed == name:
-            yield Finding(island.place(mimic, "joint"), f"joint '{name}' mimics itself")
+        else:
+            follows[name], places[name] = followed, island.place(mimic, "joint")
+    told: set[str] = set()
+    for name in follows:
+        chain = [name]
+        while (followed := follows.get(chain[-1], "")) and followed not in chain:
+            chain.append(followed)
+        if followed == name and name not in told:
+            told.update(chain)
+            through = f": {' -> '.join([*chain, name])}" if len(chain) > 1 else ""
+            yield Finding(places[name], f"joint '{name}' mimics itself{through}")
 
 
 RULE = Rule(__name__, Severity.ERROR, check_document=check_document)
