@@ -24,7 +24,7 @@ QUICK = COMPILERS[-1] if COMPILERS else ""
 needs_cpp = pytest.mark.skipif(
     EIGEN is None or not COMPILERS, reason="there is no Eigen or no C++ compiler"
 )
-STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Werror")
+STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Werror")
 
 HEAD = """\
 #include <cmath>

@@ -28,7 +28,7 @@ public:
 {% if robot.has_parameters %}
     /** With the values that parameters had when this was generated; NaN where they had none. */
     InertiaProperties() : getter(nullptr) { compute(); }
-    explicit InertiaProperties(const RuntimeParamsGetter& values) : getter(&values)
+    explicit InertiaProperties(const RuntimeParamsGetter& fresh) : getter(&fresh)
     {
         updateParameters();
     }
