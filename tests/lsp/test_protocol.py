@@ -8,12 +8,20 @@ import sys
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from tests.support.lsp import RawClient, StrictClient, raw_client, ready_client
 
 FAULTY = (sys.executable, str(Path(__file__).with_name("faulty_server.py")))
 HOVER = {"textDocument": {"uri": "untitled:a"}, "position": {"line": 0, "character": 0}}
+
+
+class SlowToAnswer(StrictClient):
+    """Leaves what the server asks to the test."""
+
+    def _reply(self, message: dict[str, Any]) -> None:
+        pass
 
 
 @pytest.fixture(scope="module")
@@ -273,6 +281,30 @@ class TestCancellation:
         assert client.answer(waiting)["error"]["code"] == -32800
         client.notify("exit")
         assert client.wait_for_end() == 0
+        client.kill()
+
+    def test_what_runs_is_answered_when_the_client_leaves_at_once(self) -> None:
+        client = StrictClient(FAULTY)
+        client.initialize()
+        with client.in_one_piece():
+            asked = [client.start("test/wait"), client.start("test/mark", 1)]
+            client.start("shutdown")
+            client.notify("exit")
+        assert [client.answer(each)["error"]["code"] for each in asked] == [-32800] * 2
+        assert client.wait_for_end() == 0
+        assert client.stderr == ""
+        client.kill()
+
+    def test_an_answer_to_what_was_given_up_is_ignored(self) -> None:
+        client = SlowToAnswer(FAULTY)
+        client.initialize({"window": {"workDoneProgress": True}})
+        client.start("test/scan", 1.2)
+        create = client.wait(lambda m: m.get("method") == "window/workDoneProgress/create")
+        client.request("shutdown")
+        client.send(id=create["id"], result=None)
+        client.notify("exit")
+        assert client.wait_for_end() == 0
+        assert client.stderr == ""
         client.kill()
 
 

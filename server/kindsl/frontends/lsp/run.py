@@ -47,6 +47,7 @@ async def _serve(
     with contextlib.suppress(asyncio.CancelledError):
         await reading
     await server.session.close()
+    await server.protocol.settle()
     if isinstance(writer, asyncio.StreamWriter):
         writer.transport.set_write_buffer_limits(0)
         with contextlib.suppress(ConnectionError):

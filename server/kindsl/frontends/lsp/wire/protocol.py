@@ -6,13 +6,14 @@ with one clean sentence. What went wrong inside is logged, never shown in a box.
 """
 
 import asyncio
+import contextlib
 import contextvars
 import inspect
 import json
 import logging
 import math
 from collections.abc import Callable
-from concurrent.futures import Future
+from concurrent.futures import Future, InvalidStateError
 from typing import Any, NamedTuple, TypeVar
 
 from cattrs import Converter, transform_error
@@ -142,7 +143,8 @@ class KindslProtocol(LanguageServerProtocol):
             self._handle_response(data["id"], error=error.to_response_error())
         else:
             result, refusal = getattr(message, "result", None), getattr(message, "error", None)
-            self._handle_response(message.id, result, refusal)
+            with contextlib.suppress(InvalidStateError):  # given up meanwhile
+                self._handle_response(message.id, result, refusal)
 
     def _refuse(self, msg_id: Any, error: JsonRpcException) -> None:
         body = {"code": error.code, "message": error.message}
@@ -259,6 +261,12 @@ class KindslProtocol(LanguageServerProtocol):
         for future in tuple(self._request_futures.values()):
             future.cancel()
         self._shutdown = True
+
+    async def settle(self) -> None:
+        """Answer what `shutdown` cancelled; editors wait two seconds before they kill a server."""
+        futures: Any = self._request_futures.values() if self._shutdown else ()
+        if cancelled := [future for future in futures if asyncio.isfuture(future)]:
+            await asyncio.wait(cancelled, timeout=1.0)
 
     @lsp_method(types.WORKSPACE_EXECUTE_COMMAND)
     def lsp_workspace__execute_command(self, params: types.ExecuteCommandParams) -> Any:
