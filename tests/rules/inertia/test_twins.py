@@ -115,6 +115,10 @@ def test_numbers_that_were_swapped_are_told_as_such() -> None:
 SIGNS = "signs of 'right_arm' do not match a mirror image of 'left_arm'"
 
 
+def sign(name: str) -> str:
+    return f"sign of {name} of 'right_arm' does not match a mirror image of 'left_arm'"
+
+
 @pytest.mark.parametrize(
     ("right", "messages"),
     [
@@ -125,9 +129,9 @@ SIGNS = "signs of 'right_arm' do not match a mirror image of 'left_arm'"
         (("2.0", "0.1", "0.2", "-0.3", *MIRRORED[4:]), [SIGNS]),
         (("2.0", "0.1", "-0.2", "0.3", *LEFT[4:]), [SIGNS]),
         (("2.0", *LEFT[1:4], *MIRRORED[4:]), [SIGNS]),
-        (changed(MIRRORED, {7: "0.4"}), [SIGNS]),
-        (changed(MIRRORED, {8: "-0.6"}), [SIGNS]),
-        (changed(MIRRORED, {9: "1.2"}), [SIGNS]),
+        (changed(MIRRORED, {7: "0.4"}), [sign("Ixy")]),
+        (changed(MIRRORED, {8: "-0.6"}), [sign("Ixz")]),
+        (changed(MIRRORED, {9: "1.2"}), [sign("Iyz")]),
         (changed(MIRRORED, {1: "-0.1"}), [SIGNS]),
         (changed(MIRRORED, {2: "0.2"}), [SIGNS]),
         (changed(MIRRORED, {3: "-0.3"}), [SIGNS]),
@@ -137,6 +141,11 @@ def test_signs_are_those_of_a_turn_or_reflection(
     right: tuple[str, ...], messages: list[str]
 ) -> None:
     assert told("KD312", pair(LEFT, right)) == messages
+
+
+def test_products_of_which_one_has_the_wrong_sign_are_named() -> None:
+    left, right = (("2.0", "0.0", "0.0", "0.3", *side[4:]) for side in (LEFT, MIRRORED))
+    assert told("KD312", pair(left, changed(right, {7: "0.4"}))) == [sign("Ixy, Ixz or Iyz")]
 
 
 def shifted_by(times: float, side: float) -> tuple[str, ...]:

@@ -10,7 +10,9 @@ from kindsl.judgement.rules.base import Finding, Related
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model, model_part
 from kindsl.language.syntax.document import Chunk
+from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.language.text.facts import Fact, kept
+from kindsl.language.text.phrases import alternatives
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.robots.limbs.mounts import REFLECTIONS
 from kindsl.robots.limbs.names import label_of, other_sides
@@ -116,13 +118,19 @@ def mirror_difference(names: tuple[str, str], *both: MassDistribution) -> str:
             return f"'{right}' is not the mirror image of '{left}': {swapped} were swapped"
         told = (f"{TEN[i]} is {there[i]:g} against {here[i]:g}" for i in differing)
         return f"'{right}' is not the mirror image of '{left}': {', '.join(told)}"
+    if exact != len(TEN):
+        return ""
     images = (seen_by(both[0], C) for C in REFLECTIONS)
-    as_images = (zip((b.mass, *b.com, *b.moments), there, sizes, strict=True) for b in images)
-    if exact == len(TEN) and not any(
-        all(abs(a - b) <= size for a, b, size in each) for each in as_images
-    ):
+    as_images = (zip(TEN, (b.mass, *b.com, *b.moments), there, sizes, strict=True) for b in images)
+    unlike = [[name for name, a, b, size in each if abs(a - b) > size] for each in as_images]
+    if [] in unlike:
+        return ""
+    odd = {names[0] for names in unlike if len(names) == 1}
+    # A CoM that alone does not fit may be right, and the products those of the other side.
+    if not odd or not odd.issubset(MOMENTS):
         return f"signs of '{right}' do not match a mirror image of '{left}'"
-    return ""
+    products = alternatives(sorted(odd))
+    return f"sign of {products} of '{right}' does not match a mirror image of '{left}'"
 
 
 def _are_swapped(one: tuple[float, float], other: tuple[float, float]) -> bool:
