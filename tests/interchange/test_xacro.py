@@ -130,8 +130,10 @@ PACKAGE = f'{HEAD}<xacro:include filename="$(find nopkg)/a.xacro"/></robot>'
          "No such file or directory: {folder}/non.xacro"),
         (f"""{HEAD}<link name="${{dict(a=1)['b']}}"/></robot>""",
          "there is no 'b' when evaluating expression 'dict(a=1)['b']'"),
+        (f"""{HEAD}<xacro:property name="b" value="${{c*2}}"/><link name="${{b+1}}"/></robot>""",
+         "name 'c' is not defined when evaluating expression 'c*2' in 'b+1'"),
     ],
-    ids=["package", "environment", "include", "key"],
+    ids=["package", "environment", "include", "key", "nested"],
 )  # fmt: skip
 def test_xacro_says_its_sentence_once(text: str, message: str, tmp_path: Path) -> None:
     path = tmp_path / "robot.xacro"

@@ -19,6 +19,7 @@ from typing import Any
 from kindsl.robots.interchange.xacro.origins import with_origins
 
 _TYPE_OF_ERROR = re.compile(r"<class '[^']*'>: ")
+_EVALUATING = "when evaluating expression"
 _MEMORY = 4 * 2**30
 
 
@@ -104,7 +105,8 @@ def _reason(error: Exception) -> str:
     for part in _parts(error):
         plain = " ".join(_TYPE_OF_ERROR.sub("", part).split())
         if plain and not any(_bare(plain) in _bare(known) for known in parts):
-            parts.append(plain)
+            is_nested = any(known.startswith(_EVALUATING) for known in parts)
+            parts.append(plain.replace(_EVALUATING, "in") if is_nested else plain)
     return " ".join(parts) or type(error).__name__
 
 
