@@ -166,6 +166,17 @@ def test_joints_that_mimic_each_other_are_told_once_a_circle() -> None:
     ]
 
 
+@pytest.mark.parametrize("is_first", [False, True])
+def test_a_misspelled_child_is_one_mistake(is_first: bool) -> None:
+    blocks = [link("upper"), link("lower"), joint("shoulder", "base", "uper")]
+    text = robot(*blocks, joint("elbow", "upper", "lower"))
+    if is_first:
+        text = text.replace('  <link name="base"/>\n', "").replace(
+            "</robot>", '<link name="base"/></robot>'
+        )
+    assert [code for code, _, _ in told(text)] == ["KD105"]
+
+
 def test_several_defects_are_told_at_once() -> None:
     text = BAD.replace('child link="upper"', 'child link="uper"')
     text = text.replace("</robot>", link("upper") + "</robot>")
