@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from tests.codegen.compiling import (
     COMPILERS,
+    EIGEN,
     Compiler,
     build,
     each_compiler,
@@ -21,6 +22,7 @@ from tests.dynamics.random_bodies import random_bodies
 from tests.support.differences import worst_difference
 
 from kindsl.products.codegen.c_test_program import TOLERANCES, _tolerance
+from kindsl.products.codegen.language import language_named
 from kindsl.products.codegen.reference import Reference
 
 pytestmark = needs_compiler
@@ -190,19 +192,33 @@ def test_tolerances_of_the_test_program_are_those_of_the_type() -> None:
 
 
 @pytest.mark.skipif(shutil.which("cmake") is None, reason="there is no CMake")
-def test_cmake_builds_tests_installs_and_finds(tmp_path: Path) -> None:
-    folder = write_c(bodies_of_seed(2), tmp_path / "robot", ("poses", "gravity_torque"))
-    program = tmp_path / "program"
+@pytest.mark.parametrize(
+    "language",
+    ["c", pytest.param("cpp", marks=pytest.mark.skipif(EIGEN is None, reason="there is no Eigen"))],
+)
+def test_cmake_builds_tests_installs_and_finds(language: str, tmp_path: Path) -> None:
+    folder, program = tmp_path / "robot", tmp_path / "program"
+    bodies, quantities = bodies_of_seed(2), ("poses", "gravity_torque")
+    folder.mkdir()
+    made = library(bodies, quantities, language=language)
+    for name, text in language_named(language).files(made, reference(bodies)).items():
+        (folder / name).write_text(text)
     program.mkdir()
     (program / "main.c").write_text(
         "#include <robot.h>\n"
         "int main(void) { double q[ROBOT_NJ] = {0}, T[ROBOT_NPOSES * 12];\n"
         "robot_poses(&robot_default_model, q, T); return T[0] < -2.0; }\n"
     )
-    (program / "CMakeLists.txt").write_text(
-        "cmake_minimum_required(VERSION 3.13)\nproject(program C)\nfind_package(robot REQUIRED)\n"
-        "add_executable(program main.c)\ntarget_link_libraries(program robot::robot)\n"
+    (program / "main.cpp").write_text(
+        "#include <robot.hpp>\n"
+        "int main() { const robot::JointVector q = robot::JointVector::Zero();\n"
+        "return robot::Model().gravity_torque(q, Eigen::Vector3d::Zero()).hasNaN(); }\n"
     )
+    (program / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.13)\nproject(program)\nfind_package(robot REQUIRED)\n"
+        f"add_executable(program main.{language})\ntarget_link_libraries(program robot::robot)\n"
+    )
+    eigen = [f"-DEigen3_ROOT={EIGEN.parent.parent}"] if EIGEN else []
     steps = [
         ["cmake", "-S", folder, "-B", tmp_path / "b", f"-DCMAKE_INSTALL_PREFIX={tmp_path / 'i'}"],
         ["cmake", "--build", tmp_path / "b", "--target", "install"],
@@ -212,7 +228,8 @@ def test_cmake_builds_tests_installs_and_finds(tmp_path: Path) -> None:
         [tmp_path / "p" / "program"],
     ]
     for step in steps:
-        done = subprocess.run(step, capture_output=True, text=True, timeout=120, check=False)
+        command = [*step, *eigen] if "-S" in step else step
+        done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
         assert done.returncode == 0, done.stdout + done.stderr
 
 

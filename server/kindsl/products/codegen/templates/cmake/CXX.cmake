@@ -1,4 +1,5 @@
 find_package(Eigen3 REQUIRED NO_MODULE)
+set(@PREFIX@_NEEDS "include(CMakeFindDependencyMacro)\nfind_dependency(Eigen3 NO_MODULE)\n")
 add_library(@PREFIX@ INTERFACE)
 add_library(@PREFIX@::@PREFIX@ ALIAS @PREFIX@)
 target_compile_features(@PREFIX@ INTERFACE cxx_std_14)
