@@ -84,6 +84,8 @@ def test_zero_is_exact_without_a_point() -> None:
         ('<link name="upper">', '<link name="upper"> <!-- kindsl: ignore[KD302] -->'),
         ("    <inertial>", "    <!-- kindsl: ignore[KD302] -->\n    <inertial>"),
         ("<inertial>", "<inertial> <!-- kindsl: ignore[KD302] -->"),
+        ("</inertial>", "</inertial> <!-- kindsl: ignore[KD302] -->"),
+        ("</inertial>\n  </link>", "</inertial>\n  </link><!-- kindsl: ignore[KD302] -->"),
         ('<robot name="arm">', '<robot name="arm">\n<!-- kindsl: ignore-file[KD3] -->'),
     ],
 )

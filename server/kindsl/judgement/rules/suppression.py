@@ -1,9 +1,9 @@
 """Comments that silence findings: `// kindsl: ignore[KD301]`, `// kindsl: ignore-file[KD7]`.
 
 The first silences its line, or the next line when it stands alone, or a whole block when the line
-it silences begins one. The second silences the document. Errors of syntax cannot be silenced.
-Between the brackets stand codes or their beginnings, with commas. What no rule has silences
-nothing.
+it silences begins one, or, in XML, the element that ends right before it. The second silences the
+document. Errors of syntax cannot be silenced. Between the brackets stand codes or their beginnings,
+with commas. What no rule has silences nothing.
 """
 
 import re
@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from kindsl.judgement.rules.registry import all_codes
+from kindsl.language.semantics.lowering import OtherIsland
 from kindsl.language.semantics.places import Place
 from kindsl.language.syntax.tree import Island, Node
 from kindsl.language.syntax.vocabulary import of_kind
@@ -112,6 +113,10 @@ def covered_by(
     line = max(island.text.rfind("\n", 0, comment.start), island.text.rfind("\r", 0, comment.start))
     line += 1
     if island.text[line : comment.start].strip():
+        end = len(island.text[: comment.start].rstrip())
+        ended = next((node for node in _blocks(island) if node.end == end), None)
+        if isinstance(island, OtherIsland) and ended is not None and ended.start < line:
+            return starts[number] + ended.start, starts[number] + end
         return _line_or_block(island, starts[number], line)
     after = _line_end(island.text, comment.end)
     if after < len(island.text) or number + 1 == len(islands):
