@@ -359,8 +359,7 @@ class DocumentPreview:
         self._doubt(self._known_doubts(findings))
 
     def _known_doubts(self, findings: Sequence[Diagnostic]) -> Doubts:
-        """Return the doubts of findings; with values from the page, of which they say nothing,
-        those that are shown."""
+        """Return the doubts of findings; beside values from the page those that are shown."""
         if self._parameters and self._shown is not None:
             return self._shown[1].doubts
         return body_doubts(findings)
