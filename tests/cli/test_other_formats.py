@@ -47,6 +47,53 @@ def test_info_of_another_format(kindsl: Runner, folder: Path, name: str, text: s
     assert (facts["robot"], facts["dof"], facts["mass"]) == ("arm", 1, 2.0)
 
 
+CRATE = """<robot name="crate">
+  <link name="box"><inertial><mass value="2.4"/>
+    <inertia ixx="0.016" iyy="0.016" izz="0.018" ixy="0" ixz="0" iyz="0"/></inertial></link>
+  <link name="lid"><inertial><mass value="0.3"/>
+    <inertia ixx="0.001" iyy="0.001" izz="0.002" ixy="0" ixz="0" iyz="0"/></inertial></link>
+  <joint name="glue" type="fixed"><parent link="box"/><child link="lid"/></joint>
+</robot>
+"""
+
+
+def test_what_does_not_move_is_shown_and_compared(kindsl: Runner, folder: Path) -> None:
+    (folder / "crate.urdf").write_text(CRATE)
+    (folder / "heavy.urdf").write_text(CRATE.replace("2.4", "2.6"))
+    facts = json.loads(kindsl("info", "crate.urdf", "--output-format", "json").out)
+    assert (facts["robot"], facts["dof"], facts["mass"]) == ("crate", 0, pytest.approx(2.7))
+    assert facts["verdicts"] == {}
+    assert "\n\n\n" not in kindsl("info", "crate.urdf").out
+    assert kindsl("card", "crate.urdf", "-o", "crate.md").status == 0
+    card = Path("crate.md").read_text()
+    assert "## Joints" not in card
+    assert "| box | 2.7 |" in card
+    assert kindsl("diff", "crate.urdf", "crate.urdf").status == 0
+    told = kindsl("diff", "crate.urdf", "heavy.urdf")
+    assert told.status == 1
+    assert "mass of link 'box' is 2.4 kg in crate.urdf (line 2)" in told.out
+
+
+@pytest.mark.parametrize(
+    ("command", "status"),
+    [
+        (("convert", "crate.urdf", "crate.kindsl"), 1),
+        (("convert", "crate.urdf", "crate.sdf"), 1),
+        (("compute", "crate.urdf"), 1),
+        (("generate", "crate.urdf", "--language", "c", "-o", "c"), 1),
+    ],
+)
+def test_what_needs_a_joint_says_so(
+    kindsl: Runner, folder: Path, command: tuple[str, ...], status: int
+) -> None:
+    (folder / "crate.urdf").write_text(CRATE)
+    told = kindsl(*command)
+    assert (told.status, told.out) == (status, "")
+    assert told.err.startswith("crate.urdf:")
+    assert "moves" in told.err
+    assert told.err.count("\n") == 1
+
+
 def test_compute_as_if_converted(kindsl: Runner, folder: Path) -> None:
     (folder / "arm.urdf").write_text(URDF)
     kindsl("convert", "arm.urdf", "arm.kindsl", "--no-config")

@@ -112,9 +112,13 @@ def test_what_cannot_be_held_is_refused(old: str, new: str, message: str, tmp_pa
     assert "\n" not in str(caught.value) and not str(caught.value).endswith(".")
 
 
-def test_a_robot_that_cannot_move_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(FormatError, match="the MJCF has no joint that moves, and a document"):
-        robot(re.sub("<joint.*?/>", "", ARM), tmp_path)
+def test_a_robot_that_cannot_move_is_read_but_no_document(tmp_path: Path) -> None:
+    path = tmp_path / "still.xml"
+    path.write_text(re.sub("<joint.*?/>", "", ARM))
+    read = format_named("mjcf").read(path, AS_WRITTEN)
+    assert read.robot.n_links == 0
+    with pytest.raises(FormatError, match="no joint of the robot moves, and a document"):
+        written_kindsl(read)
 
 
 def test_number_that_is_none_is_refused_and_leaves_no_log(

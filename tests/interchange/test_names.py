@@ -7,7 +7,7 @@ import kindsl
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
 from kindsl.robots.interchange.format import ReadRobot
-from kindsl.robots.interchange.kindsl_writing import kindsl_text, written_kindsl
+from kindsl.robots.interchange.kindsl_writing import described_kindsl, kindsl_text, written_kindsl
 from kindsl.robots.mechanism.linkage import BodyPart, Linkage, RigidBody
 
 WORDS = ["arm", "Arm", "fr_arm", "arm_link", "arm_joint", "arm_frame", "arm_robot", "arm_2", "link"]
@@ -60,13 +60,13 @@ def test_each_new_name_is_told_and_no_other(robot: Linkage) -> None:
         for frame, now in zip(frames, model.frames, strict=True)
     ]
     kept.append((robot.name == model.name, f"the robot '{robot.name}' is now '{model.name}'"))
-    told = written_kindsl(ReadRobot(robot, ())).remarks
+    told = described_kindsl(ReadRobot(robot, ())).remarks
     assert told == tuple(sentence for is_kept, sentence in kept if not is_kept)
 
 
 def test_equal_names_are_numbered_from_two() -> None:
     base = RigidBody((BodyPart("base"), *(_frame("tip") for _ in range(4))))
-    told = written_kindsl(ReadRobot(Linkage((base,), name="arm"), ())).remarks
+    told = described_kindsl(ReadRobot(Linkage((base,), name="arm"), ())).remarks
     names = ("tip_frame", "tip_2", "tip_3")
     assert told == tuple(f"the frame 'tip' is now '{name}'" for name in names)
 

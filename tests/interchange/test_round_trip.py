@@ -141,6 +141,6 @@ def test_what_the_language_has_not_is_refused_by_name(tmp_path: Path) -> None:
     with pytest.raises(FormatError, match="one root link"):
         robot_of_urdf("<robot name='r'><link name='a'/><link name='b'/></robot>", "robot")
     with pytest.raises(FormatError, match="no attribute 'name'"):
-        robot_of_urdf("<robot><link name='a'/></robot>", "robot")
+        robot_of_urdf("<robot><link/></robot>", "robot")
     with pytest.raises(FormatError, match="not a readable URDF"):
         robot_of_urdf("no xml", "robot")

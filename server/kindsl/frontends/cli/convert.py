@@ -40,7 +40,6 @@ from kindsl.robots.interchange.format import (
     Format,
     FormatError,
     ReadingChoices,
-    ReadRobot,
     WritingChoices,
     WrittenRobot,
     joints_dropped,
@@ -213,17 +212,12 @@ def _known(format: Format | None) -> Format:
 
 
 def _document(args: argparse.Namespace, source: Format) -> WrittenRobot:
-    read = _read(args, source)
+    assert source.read is not None
     from kindsl.robots.interchange.kindsl_writing import written_kindsl
 
-    return written_kindsl(read)
-
-
-def _read(args: argparse.Namespace, source: Format) -> ReadRobot:
-    assert source.read is not None
     try:
         require_regular(args.input)
-        return source.read(Path(args.input), _choices(args, source))
+        return written_kindsl(source.read(Path(args.input), _choices(args, source)))
     except ModuleNotFoundError as error:
         raise missing_module(args.input, error, source.extra) from None
     except OSError as error:

@@ -13,7 +13,7 @@ from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Located
 from kindsl.language.syntax.document import SyntaxDocument, parse
 from kindsl.robots.interchange.format import AS_WRITTEN, Format, FormatError, ReadingChoices
-from kindsl.robots.interchange.kindsl_writing import written_kindsl
+from kindsl.robots.interchange.kindsl_writing import described_kindsl
 from kindsl.robots.interchange.syntaxes import (
     XACRO_SUFFIX,
     other_format,
@@ -141,7 +141,7 @@ def _translated(
         read = format.parse(text, Path(name).stem, choices)
     else:
         raise FormatError(f"{format.title} is read from a file, which may name others")
-    written = written_kindsl(read)
+    written = described_kindsl(read)
     joints = {**written.joints, **settings.joints}
     return Analysis(parse(written.text), settings._replace(joints=joints))
 

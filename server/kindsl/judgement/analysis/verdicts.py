@@ -37,8 +37,11 @@ class TargetVerdict(NamedTuple):
 
 
 def verdicts(analysis: Analysis) -> tuple[TargetVerdict, ...]:
-    """Return the verdict of each generator; no decision of the user's changes it."""
-    return tuple(_verdict(analysis, target) for target in TARGETS)
+    """Return the verdict of each generator, none on another format, which they do not read.
+
+    No decision of the user's changes it.
+    """
+    return () if analysis.syntax.is_xml else tuple(_verdict(analysis, target) for target in TARGETS)
 
 
 def _verdict(analysis: Analysis, target: str) -> TargetVerdict:

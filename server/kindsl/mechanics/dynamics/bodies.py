@@ -78,7 +78,7 @@ class Bodies(Topology):
     def __post_init__(self) -> None:
         n = self.n_links
         if n == 0:
-            raise ValueError("a mechanism has at least one link")
+            raise ValueError("no joint moves: a mechanism has at least one link")
         check_topology(self, (frame.name for frame in self.frames))
         shapes = {
             "p_R_j": (n, 3, 3),

@@ -31,9 +31,10 @@ class MechanicsReport(NamedTuple):
 
 
 def report_of(old: ComparedSide, new: ComparedSide, found: MechanicalComparison) -> MechanicsReport:
-    """Return the report; the dynamics are asked where all joints match and NumPy is there."""
+    """Return the report; dynamics are asked where joints, all of them, match and NumPy is there."""
     matching = found.matching
-    if matching.only_ours or matching.only_theirs or old.unknown or new.unknown:
+    is_partial = matching.only_ours or matching.only_theirs or old.unknown or new.unknown
+    if is_partial or not old.skeleton.n_links:
         return MechanicsReport(old, new, found)
     try:
         from kindsl.robots.comparison.torques import n_base_parameters, torques

@@ -20,7 +20,8 @@ def robot_text(facts: dict[str, Any]) -> str:
         rows = [("constants", "")]
         rows += [(f"  {c['name']}", number(c["value"])) for c in facts["constants"]]
         parts.append(aligned(rows, frozenset((1,))))
-    parts.append("".join(_verdict(*entry) for entry in facts["verdicts"].items()))
+    if facts["verdicts"]:
+        parts.append("".join(_verdict(*entry) for entry in facts["verdicts"].items()))
     parts.append(health_text(facts["health"]))
     return printable_lines("\n".join(parts))
 

@@ -217,7 +217,7 @@ def _n_differences(found: MechanicalComparison) -> int:
 
 def _is_one_robot(pair: Pair) -> bool:
     most = max(pair.ours.skeleton.n_links, pair.theirs.skeleton.n_links)
-    return _FAR * pair.matching.n_joints > most
+    return not most or _FAR * pair.matching.n_joints > most
 
 
 def _structure(pair: Pair) -> Iterator[str]:
@@ -271,7 +271,7 @@ def _body_numbers(pair: Pair, bounds: Tolerances, body: int) -> Iterator[NumberD
     if body and one.joint_kinds[body - 1] == other.joint_kinds[its - 1]:
         yield from joint_differences(pair, body, bounds)
     is_heavy = any(ours.inertias) and any(theirs.inertias)
-    if is_heavy and (body or (one.is_floating and other.is_floating)):
+    if is_heavy and (body or (one.has_base_mass and other.has_base_mass)):
         yield from inertia_differences(pair, body, bounds)
 
 

@@ -8,7 +8,7 @@ from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.language.text.decimals import digits_after_point, fixed_decimal, significant_decimal
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import RigidPose, angles
-from kindsl.robots.interchange.format import ReadRobot, WrittenRobot
+from kindsl.robots.interchange.format import FormatError, ReadRobot, WrittenRobot
 from kindsl.robots.interchange.portable_names import valid_names
 from kindsl.robots.mechanism.linkage import BodyPart, Linkage, RigidBody
 
@@ -25,7 +25,18 @@ NO_COMMENTS: Comments = {}
 
 
 def written_kindsl(read: ReadRobot) -> WrittenRobot:
-    """Return the document of a robot, with all notes."""
+    """Return the document of a robot, with all notes.
+
+    Raises:
+        FormatError: Nothing in it moves, and a document has a joint.
+    """
+    if not read.robot.n_links:
+        raise FormatError("no joint of the robot moves, and a document needs one that does")
+    return described_kindsl(read)
+
+
+def described_kindsl(read: ReadRobot) -> WrittenRobot:
+    """Return the text that describes a robot, which is no document where nothing moves."""
     robot = read.robot
     _, _, (_, *names), _ = _names(robot)
     joints = {

@@ -52,7 +52,7 @@ class RigidLink:
 
 
 def robot_of_links(
-    name: str, base: BaseKind, links: Sequence[RigidLink], title: str, noun: str = "link"
+    name: str, base: BaseKind, links: Sequence[RigidLink], noun: str = "link"
 ) -> tuple[Linkage, tuple[str, ...]]:
     """Return the robot whose links these are, and notes on links and frames that are none there.
 
@@ -60,14 +60,11 @@ def robot_of_links(
         name: The robot's name.
         base: Whether the root is free to move.
         links: As `linkage_of_links` takes them.
-        title: The name of the format.
-        noun: What it calls a link.
+        noun: What the format calls a link.
 
     Raises:
-        FormatError: No joint moves, or a number is not finite, or beyond all measure.
+        FormatError: A number is not finite, or beyond all measure.
     """
-    if all(link.joint_kind in ("", "fixed") for link in links):
-        raise FormatError(f"the {title} has no joint that moves, and a document needs one")
     robot = linkage_of_links(name, base, links)
     return robot, (*_root_remarks(links[0], base), *_fixed_remarks(links, noun, robot))
 

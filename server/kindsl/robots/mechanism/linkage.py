@@ -210,9 +210,14 @@ class Linkage:
         pairs = zip(self.bodies, masses, strict=True)
         return replace(self, bodies=tuple(body.weighing(mass) for body, mass in pairs))
 
+    @property
+    def has_base_mass(self) -> bool:
+        """Whether the base's mass matters: it floats, or is all there is."""
+        return self.is_floating or not self.n_links
+
     def without_mass_at_rest(self) -> "Linkage":
         """Return the same robot with nothing known of a fixed base's mass, which has no effect."""
-        if self.is_floating or self.bodies[0].mass is None:
+        if self.has_base_mass or self.bodies[0].mass is None:
             return self
         return replace(self, bodies=(self.bodies[0].weighing(None), *self.bodies[1:]))
 

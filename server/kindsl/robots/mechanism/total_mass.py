@@ -60,7 +60,7 @@ NO_MASS = Weight(0.0)
 
 
 def total_mass(model: Model, values: Mapping[str, float]) -> Weight:
-    """Return the mass of all that moves: of a fixed base, nothing.
+    """Return the mass of all that moves: of a fixed base nothing, unless it is all there is.
 
     Args:
         model: A document's model, whole or broken.
@@ -92,16 +92,19 @@ def _parts(model: Model, values: Mapping[str, float]) -> Iterator[tuple[str, Wei
     """Yield what each body adds, and what is named but not there."""
     if model.base is None:
         yield "", Weight(0.0, 1, Unknown("there is no base"))
+    weight = body_mass if model.links or model.tree.edges else _whole_mass
     for body in model.bodies:
-        yield str(body.name), body_mass(body, values)
+        yield str(body.name), weight(body, values)
     for edge in model.tree.edges:
         yield str(edge.child.link), edge_mass(edge)
 
 
 def body_mass(body: Link, values: Mapping[str, float]) -> Weight:
     """Return what a body adds to a total: a fixed base nothing, a negative mass a gap."""
-    if body.is_base and not body.is_floating:
-        return NO_MASS
+    return NO_MASS if body.is_base and not body.is_floating else _whole_mass(body, values)
+
+
+def _whole_mass(body: Link, values: Mapping[str, float]) -> Weight:
     known = link_inertia(body, values)
     mass = own_mass(body, values) if isinstance(known, Unknown) else known.mass
     if isinstance(mass, Unknown):

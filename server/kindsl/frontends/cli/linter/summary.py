@@ -1,6 +1,6 @@
 """Counts of a run, in its last line and by rule, and the verdicts of the generators."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 from kindsl.frontends.cli.outcome import LintedFile, RunOutcome
@@ -38,6 +38,10 @@ def summary(outcome: RunOutcome) -> str:
 
 def verdict_lines(files: Sequence[LintedFile]) -> str:
     """Return a line for each generator, with the document's name where there are several."""
+    from kindsl.judgement.analysis.analysis import Analysis
+    from kindsl.judgement.analysis.verdicts import verdicts
+    from kindsl.robots.interchange.syntaxes import syntax_of
+
     documents = [
         file
         for file in files
@@ -46,17 +50,8 @@ def verdict_lines(files: Sequence[LintedFile]) -> str:
     return "".join(
         f"{printable(f'{file.path}: ' if len(documents) > 1 else '')}{line}\n"
         for file in documents
-        for line in _verdicts(file)
+        for line in verdicts(Analysis(syntax_of(file.path, file.text)))
     )
-
-
-def _verdicts(file: LintedFile) -> Iterator[str]:
-    from kindsl.judgement.analysis.analysis import Analysis
-    from kindsl.judgement.analysis.verdicts import verdicts
-    from kindsl.robots.interchange.syntaxes import syntax_of
-
-    syntax = syntax_of(file.path, file.text)
-    return iter(()) if syntax.is_xml else map(str, verdicts(Analysis(syntax)))
 
 
 def rule_counts(outcome: RunOutcome) -> list[dict[str, Any]]:

@@ -59,7 +59,7 @@ def _read(spec: Any, name: str, floating: bool) -> ReadRobot:
     roots, outside = _roots(model)
     base: BaseKind = "floating" if floating or _is_free(model, roots[0]) else "fixed"
     links = _links(model, roots, base)
-    robot, moved = robot_of_links(spec.modelname or name, base, links, "MJCF", "body")
+    robot, moved = robot_of_links(spec.modelname or name, base, links, "body")
     told = (
         *physics_losses(model),
         *joint_losses(model),

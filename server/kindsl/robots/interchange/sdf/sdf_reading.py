@@ -77,7 +77,7 @@ def robot_of_sdf(
     start, is_fixed = _root(model, graph, joints)
     base: BaseKind = "fixed" if is_fixed and not choices.floating else "floating"
     links = _links(model, graph, joints, start, base)
-    robot, moved = robot_of_links(name_of(model), base, links, "SDF")
+    robot, moved = robot_of_links(name_of(model), base, links)
     told = (
         *others,
         *world_losses(root),

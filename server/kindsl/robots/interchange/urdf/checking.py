@@ -50,7 +50,7 @@ class UrdfDefect(NamedTuple):
 
 
 def checked(content: bytes | str) -> XmlElement:
-    """Return the root element of a URDF whose tree, poses and masses are sound.
+    """Return the root element of a URDF whose tree, poses and masses are sound; it needs no name.
 
     Raises:
         FormatError: It is not well-formed, not a tree, or has a number that is none.
@@ -65,7 +65,8 @@ def checked(content: bytes | str) -> XmlElement:
     _add_world(robot, joints)
     links = robot.findall("link")
     for defect in defects(robot):
-        raise _error(defect.element, defect.what)
+        if defect.element is not robot:
+            raise _error(defect.element, defect.what)
     if not links:
         raise FormatError("the URDF has no link")
     roots = root_links(links, joints)

@@ -79,7 +79,7 @@ def robot_of_urdf(text: bytes | str, name: str, choices: ReadingChoices = AS_WRI
         lost, tells_base = (f"the link '{root}', which does not move, dropped",), True
     links = _links(first, children, bodies)
     base: BaseKind = "floating" if floating else "fixed"
-    read, moved = robot_of_links(robot.get("name") or name, base, links, "URDF")
+    read, moved = robot_of_links(robot.get("name") or name, base, links)
     legs = _legged_remarks(read) if base == "fixed" and root != WORLD else ()
     remarks = (*_remarks(robot), *lost, *legs, *moved)
     moving = (joint for joint in joints if joint.get("type") not in ("fixed", "floating"))
