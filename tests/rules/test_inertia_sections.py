@@ -229,18 +229,20 @@ def test_keywords_of_an_inertia_are_written_alike_at_all_places() -> None:
 
 
 @pytest.mark.parametrize(
-    ("moments", "names", "expected"),
+    ("moments", "names", "length", "expected"),
     [
-        (("0.032345", "0.033579", "0.0023456"), "upper lower", ["lower"]),
-        # Few digits, or of one part: that may be by chance, or meant.
-        (("0.032", "0.033", "0.002"), "upper lower", []),
-        (("0.032345", "0.033579", "0.0023456"), "segment1 segment2", []),
+        (("0.032345", "0.033579", "0.0023456"), "upper lower", "0.04", ["lower"]),
+        # Few digits, or modules: that may be by chance, or meant.
+        (("0.032", "0.033", "0.002"), "upper lower", "0.04", []),
+        (("0.032345", "0.033579", "0.0023456"), "segment1 segment2", "0.3", []),
+        # A module of another length has other numbers.
+        (("0.032345", "0.033579", "0.0023456"), "segment1 segment2", "0.04", ["segment2"]),
         # Other parts do not hang on one another, and where there are twins these tell.
-        (("0.032345", "0.033579", "0.0023456"), "upper,lower", []),
+        (("0.032345", "0.033579", "0.0023456"), "upper,lower", "0.04", []),
     ],
 )
 def test_a_part_that_has_all_numbers_of_the_one_that_carries_it(
-    moments: tuple[str, str, str], names: str, expected: list[str]
+    moments: tuple[str, str, str], names: str, length: str, expected: list[str]
 ) -> None:
     first, second = names.replace(",", " ").split()
     numbers = section("1.2", "0.0, 0.0, 0.15", *moments)
@@ -248,7 +250,7 @@ def test_a_part_that_has_all_numbers_of_the_one_that_carries_it(
     links = link(first, 1, below, numbers) + link(second, 2, "tip via end", numbers)
     links += link("tip", 3)
     ends = placed_joint("bend", "0.0, 0.0, 0.3", "0.0, 0.0, 0.0")
-    ends += placed_joint("end", "0.0, 0.0, 0.04", "0.0, 0.0, 0.0")
+    ends += placed_joint("end", f"0.0, 0.0, {length}", "0.0, 0.0, 0.0")
     text = robot(links, ends, base=f"{first} via turn {beside}", joints="turn")
     told_of = [f.message for f in found("KD310", text)]
     assert told_of == [

@@ -295,11 +295,18 @@ def test_twins_may_lack_what_the_other_has() -> None:
 
 @pytest.mark.parametrize(
     ("one", "other"),
-    [("LF_hip", "RF_hip"), ("left_arm", "right_arm"), ("wheelL", "wheelR"), ("Left", "Right")],
+    [
+        *(("LF_hip", "RF_hip"), ("left_arm", "right_arm"), ("wheelL", "wheelR"), ("Left", "Right")),
+        *(("l_gripper_r_finger", "r_gripper_l_finger"), ("l_hand_l", "r_hand_r")),
+        *(("left_thigh_left_hip", "right_thigh_right_hip"), ("Left_index_L1", "Right_index_L1")),
+        # A letter is for roll, or for link.
+        *(("L_ANKLE_R", "R_ANKLE_R"), ("LF_WHEEL_L", "RF_WHEEL_L")),
+    ],
 )
 def test_either_side_has_another(one: str, other: str) -> None:
     assert other_side(one) == other
     assert other_side(other) == one
+    assert label_of(one).words == label_of(other).words
     assert other_side("hip") is None
 
 

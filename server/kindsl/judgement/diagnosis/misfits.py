@@ -6,13 +6,12 @@ and against the chance that they are meant so: as for any suspect, with what agr
 """
 
 from collections.abc import Iterator, Mapping
-from math import exp
 from typing import NamedTuple
 
 from kindsl.judgement.diagnosis.counterparts import is_mirror_image
 from kindsl.judgement.diagnosis.evidence import MassShape
 from kindsl.judgement.diagnosis.fitted import AS_WRITTEN, EXPECTED, MIRRORED
-from kindsl.judgement.diagnosis.judge import Cause, merged, weighed, weighed_as_written
+from kindsl.judgement.diagnosis.judge import Cause, merged, ranked, weighed, weighed_as_written
 from kindsl.judgement.diagnosis.judgements import Judgement, is_round, judgement_of
 from kindsl.judgement.diagnosis.slips import TABLE, Hypothesis, Slip, hypotheses
 from kindsl.judgement.diagnosis.surroundings import same_moments, surroundings
@@ -21,10 +20,6 @@ from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
 from kindsl.mechanics.rigid.body import MassDistribution, second_moments_about_com
 
-_MOST = 4
-_NEGLIGIBLE = 0.1
-# Beyond it nothing but an exponential would overflow.
-_MOST_EVIDENCE = 50.0
 # What arithmetic leaves of six digits.
 _AS_COMPUTED = 2e-6
 
@@ -52,16 +47,10 @@ def misfits(unlike: Unlike, model: Model, values: Mapping[str, float]) -> list[M
     if not unlike.is_outvoted:
         own = (str(unlike.link.name),)
         tried += _tried(twin, meant, unlike.body, own, *looked_at)
-    weights = [c.cause.hypothesis.weight * exp(c.cause.log_likelihood) for c in tried]
-    total = sum(weights) + exp(AS_WRITTEN - (EXPECTED if unlike.is_outvoted else MIRRORED))
-    ranked = sorted(
-        (
-            m._replace(cause=m.cause._replace(probability=weight / total))
-            for m, weight in zip(tried, weights, strict=True)
-        ),
-        key=lambda m: -m.cause.probability,
-    )[:_MOST]
-    return [m for m in ranked if m.cause.probability >= _NEGLIGIBLE * ranked[0].cause.probability]
+    as_meant = AS_WRITTEN - (EXPECTED if unlike.is_outvoted else MIRRORED)
+    misfit_of = {misfit.cause.hypothesis: misfit for misfit in tried}
+    likely = ranked([misfit.cause for misfit in tried], {}, as_meant)
+    return [misfit_of[cause.hypothesis]._replace(cause=cause) for cause in likely]
 
 
 def _tried(
@@ -85,8 +74,8 @@ def _tried(
     matching = [h for h in near if is_mirror_image(h.body, meant, _AS_COMPUTED)] or near
     causes = [c for h in matching if (c := weighed(h, found, around)) is not None]
     for cause in merged(causes):
-        # Both have one design: what speaks for either shape counts once, for one or against other.
-        likely = min(0.5 * (cause.log_alone - written.log_alone), _MOST_EVIDENCE)
+        # By half of it: slips of either link, as common, then differ by what the two shapes do.
+        likely = 0.5 * (cause.log_alone - written.log_alone)
         yield Misfit(found, twins, cause._replace(reasons=(), log_likelihood=likely))
     # Where two others agree, their numbers are what was meant.
     for h in _traceless(found, twins, model) if len(twins) == 1 else ():

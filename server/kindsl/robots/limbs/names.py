@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterator
 from functools import lru_cache
-from itertools import chain
+from itertools import chain, product
 from typing import NamedTuple
 
 # What a letter of a side is written before without a break: `lfoot`, `Rarm`.
@@ -60,12 +60,19 @@ class LimbLabel(NamedTuple):
 # As many as the largest documents have names: all are asked for at each key.
 @lru_cache(maxsize=32_768)
 def label_of(name: str) -> LimbLabel:
-    """Return what a name says; only whole words tell a side or a row, the first of each."""
+    """Return what a name says; only whole words tell a side or a row, the first of each.
+
+    A further side is one of the words, as the same one or the other one.
+    """
     side = row = ""
     words = []
-    for word in tokens(name):
-        if word in _EITHER and not side:
+    marks = {mark.start() for mark in _marks(name)}
+    for match in _TOKEN.finditer(name):
+        word = match[0].lower()
+        if match.start() in marks and not side:
             side, row = _side_and_row(word, row)
+        elif match.start() in marks:
+            words.append("same" if _side_and_row(word, "")[0] == side else "other")
         elif word in _ROWS and not row:
             row = _ROWS[word]
         else:
@@ -94,16 +101,34 @@ def other_side(name: str) -> str | None:
 
 def other_sides(name: str) -> Iterator[str]:
     """Yield all names that the twin of a left or a right part may have, the likeliest first."""
-    match = next((m for m in _TOKEN.finditer(name) if m[0].lower() in _EITHER), None)
-    if match is None:
-        return
-    word = match[0].lower()
-    for other in (y if x == word else x for x, y in _PAIRS if word in (x, y)):
-        if match[0].isupper():
-            other = other.upper()
-        elif match[0][0].isupper():
-            other = other.capitalize()
-        yield name[: match.start()] + other + name[match.end() :]
+    marks = _marks(name)
+    for others in product(*(_opposites(mark[0]) for mark in marks)) if marks else ():
+        twin = name
+        for mark, other in zip(reversed(marks), reversed(others), strict=True):
+            twin = twin[: mark.start()] + other + twin[mark.end() :]
+        yield twin
+
+
+def _marks(name: str) -> list[re.Match[str]]:
+    """Return the words of a name that tell a side.
+
+    After the first one a letter does only in what a limb holds, `l_gripper_r_finger`: elsewhere it
+    is for roll, `L_ANKLE_R`, and before a number for link, `right_l3`.
+    """
+    found = [match for match in _TOKEN.finditer(name) if match[0].lower() in _EITHER]
+    return found[:1] + [
+        mark
+        for mark in found[1:]
+        if len(mark[0]) > 1 or (is_held(name) and not name[mark.end() :][:1].isdigit())
+    ]
+
+
+def _opposites(word: str) -> list[str]:
+    """Return what the words of the other side are, in the letters' case."""
+    found = [y if x == word.lower() else x for x, y in _PAIRS if word.lower() in (x, y)]
+    if word.isupper():
+        return [other.upper() for other in found]
+    return [other.capitalize() for other in found] if word[0].isupper() else found
 
 
 def _side_and_row(word: str, row: str) -> tuple[str, str]:
