@@ -234,13 +234,17 @@ def test_a_second_time_nothing_is_compiled(
 
 
 @pytest.mark.usefixtures("quickly_compiled")
-def test_derivatives_are_compiled_once(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """Also for who has asked for the method before it was compiled."""
+@pytest.mark.parametrize(("name", "n_arguments"), [("regressor", 3), ("bias_torque", 2)])
+def test_other_groups_are_compiled_once(
+    name: str, n_arguments: int, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """Also when the method was taken before it was compiled."""
     compiled = CompiledMechanics(bodies_of_seed(4, 2))
-    method, q = compiled.regressor, np.zeros(compiled.n_joints)
-    first = method(q, q, q)
+    assert len(list(tmp_path.iterdir())) == 1
+    method, given = getattr(compiled, name), [np.zeros(compiled.n_joints)] * n_arguments
+    first = method(*given)
     monkeypatch.setattr("kindsl.mechanics.dynamics.evaluation.kernels.kernels_of", None)
-    np.testing.assert_array_equal(method(q, q, q), first)
+    np.testing.assert_array_equal(method(*given), first)
     assert len(list(tmp_path.iterdir())) == 2
 
 

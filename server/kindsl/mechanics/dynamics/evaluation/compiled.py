@@ -16,6 +16,7 @@ from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.constrained_forward_dynamics import WORST_CONDITION
 from kindsl.mechanics.dynamics.evaluation.arguments import JointVector
 from kindsl.mechanics.dynamics.evaluation.kernels import (
+    GROUPS,
     KEYWORDS,
     Extension,
     Method,
@@ -32,7 +33,8 @@ from kindsl.mechanics.spatial.arrays import Array
 
 # Methods that answer by themselves for float64 arrays of the right shape, by group.
 METHODS = {
-    "plain": ("inverse_dynamics", "forward_dynamics", "gravity_torque", "bias_torque"),
+    "plain": ("inverse_dynamics", "forward_dynamics"),
+    "bias": ("gravity_torque", "bias_torque"),
     "masses": (
         "joint_space_inertia", "kinetic_energy", "potential_energy", "center_of_mass",
         "center_of_mass_jacobian",
@@ -54,8 +56,7 @@ class CompiledMechanics(Mechanics):
 
     Methods take and return what those of `Mechanics` do; those of dynamics and masses also take
     `out`, an array (or a tuple of arrays for several results) that is filled and returned.
-    Inertia and masses, Jacobians, external forces, derivatives, and what controllers of the whole
-    body need, are compiled on their first use.
+    All but poses, inverse and forward dynamics is compiled on its first use.
     """
 
     def __init__(self, bodies: Bodies, threads: int = 1) -> None:
@@ -90,7 +91,7 @@ class CompiledMechanics(Mechanics):
     def _bind(self, group: str) -> None:
         """Let compiled functions answer instead of this class's methods."""
         extension = self._group(group)
-        batches = group not in ("plain", "masses") or self._threads == 1
+        batches = group not in ("plain", "bias", "masses") or self._threads == 1
         for name in METHODS[group]:
             method: Method = partial(_general, getattr(Mechanics, name), self)
             if name in extension.shapes:
@@ -178,7 +179,7 @@ class _Rows:
         """Return a quantity's entries in one row per configuration, shape (..., entries)."""
         has_load = request.external is not None or request.base_acceleration is not None
         name = f"{request.function}_loaded" if has_load else request.function
-        group = "masses" if name == "joint_space_inertia" else "plain"
+        group = next(group for group, names in GROUPS.items() if request.function in names)
         extension = self._owner._group("loads" if has_load else group)
         given = {KEYWORDS.get(key, key): vector for key, vector in request.vectors().items()}
         nothing = np.zeros(6 * (self._owner.n_joints + 1))

@@ -29,7 +29,8 @@ Method = Callable[..., Any]
 
 # The quantities that are compiled together: all but the first when they are asked for.
 GROUPS = {
-    "plain": ("poses", "inverse_dynamics", "forward_dynamics", "gravity_torque", "bias_torque"),
+    "plain": ("poses", "inverse_dynamics", "forward_dynamics"),
+    "bias": ("gravity_torque", "bias_torque"),
     "masses": ("joint_space_inertia", "energies", "center_of_mass"),
     "jacobians": ("jacobians",),
     "loads": ("inverse_dynamics", "inverse_dynamics_actuated", "forward_dynamics"),
@@ -39,6 +40,8 @@ GROUPS = {
     ),
     "frame_motions": ("frame_motions",),
 }  # fmt: skip
+# Those whose batches may be computed in lanes.
+WIDE_GROUPS = ("plain", "bias", "masses", "control")
 RESULT_CLASSES = {
     "inverse_dynamics": FreeMotionTorque,
     "forward_dynamics": FreeMotion,
@@ -126,8 +129,7 @@ def kernels_of(robot: Robot, group: str) -> list[Kernel]:
                 if f.loaded is not None
             ]
         kernels += [
-            _kernel(function, robot, may_be_wide=group in ("plain", "masses", "control"))
-            for function in functions
+            _kernel(function, robot, may_be_wide=group in WIDE_GROUPS) for function in functions
         ]
     return kernels
 
