@@ -117,7 +117,9 @@ def test_extreme_values_give_numbers_or_none_but_never_a_trap(
 
 
 @each_compiler
-@pytest.mark.parametrize("options", [{}, {"is_single_header": True}, {"real": "float"}])
+@pytest.mark.parametrize(
+    "options", [{"prefix": "test"}, {"is_single_header": True}, {"real": "float"}]
+)
 def test_the_test_program_succeeds_under_sanitizers(
     compiler: Compiler, options: dict[str, object], tmp_path: Path
 ) -> None:

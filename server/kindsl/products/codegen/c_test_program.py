@@ -35,7 +35,8 @@ def test_program(library: Library, reference: Reference, include: str) -> str:
         f"    parameters.{library.parameter_names[name]} = ({number}){value!r};"
         for name, value in reference.parameters.items()
     )
-    calls = "\n".join(f"    failures += test_{n}(&model);" for n in library.function_names.values())
+    names = library.function_names.values()
+    calls = "\n".join(f"    failures += {p}_test_{name}(&model);" for name in names)
     summary = f"Compares the library of {library.robot_name} with reference numbers."
     return fill(
         template("test_program.c"),
@@ -71,7 +72,7 @@ def _test(library: Library, reference: Reference, function: Function) -> str:
                 f"    failures += differs({what}, {result.name}_, {table}, {len(result.entries)}, "
                 f"{tolerance:.1e});"
             )
-    head = f"static int test_{name}(const {library.prefix}_model *model)"
+    head = f"static int {library.prefix}_test_{name}(const {library.prefix}_model *model)"
     body = "\n".join([*lines, "    return failures;"])
     return "\n".join([*tables, "", f"{head}\n{{\n{body}\n}}\n\n"])
 
