@@ -9,6 +9,7 @@ from kindsl.mechanics.dynamics.generation.emitters.lanes import (
     prefixed,
     shared,
     wide_functions,
+    wide_loop,
 )
 from kindsl.mechanics.dynamics.generation.emitters.loops import loop_call, loops_text
 from kindsl.mechanics.dynamics.generation.function import Function, Result
@@ -219,29 +220,10 @@ def _lanes(library: Library, function: Function) -> tuple[str, str]:
         ("m", f"const {library.prefix}_model *m"),
     )
     text = wide_functions(library.robot.graph, wide, f"{macro(library)}_NOINLINE ")
-    n = len(wide.takes["q"])
-    lines = [f"lanes {array}_lanes[{len(x)}];" for array, x in {**wide.takes, **wide.gives}.items()]
-    lines.append(f"lanes cosines[{n}], sines[{n}];")
-    results = ", ".join(f"{array}_lanes" for array in wide.gives)
-    lines.append(f"constants_{name}({results});")
-    if "g" in wide.takes:
-        lines += [f"g_lanes[{k}] = spread(g[{k}]);" for k in range(3)]
+    sizes = {array: len(x) for array, x in {**wide.takes, **wide.gives}.items()}
+    rows = {a: f"{a} + i * {sizes[a]}, {sizes[a]}" for a in wide.takes if a != "g"}
+    stores = [f"scatter({a} + i * {sizes[a]}, {a}_lanes, {sizes[a]}, width);" for a in wide.gives]
     condition = f"i < n && {EXTERNAL} == NULL" if function.loaded is not None else "i < n"
-    lines.append(f"for (; {condition}; i += LANES) {{")
-    lines.append("    const ptrdiff_t width = n - i < LANES ? n - i : LANES;")
-    for array, x in wide.takes.items():
-        size = len(x)
-        if array != "g":
-            lines.append(f"    gather({array}_lanes, {array} + i * {size}, {size}, {size}, width);")
-    lines.append(f"    sines_and_cosines(q_lanes, sines, cosines, {n});")
-    takes = ", ".join(f"{array}_lanes" for array in wide.takes)
-    lines.append(f"    wide_{name}(m, {takes}, cosines, sines, {results});")
-    for array, x in wide.gives.items():
-        size = len(x)
-        lines.append(f"    scatter({array} + i * {size}, {array}_lanes, {size}, width);")
-    lines.append("}")
-    loop = "".join(f"    {line}\n" for line in lines)
-    only = "#if defined(LANES)\n"
-    texts = f"{only}{text}#endif\n\n", f"{only}{loop}#endif\n"
-    first, second = (prefixed(text, library.prefix) for text in texts)
+    texts = f"{text}#endif\n\n", f"{wide_loop(wide, rows, stores, condition)}#endif\n"
+    first, second = (prefixed(f"#if defined(LANES)\n{t}", library.prefix) for t in texts)
     return first, second

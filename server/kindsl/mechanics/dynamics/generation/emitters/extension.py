@@ -7,7 +7,12 @@ from pathlib import Path
 from typing import NamedTuple
 
 from kindsl.mechanics.dynamics.generation.emitters.c import CBody, Dialect, c_definition
-from kindsl.mechanics.dynamics.generation.emitters.lanes import Wide, shared, wide_functions
+from kindsl.mechanics.dynamics.generation.emitters.lanes import (
+    Wide,
+    shared,
+    wide_functions,
+    wide_loop,
+)
 from kindsl.mechanics.dynamics.generation.emitters.loops import loop_call, loops_text
 from kindsl.mechanics.dynamics.generation.function import Function
 from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar
@@ -115,6 +120,7 @@ static void run_{number}(const double *const *in, double *const *out)
 static void run_many_{number}(npy_intp n, const double *const *in, const npy_intp *strides,
                               double *const *out)
 {{
+    npy_intp i = 0;
 {many}}}
 """
 
@@ -131,33 +137,16 @@ def _loop(body: CBody, function: Function, names: Sequence[str]) -> str:
 def _many(number: int, kernel: Kernel) -> str:
     given = [f"in[{i}] + i * strides[{i}]" for i, _ in _given(kernel)]
     given += [f"out[{i}] + i * {len(r.entries)}" for i, r in enumerate(kernel.results)]
-    loop = (
-        f"    for (npy_intp i = 0; i < n; i++) {{\n        scalar_{number}({', '.join(given)});\n"
-        "    }\n"
-    )
+    loop = f"    for (; i < n; i++) {{\n        scalar_{number}({', '.join(given)});\n    }}\n"
     if not kernel.is_wide:
         return loop
-    n_angles = kernel.arguments[0].length
-    lines = [f"lanes sines[{n_angles}], cosines[{n_angles}];"]
-    for i, argument in _given(kernel):
-        lines.append(f"lanes a{i}[{argument.length}];")
-    for i, result in enumerate(kernel.results):
-        lines.append(f"lanes o{i}[{len(result.entries)}];")
-    results = ", ".join(f"o{i}" for i in range(len(kernel.results)))
-    lines.append(f"constants_{number}({results});")
-    lines.append("for (npy_intp i = 0; i < n; i += LANES) {")
-    lines.append("    const npy_intp width = n - i < LANES ? n - i : LANES;")
-    for i, argument in _given(kernel):
-        row = f"in[{i}] + i * strides[{i}], strides[{i}]"
-        lines.append(f"    gather(a{i}, {row}, {argument.length}, width);")
-    lines.append(f"    sines_and_cosines(a0, sines, cosines, {n_angles});")
-    given_names = [*(f"a{i}" for i, _ in _given(kernel)), "cosines", "sines"]
-    lines.append(f"    wide_{number}({', '.join([*given_names, results])});")
-    for i, result in enumerate(kernel.results):
-        lines.append(f"    hand_out(out[{i}], o{i}, {len(result.entries)}, i, n);")
-    lines += ["}", "END_OF_STREAMS;"]
-    text = "".join(f"    {line}\n" for line in lines)
-    return f"#if defined(LANES)\n{text}#else\n{loop}#endif\n"
+    rows = {f"a{i}": f"in[{i}] + i * strides[{i}], strides[{i}]" for i, _ in _given(kernel)}
+    stores = [
+        f"hand_out(out[{i}], o{i}_lanes, {len(r.entries)}, i, n);"
+        for i, r in enumerate(kernel.results)
+    ]
+    wide = wide_loop(Wide(str(number), *_named(kernel)), rows, stores)
+    return f"#if defined(LANES)\n{wide}    END_OF_STREAMS;\n#else\n{loop}#endif\n"
 
 
 def _wide(graph: Graph, number: int, kernel: Kernel) -> str:

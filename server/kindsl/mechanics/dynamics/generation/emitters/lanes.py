@@ -80,3 +80,37 @@ def wide_functions(graph: Graph, wide: Wide, noinline: str) -> str:
         CBody(f"wide_{wide.name}", takes, varying, wide.known, wide.context),
     )
     return "\n".join(c_definition(graph, body, dialect, "static ") for body in bodies)
+
+
+def wide_loop(
+    wide: Wide, rows: Mapping[str, str], stores: Sequence[str], condition: str = "i < n"
+) -> str:
+    """Return the statements that compute configurations from `i` on, `width` at a time.
+
+    Args:
+        wide: What `wide_functions` computes.
+        rows: Where each argument's row `i` begins, and how far rows lie apart; others are shared.
+        stores: What is done with the results, which are `NAME_lanes`.
+        condition: While it holds there are further configurations.
+    """
+    angles, *_ = wide.takes
+    n, arrays = len(wide.takes[angles]), {**wide.takes, **wide.gives}
+    context = [wide.context[0]] if wide.context else []
+    results = ", ".join(f"{name}_lanes" for name in wide.gives)
+    given = ", ".join([*context, *(f"{name}_lanes" for name in wide.takes), "cosines", "sines"])
+    lines = [f"lanes {name}_lanes[{len(x)}];" for name, x in arrays.items()]
+    lines += [f"lanes cosines[{n}], sines[{n}];", f"constants_{wide.name}({results});"]
+    for name, x in wide.takes.items():
+        if name not in rows:
+            lines += [f"{name}_lanes[{k}] = spread({name}[{k}]);" for k in range(len(x))]
+    lines += [
+        f"for (; {condition}; i += LANES) {{",
+        "    const ptrdiff_t width = n - i < LANES ? n - i : LANES;",
+        *(f"    gather({name}_lanes, {row}, {len(wide.takes[name])}, width);"
+          for name, row in rows.items()),
+        f"    sines_and_cosines({angles}_lanes, sines, cosines, {n});",
+        f"    wide_{wide.name}({given}, {results});",
+        *(f"    {store}" for store in stores),
+        "}",
+    ]  # fmt: skip
+    return "".join(f"    {line}\n" for line in lines)
