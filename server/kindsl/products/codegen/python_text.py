@@ -15,24 +15,24 @@ EXTERNAL = "external_forces"
 
 
 def module_text(
-    library: Library, how: str, own: tuple[str, str, str], without: Collection[str] = ()
+    library: Library, how: str, own: tuple[str, ...], without: Collection[str] = ()
 ) -> str:
     """Return a whole module.
 
     Args:
         library: The functions to write.
         how: Requirements and use of the module, for its docstring.
-        own: Its imports, and the templates of its `_answer` and its `forward_kinematics`.
+        own: Its imports, the template of its `forward_kinematics`, and those of its `_answer`.
         without: The functions whose code on components is not written.
     """
     imports, *templates = own
-    answer, poses, parameters = (template(f"python/{t}.txt") for t in (*templates, "parameters"))
+    poses, *texts = (template(f"python/{t}.txt") + "\n" for t in (*templates, "parameters"))
     parts = [
-        docstring(library, how), imports, constants(library), "", parameters, "", answer, "",
+        docstring(library, how), imports, constants(library), "", *texts,
         *(public_function(library, function) + "\n" for function in library.all_functions),
     ]  # fmt: skip
     if "poses" in library.functions:
-        parts += [poses, ""]
+        parts.append(poses)
     if "jacobians" in library.functions:
         parts += [jacobian_table(library), "", template("python/jacobian.txt"), ""]
     return "\n".join([*parts, *(text + "\n" for text in straight_lines(library, without))])

@@ -7,6 +7,6 @@ HOW = """\
 Needs CasADi only. Arguments and results are its matrices (DM, SX or MX); vectors are columns, and
 poses are 4x4 matrices by name. Wrap a call in casadi.Function to differentiate or to compile it."""
 
-OWN = "import casadi\nfrom casadi import cos, sign, sin\n", "casadi_answer", "casadi_poses"
+OWN = "import casadi\nfrom casadi import cos, sign, sin\n", "casadi_poses", "casadi_answer"
 
 LANGUAGE = Language(lambda library, _: {f"{library.prefix}.py": module_text(library, HOW, OWN)})

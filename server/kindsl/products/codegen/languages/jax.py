@@ -11,8 +11,9 @@ from kindsl.products.codegen.reference import Reference
 OWN = (
     "import jax.numpy as np\nimport numpy\nfrom jax import jit, lax, tree\n"
     "from jax.numpy import cos, sign, sin\n",
-    "jax_answer",
     "poses_in_arrays",
+    "vectors",
+    "jax_answer",
 )
 HOW = """\
 Needs JAX only; pure functions for jit, grad and vmap. Leading dimensions are batches, which a

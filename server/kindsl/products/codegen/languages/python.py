@@ -4,7 +4,8 @@ from kindsl.products.codegen.language import Language
 from kindsl.products.codegen.python_text import module_text
 
 OWN = (
-    "import numpy as np\nfrom numpy import cos, sign, sin\n", "numpy_answer", "poses_in_arrays",
+    "import numpy as np\nfrom numpy import cos, sign, sin\n", "poses_in_arrays", "vectors",
+    "numpy_answer",
 )  # fmt: skip
 HOW = "Needs NumPy only. Leading dimensions of all arguments are batches and broadcast."
 
