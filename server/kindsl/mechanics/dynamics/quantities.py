@@ -21,6 +21,8 @@ JOINT_VECTORS: Final[dict[Quantity, tuple[str, ...]]] = {
     "bias_torque": ("q", "qd"),
 }
 
+# The names that methods have for arguments of generated code.
+KEYWORDS: Final = {"v0": "base_velocity", "a0": "base_acceleration", "g": "gravity"}
 STANDARD_GRAVITY: Final = (0.0, 0.0, -9.81)
 
 

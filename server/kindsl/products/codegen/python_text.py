@@ -5,12 +5,10 @@ from collections.abc import Collection, Iterator
 from kindsl.mechanics.dynamics.generation.emitters.python_lines import python_function
 from kindsl.mechanics.dynamics.generation.function import Function
 from kindsl.mechanics.dynamics.generation.terms import Scalar
-from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY
+from kindsl.mechanics.dynamics.quantities import KEYWORDS, STANDARD_GRAVITY
 from kindsl.products.codegen.filling import template
 from kindsl.products.codegen.library import Library
 
-# Names of arguments as in kindsl's own interface.
-KEYWORDS = {"v0": "base_velocity", "a0": "base_acceleration", "g": "gravity"}
 EXTERNAL = "external_forces"
 
 

@@ -17,7 +17,6 @@ from kindsl.mechanics.dynamics.constrained_forward_dynamics import WORST_CONDITI
 from kindsl.mechanics.dynamics.evaluation.arguments import JointVector
 from kindsl.mechanics.dynamics.evaluation.kernels import (
     GROUPS,
-    KEYWORDS,
     Extension,
     Method,
     signature_with_out,
@@ -28,7 +27,7 @@ from kindsl.mechanics.dynamics.evaluation.results import ConstrainedMotion, Pose
 from kindsl.mechanics.dynamics.evaluation.singular import singular_inertia
 from kindsl.mechanics.dynamics.generation.jacobians import feet
 from kindsl.mechanics.dynamics.generation.robot import robot_of
-from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY, SingularInertiaError
+from kindsl.mechanics.dynamics.quantities import KEYWORDS, STANDARD_GRAVITY, SingularInertiaError
 from kindsl.mechanics.spatial.arrays import Array
 
 # Methods that answer by themselves for float64 arrays of the right shape, by group.

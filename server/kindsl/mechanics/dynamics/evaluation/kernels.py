@@ -12,18 +12,17 @@ from kindsl.mechanics.dynamics.generation.emitters.extension import (
     MODULE,
     Kernel,
     KernelArgument,
-    KernelResult,
     extension_source,
 )
 from kindsl.mechanics.dynamics.generation.emitters.lanes import is_worth_lanes
-from kindsl.mechanics.dynamics.generation.function import Function, argument, inputs_of
+from kindsl.mechanics.dynamics.generation.function import Function, Result, argument, inputs_of
 from kindsl.mechanics.dynamics.generation.functions import QUANTITIES
 from kindsl.mechanics.dynamics.generation.loops import functions_of
 from kindsl.mechanics.dynamics.generation.masses import total_mass
 from kindsl.mechanics.dynamics.generation.robot import Robot
 from kindsl.mechanics.dynamics.generation.terms import Scalar
 from kindsl.mechanics.dynamics.inverse_dynamics_derivatives import InverseDynamicsDerivatives
-from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY, SingularInertiaError
+from kindsl.mechanics.dynamics.quantities import KEYWORDS, STANDARD_GRAVITY, SingularInertiaError
 
 Method = Callable[..., Any]
 
@@ -48,8 +47,7 @@ RESULT_CLASSES = {
     "inverse_dynamics_derivatives": InverseDynamicsDerivatives,
     "forward_dynamics_derivatives": ForwardDynamicsDerivatives,
 }
-# Keywords of methods, by the names of arguments in code, and what None stands for.
-KEYWORDS = {"v0": "base_velocity", "a0": "base_acceleration", "g": "gravity"}
+# What None stands for, of arguments in code.
 DEFAULTS = {"v0": "ZEROS", "a0": "ZEROS", "g": "GRAVITY"}
 # The motion of the base that methods take, also where it is fixed: then it has to be None.
 MOVING_BASE = {
@@ -136,11 +134,11 @@ def kernels_of(robot: Robot, group: str) -> list[Kernel]:
 
 def _kernel(function: Function, robot: Robot, *, may_be_wide: bool) -> Kernel:
     name = function.name
-    results = [KernelResult(r.shape, r.entries) for r in function.results]
+    results = [*function.results]
     if name == "poses":
         results = [_homogeneous(function.results[0].entries, len(robot.targets))]
     elif name in ("kinetic_energy", "potential_energy"):
-        results = [KernelResult((), function.results[0].entries)]
+        results = [result._replace(shape=()) for result in results]
     accelerates = name in ACCELERATING and (
         robot.tree.is_floating or not name.startswith("inverse_dynamics")
     )
@@ -171,12 +169,12 @@ def _names(name: str, given: Iterable[str]) -> list[str]:
     return [*joints, *base, *others]
 
 
-def _homogeneous(entries: Sequence[Scalar], n_poses: int) -> KernelResult:
+def _homogeneous(entries: Sequence[Scalar], n_poses: int) -> Result:
     """Return whole 4x4 matrices of poses without their last row."""
     whole: list[Scalar] = []
     for pose in range(n_poses):
         whole += [*entries[12 * pose : 12 * pose + 12], 0.0, 0.0, 0.0, 1.0]
-    return KernelResult((n_poses, 4, 4), whole)
+    return Result("T", (n_poses, 4, 4), whole)
 
 
 def signature_with_out(method: Method) -> inspect.Signature:

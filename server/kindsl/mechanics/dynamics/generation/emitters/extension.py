@@ -14,7 +14,7 @@ from kindsl.mechanics.dynamics.generation.emitters.lanes import (
     wide_loop,
 )
 from kindsl.mechanics.dynamics.generation.emitters.loops import loop_call, loops_text
-from kindsl.mechanics.dynamics.generation.function import Function
+from kindsl.mechanics.dynamics.generation.function import Function, Result
 from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar
 from kindsl.mechanics.dynamics.generation.tree import Tree
 
@@ -40,13 +40,6 @@ class KernelArgument(NamedTuple):
     default: str | None = None
 
 
-class KernelResult(NamedTuple):
-    """An array that a kernel fills: its dimensions, and its entries by rows."""
-
-    shape: tuple[int, ...]
-    entries: Sequence[Scalar]
-
-
 class Kernel(NamedTuple):
     """One function of the extension.
 
@@ -62,7 +55,7 @@ class Kernel(NamedTuple):
 
     name: str
     arguments: Sequence[KernelArgument]
-    results: Sequence[KernelResult]
+    results: Sequence[Result]
     accelerates: bool
     is_wide: bool
     documentation: str | None = None
