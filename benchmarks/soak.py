@@ -199,7 +199,7 @@ def soak(edits: int, documents: int, seed: int, checks: int = 10) -> list[str]:
     begin = time.perf_counter()
     with own_server() as client:
         session = Session(client, seed, documents)
-        start = _memory_after_a_first_look(session)
+        start = _memory_after_a_first_session(session, edits // 10)
         session.open_all()
         problems: list[str] = []
         for number in range(1, edits + 1):
@@ -221,14 +221,17 @@ def soak(edits: int, documents: int, seed: int, checks: int = 10) -> list[str]:
         return problems + session.errors + log
 
 
-def _memory_after_a_first_look(session: Session) -> float:
-    """Load what is loaded on demand, so that only documents are left to be freed."""
+def _memory_after_a_first_session(session: Session, edits: int) -> float:
+    """Load what is loaded on demand, and fill what is kept within bounds for all documents."""
     client = session.client
     session.open_all()
     for shown in session.documents:
         looks(client, shown.uri)
         for method, params in every_request(shown.uri, place_of(shown.text, len(shown.text) // 2)):
             client.answer(client.start(method, params))
+    for _ in range(edits):
+        session.step()
+    session.settle()
     session.close_all()
     _let_go(client)
     return resident_megabytes(client.process.pid)
