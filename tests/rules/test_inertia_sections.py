@@ -101,6 +101,19 @@ def test_a_link_between_two_axes_of_one_joint_may_be_without_inertia(
     assert [f.severity for f in found("KD304", text, *targets)] == [severity]
 
 
+@pytest.mark.parametrize(
+    ("name", "severity"),
+    [("torso_shift", "hint"), ("torso_turn", "warning"), ("chest_shift", "warning")],
+)
+def test_a_link_named_after_what_it_carries_and_its_joint_is_part_of_a_joint(
+    name: str, severity: str
+) -> None:
+    links = link(name, 1, "torso via turn", inertia="") + link("torso", 2)
+    turn = placed_joint("turn", "0.0, 0.0, 0.1", "0.0, 0.0, 0.0")
+    text = robot(links, turn, base=f"{name} via shift", joints="shift")
+    assert [f.severity for f in found("KD304", text)] == [severity]
+
+
 @pytest.mark.parametrize("height", [0.5, 0.0])
 @pytest.mark.parametrize("size", [1e-4, 1e-2, 1.0, 10.0])
 @pytest.mark.parametrize(

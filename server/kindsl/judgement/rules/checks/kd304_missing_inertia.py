@@ -3,7 +3,8 @@
 ## What it does
 Reports a moving link without an `inertia_params` section: a warning, and an error for a floating
 base and for the target robcogen. Where no moving link of a robot has one, that is reported once.
-A link between two axes of one joint, which carries a single link at its own origin, is a hint.
+A link between two axes of one joint is a hint: it carries a single link at its own origin, or has
+the name of a link and its own joint, as `foot_ankle_y` has, which becomes of an MJCF's `foot`.
 KD601 reports the section missing in a fixed base, which robcogen requires too.
 
 ## Why is this bad?
@@ -54,10 +55,17 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
 
 
 def _is_between_axes(model: Model, context: Context, body: Link) -> bool:
-    """Return whether a link carries a single other one, whose joint is at its own origin."""
+    """Return whether a link carries a single other one, and is part of the joint that does."""
     joints = [edge.joint for edge in model.tree.successor_edges(body) if edge.joint is not None]
-    poses = [written_pose(joint.pose, context.values) for joint in joints]
-    return len(poses) == 1 and poses[0] is not None and not any(poses[0].translation)
+    if len(joints) != 1:
+        return False
+    pose, edge = written_pose(joints[0].pose, context.values), model.tree.supporting_edge(body)
+    if pose is not None and not any(pose.translation):
+        return True
+    if edge is None:
+        return False
+    whole, _, rest = str(body.name).rpartition(f"_{edge.child.joint}")
+    return not rest and whole in model.body_named
 
 
 def _severity(*is_error: bool) -> Severity:
