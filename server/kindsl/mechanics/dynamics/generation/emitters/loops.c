@@ -464,6 +464,17 @@ static const int @P@before[@NV@] = {@BEFORE@};
 enum { @P@length = (@NV@ + @BRANCHES@ * (@P@width - 1)) / @P@width, @P@block = 4 * @P@width };
 static const int @P@order[@NV@] = {@ORDER@};
 
+/* The products of three numbers, and of six, with as many rows, which lie some rows apart. */
+@FN@ @ROW@ @P@dot3_rows(const @S@ *a, const @ROW@ *rows, int apart)
+{
+    return a[0] * rows[0] + a[1] * rows[apart] + a[2] * rows[2 * apart];
+}
+
+@FN@ @ROW@ @P@dot_rows(const @S@ *a, const @ROW@ *rows, int apart)
+{
+    return @P@dot3_rows(a, rows, apart) + @P@dot3_rows(a + 3, rows + 3 * apart, apart);
+}
+
 @PLAIN@ void @P@columns(int *column, int *end)
 {
     for (int k = 0, next = 0; k < @NV@; k++) {
@@ -524,16 +535,13 @@ static const int @P@order[@NV@] = {@ORDER@};
             for (int c = own < 0 ? 0 : own / @P@width; c < last; c++) {
                 if (asked) {
                     const @S@ *X = asked + 30 * i, *Y = X + 9;
-                    changes[8 * i + c] = -(X[0] * p[c] + X[1] * p[4 + c] + X[2] * p[8 + c]
-                        + (X[3] * p[12 + c] + X[4] * p[16 + c] + X[5] * p[20 + c])
-                        + (X[6] * p[24 + c] + X[7] * p[28 + c] + X[8] * p[32 + c]));
-                    changes[8 * i + 4 + c] = -(Y[0] * p[c] + Y[1] * p[4 + c] + Y[2] * p[8 + c]
-                        + (Y[3] * p[12 + c] + Y[4] * p[16 + c] + Y[5] * p[20 + c])
-                        + (Y[6] * p[24 + c] + Y[7] * p[28 + c] + Y[8] * p[32 + c]));
+                    changes[8 * i + c]
+                        = -(@P@dot_rows(X, p + c, 4) + @P@dot3_rows(X + 6, p + 24 + c, 4));
+                    changes[8 * i + 4 + c]
+                        = -(@P@dot_rows(Y, p + c, 4) + @P@dot3_rows(Y + 6, p + 24 + c, 4));
                 }
                 if (i >= @K@) {
-                    const @ROW@ push = s[0] * p[c] + s[1] * p[4 + c] + s[2] * p[8 + c]
-                        + (s[3] * p[12 + c] + s[4] * p[16 + c] + s[5] * p[20 + c]);
+                    const @ROW@ push = @P@dot_rows(s, p + c, 4);
                     const @ROW@ share = pivots[body] * push;
                     u[4 * i + c] = -push;
                     for (int row = 0; row < 9; row++) {
@@ -563,63 +571,33 @@ static const int @P@order[@NV@] = {@ORDER@};
             const int i = @P@order[k], body = i < @K@ ? 0 : i - @K@ + 1;
             const @S@ *s = axes + 6 * i, *U = along + 9 * body, pivot = pivots[body];
             const @ROW@ *carrier = a + 24 * @P@parents[body];
-            @ROW@ *own = a + 24 * body, *found = u + 4 * i;
-            @ROW@ A = found[0], B = found[1], C = found[2], D = found[3];
-            if (i < @K@) {
-                A = own[4 * i];
-                B = own[4 * i + 1];
-                C = own[4 * i + 2];
-                D = own[4 * i + 3];
-            } else {
-                for (int row = 0; row < 6; row++) {
-                    A -= U[row] * carrier[4 * row];
-                    B -= U[row] * carrier[4 * row + 1];
-                    C -= U[row] * carrier[4 * row + 2];
-                    D -= U[row] * carrier[4 * row + 3];
-                }
-                A = pivot * A;
-                B = pivot * B;
-                C = pivot * C;
-                D = pivot * D;
-                for (int row = 0; row < 6; row++) {
-                    own[4 * row] = carrier[4 * row] + s[row] * A;
-                    own[4 * row + 1] = carrier[4 * row + 1] + s[row] * B;
-                    own[4 * row + 2] = carrier[4 * row + 2] + s[row] * C;
-                    own[4 * row + 3] = carrier[4 * row + 3] + s[row] * D;
+            @ROW@ *own = a + 24 * body, *found = u + 4 * i, A[4];
+#if defined(__GNUC__)
+#pragma GCC unroll 4
+#endif
+            for (int c = 0; c < 4; c++) {
+                found[c] = A[c] = i < @K@
+                    ? own[4 * i + c] : pivot * (found[c] - @P@dot_rows(U, carrier + c, 4));
+            }
+            for (int row = 0; row < 6 && i >= @K@; row++) {
+#if defined(__GNUC__)
+#pragma GCC unroll 4
+#endif
+                for (int c = 0; c < 4; c++) {
+                    own[4 * row + c] = carrier[4 * row + c] + s[row] * A[c];
                 }
             }
-            found[0] = A;
-            found[1] = B;
-            found[2] = C;
-            found[3] = D;
             if (asked) {
                 const @S@ *P = asked + 30 * i + 18, *Q = P + 6;
                 const @S@ damping = i < @K@ ? (@S@)0 : t[25 * body + 23];
                 @ROW@ *sum = changes + 8 * i;
-                @ROW@ E = sum[4] - damping * A, F = sum[5] - damping * B;
-                @ROW@ G = sum[6] - damping * C, H = sum[7] - damping * D;
-                A = sum[0];
-                B = sum[1];
-                C = sum[2];
-                D = sum[3];
-                for (int row = 0; row < 6; row++, own += 4) {
-                    A -= P[row] * own[0];
-                    B -= P[row] * own[1];
-                    C -= P[row] * own[2];
-                    D -= P[row] * own[3];
-                    E -= Q[row] * own[0];
-                    F -= Q[row] * own[1];
-                    G -= Q[row] * own[2];
-                    H -= Q[row] * own[3];
+#if defined(__GNUC__)
+#pragma GCC unroll 4
+#endif
+                for (int c = 0; c < 4; c++) {
+                    sum[c] -= @P@dot_rows(P, own + c, 4);
+                    sum[4 + c] -= damping * found[c] + @P@dot_rows(Q, own + c, 4);
                 }
-                sum[0] = A;
-                sum[1] = B;
-                sum[2] = C;
-                sum[3] = D;
-                sum[4] = E;
-                sum[5] = F;
-                sum[6] = G;
-                sum[7] = H;
             }
             for (int l = 0; l < to - from; l++) {
                 const int place = places[l] + i, at = @P@block * i + lanes[l];
@@ -771,18 +749,11 @@ static const int @P@order[@NV@] = {@ORDER@};
             const @ROW@ *c = carried + row;
             @ROW@ found[5];
             const @S@ *numbers = (const @S@ *)found;
-            found[0] = s[0] * c[0] + s[1] * c[n] + s[2] * c[2 * n]
-                + (s[3] * c[3 * n] + s[4] * c[4 * n] + s[5] * c[5 * n]);
-            found[1] = s[0] * c[6 * n] + s[1] * c[7 * n] + s[2] * c[8 * n]
-                + (s[3] * c[9 * n] + s[4] * c[10 * n] + s[5] * c[11 * n]);
-            found[2] = s[0] * c[12 * n] + s[1] * c[13 * n] + s[2] * c[14 * n]
-                + (s[3] * c[15 * n] + s[4] * c[16 * n] + s[5] * c[17 * n]);
-            found[3] = X[0] * c[0] + X[1] * c[n] + X[2] * c[2 * n]
-                + (X[3] * c[3 * n] + X[4] * c[4 * n] + X[5] * c[5 * n])
-                + (X[6] * c[18 * n] + X[7] * c[19 * n] + X[8] * c[20 * n]);
-            found[4] = Y[0] * c[0] + Y[1] * c[n] + Y[2] * c[2 * n]
-                + (Y[3] * c[3 * n] + Y[4] * c[4 * n] + Y[5] * c[5 * n])
-                + (s[0] * c[18 * n] + s[1] * c[19 * n] + s[2] * c[20 * n]);
+            found[0] = @P@dot_rows(s, c, n);
+            found[1] = @P@dot_rows(s, c + 6 * n, n);
+            found[2] = @P@dot_rows(s, c + 12 * n, n);
+            found[3] = @P@dot_rows(X, c, n) + @P@dot3_rows(X + 6, c + 18 * n, n);
+            found[4] = @P@dot_rows(Y, c, n) + @P@dot3_rows(s, c + 18 * n, n);
             for (; next < @NV@ && column[@P@order[next]] < (row + 1) * @P@width; next++) {
                 const int j = @P@order[next], k = column[j] - row * @P@width;
                 M[@NV@ * i + j] = M[@NV@ * j + i] = numbers[k];
