@@ -5,7 +5,6 @@ from tests.features.samples import ARM
 from tests.support.cursor import at_cursor
 from tests.support.documents import ROOT
 
-from kindsl.frontends.features.actions.action import newline_of
 from kindsl.frontends.features.actions.code_actions import (
     code_actions,
     fix_all_action,
@@ -18,6 +17,7 @@ from kindsl.judgement.analysis.settings import Settings
 from kindsl.judgement.analysis.text_fix import edits_of
 from kindsl.language.semantics.parameters import Binding
 from kindsl.language.text.edits import TextEdit, apply_edits
+from kindsl.language.text.lines import newline_of
 
 BAD = ARM.replace("mass = 2.0", "mass = 2").replace("(0.5, 0.0, 0.0)", "(1, 2, 3)")
 

@@ -36,3 +36,10 @@ def is_first_on_line(text: str, position: int) -> bool:
     while position > 0 and text[position - 1] in " \t":
         position -= 1
     return position == 0 or text[position - 1] in "\r\n"
+
+
+def newline_of(text: str) -> str:
+    """Return the line end that a text uses."""
+    if "\r\n" in text:
+        return "\r\n"
+    return "\r" if "\r" in text and "\n" not in text else "\n"

@@ -1,17 +1,9 @@
-"""A change that an editor offers, and insertions laid out like their surroundings."""
+"""A change that an editor offers."""
 
-import re
-from collections.abc import Sequence
 from typing import NamedTuple
 
 from kindsl.judgement.analysis.diagnostics import Diagnostic
-from kindsl.language.syntax.indentation import indentation
-from kindsl.language.syntax.tree import Node
 from kindsl.language.text.edits import TextEdit
-from kindsl.language.text.lines import is_first_on_line
-
-_REST_OF_LINE = re.compile(r"[ \t]*(?://[^\r\n]*)?(?=[\r\n])")
-_STEP = "    "
 
 
 class OtherEdit(NamedTuple):
@@ -47,48 +39,3 @@ class CodeAction(NamedTuple):
     bindings: tuple[tuple[str, float], ...] = ()
     other_file: str = ""
     other_edits: tuple[OtherEdit, ...] = ()
-
-
-def newline_of(text: str) -> str:
-    """Return the line end that a text uses."""
-    if "\r\n" in text:
-        return "\r\n"
-    return "\r" if "\r" in text and "\n" not in text else "\n"
-
-
-def inserted_section(
-    text: str, block: Node, behind: Node | None, lines: Sequence[str]
-) -> TextEdit | None:
-    """Return the edit that puts a section into a block, None where the block has no braces.
-
-    Args:
-        text: The island's text, which the edit's offsets refer to.
-        block: The construct in braces.
-        behind: The section to put it behind; behind the opening brace if None.
-        lines: The section's lines, indented from zero by four blanks a level.
-    """
-    opening = next((c for c in block.children if c.kind == "{" and c.start < c.end), None)
-    if opening is None:
-        return None
-    position = behind.end if behind is not None else opening.end
-    rest = _REST_OF_LINE.match(text, position)
-    if rest is not None and rest.end() < block.end:
-        indent = section_indent(text, block)
-        new = "".join(f"{newline_of(text)}{indent}{line}" for line in lines)
-        return TextEdit(rest.end(), rest.end(), new)
-    new = " " + " ".join(line.strip() for line in lines)
-    is_close = position < len(text) and not text[position].isspace()
-    return TextEdit(position, position, new + " " if is_close else new)
-
-
-def last_section(block: Node) -> Node | None:
-    """Return the last section of a block, entry of a section, or None."""
-    return next((child for child in reversed(block.children) if isinstance(child, Node)), None)
-
-
-def section_indent(text: str, block: Node) -> str:
-    """Return the blanks before the sections of a block."""
-    for child in block.children:
-        if isinstance(child, Node) and is_first_on_line(text, child.start):
-            return indentation(text, child.start)
-    return indentation(text, block.end) + _STEP

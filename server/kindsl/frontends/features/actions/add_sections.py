@@ -3,13 +3,14 @@
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from kindsl.frontends.features.actions.action import CodeAction, inserted_section
+from kindsl.frontends.features.actions.action import CodeAction
 from kindsl.frontends.features.completion import snippets
 from kindsl.frontends.features.completion.item import without_placeholders
 from kindsl.frontends.features.completion.names import next_id
 from kindsl.frontends.features.tree_path import path_at
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.syntax.document import PlacedIsland
+from kindsl.language.syntax.insertions import inserted_section
 from kindsl.language.syntax.sections import ORDER
 from kindsl.language.syntax.tables import KINDS
 from kindsl.language.syntax.tree import Node

@@ -5,7 +5,7 @@ from difflib import SequenceMatcher
 from typing import TypeAlias
 from weakref import WeakKeyDictionary
 
-from kindsl.frontends.features.actions.action import CodeAction, newline_of
+from kindsl.frontends.features.actions.action import CodeAction
 from kindsl.frontends.features.actions.add_sections import add_missing, add_sections
 from kindsl.frontends.features.actions.create_missing import create_missing
 from kindsl.frontends.features.actions.move_inertia import move_inertia
@@ -21,7 +21,7 @@ from kindsl.judgement.analysis.text_fix import TextFix
 from kindsl.language.semantics.declarations import ValueKind
 from kindsl.language.syntax.indentation import indentation
 from kindsl.language.text.edits import TextEdit
-from kindsl.language.text.lines import LineIndex
+from kindsl.language.text.lines import LineIndex, newline_of
 
 FIX_ALL = "source.fixAll.kindsl"
 QUICK_FIX = "quickfix"

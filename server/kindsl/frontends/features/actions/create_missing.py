@@ -2,13 +2,14 @@
 
 from collections.abc import Iterator, Sequence
 
-from kindsl.frontends.features.actions.action import CodeAction, inserted_section, last_section
+from kindsl.frontends.features.actions.action import CodeAction
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.rules.base import Fix
 from kindsl.judgement.rules.new_blocks import new_joint, new_link
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.places import Place
+from kindsl.language.syntax.insertions import inserted_section, last_section
 from kindsl.language.text.decimals import rounded_decimal
 from kindsl.language.text.edits import TextEdit
 from kindsl.mechanics.rigid.pose import Vector3

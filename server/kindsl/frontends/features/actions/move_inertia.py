@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import ceil, log10
 from typing import NamedTuple
 
-from kindsl.frontends.features.actions.action import CodeAction, inserted_section
+from kindsl.frontends.features.actions.action import CodeAction
 from kindsl.frontends.features.actions.create_missing import new_frame
 from kindsl.frontends.features.names_taken import names_taken
 from kindsl.frontends.features.tree_path import path_at
@@ -23,6 +23,7 @@ from kindsl.language.semantics.expressions import half_unit, symbols
 from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.numbers import written_pose
 from kindsl.language.semantics.unknown import Unknown, pose_expressions
+from kindsl.language.syntax.insertions import inserted_section
 from kindsl.language.syntax.sections import ORDER
 from kindsl.language.syntax.tables import WORDS
 from kindsl.language.syntax.tree import Node

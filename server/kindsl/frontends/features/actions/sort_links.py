@@ -4,13 +4,14 @@ import re
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from kindsl.frontends.features.actions.action import CodeAction, newline_of
+from kindsl.frontends.features.actions.action import CodeAction
 from kindsl.frontends.features.tree_path import token_at
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.rules.renumbering import regular_order, renumbering
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.syntax.vocabulary import BODIES
 from kindsl.language.text.edits import TextEdit
+from kindsl.language.text.lines import newline_of
 
 _KIND = "refactor.rewrite"
 _WHERE = frozenset(("head", *BODIES))

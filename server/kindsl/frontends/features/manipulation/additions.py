@@ -1,6 +1,5 @@
 """Add a frame to a link, or a link by a new joint, where somebody points."""
 
-from kindsl.frontends.features.actions.action import newline_of
 from kindsl.frontends.features.completion import snippets
 from kindsl.frontends.features.completion.item import without_placeholders
 from kindsl.frontends.features.manipulation.gesture import Gesture, Refusal
@@ -13,6 +12,7 @@ from kindsl.frontends.features.manipulation.new_blocks import (
 )
 from kindsl.frontends.features.manipulation.value_text import number_text
 from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.language.text.lines import newline_of
 from kindsl.mechanics.rigid.pose import Vector3
 
 KEYWORDS = {"revolute": "r_joint", "prismatic": "p_joint"}

@@ -3,11 +3,6 @@
 from collections.abc import Iterable, Sequence
 from itertools import count
 
-from kindsl.frontends.features.actions.action import (
-    inserted_section,
-    last_section,
-    newline_of,
-)
 from kindsl.frontends.features.actions.create_missing import added_frame
 from kindsl.frontends.features.names_taken import names_taken
 from kindsl.judgement.analysis.analysis import Analysis
@@ -15,8 +10,9 @@ from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Construct, Place
 from kindsl.language.syntax.indentation import indentation
+from kindsl.language.syntax.insertions import inserted_section, last_section
 from kindsl.language.text.edits import TextEdit
-from kindsl.language.text.lines import is_first_on_line
+from kindsl.language.text.lines import is_first_on_line, newline_of
 
 
 def with_child(analysis: Analysis, body: Link, link: str, joint: str) -> TextEdit | None:
