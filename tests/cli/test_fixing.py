@@ -17,10 +17,10 @@ from tests.support.examples import link, robot
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.diagnostics import Diagnostic
-from kindsl.judgement.analysis.fixing import disjoint_fixes, fixed, in_line_style, is_fixable
+from kindsl.judgement.analysis.fixing import disjoint_fixes, fixed, is_fixable
 from kindsl.judgement.analysis.text_fix import TextFix, edits_of
 from kindsl.judgement.rules.base import Severity
-from kindsl.language.text.edits import TextEdit, apply_edits
+from kindsl.language.text.edits import TextEdit, apply_edits, in_line_style
 
 FIXED = arm(reach="1.0")
 

@@ -7,6 +7,7 @@ from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.text_fix import TextFix
 from kindsl.language.syntax.passages import foreign_passages
 from kindsl.language.text.edits import TextEdit, apply_edits
+from kindsl.language.text.lines import line_start
 
 
 class Pasting(NamedTuple):
@@ -44,9 +45,7 @@ def pastings(analysis: Analysis, start: int, end: int, text: str) -> tuple[Pasti
 
 def _as_lines(document: str, start: int, end: int, text: str) -> str:
     """Return a text with line ends where it would share a line with another."""
-    before = document[
-        max(document.rfind("\n", 0, start), document.rfind("\r", 0, start)) + 1 : start
-    ]
+    before = document[line_start(document, start) : start]
     behind = document[end:].partition("\n")[0]
     lead = "\n" if before.strip() else ""
     return lead + text.strip("\r\n") + ("\n" if behind.strip() else "")

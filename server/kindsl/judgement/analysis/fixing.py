@@ -11,7 +11,7 @@ from kindsl.judgement.analysis.proof import effect
 from kindsl.judgement.analysis.text_fix import TextFix, disjoint, edits_of, prove
 from kindsl.judgement.rules.base import Severity
 from kindsl.language.syntax.scanner import comments, scan
-from kindsl.language.text.edits import TextEdit
+from kindsl.language.text.edits import TextEdit, in_line_style
 
 # A fix may make another possible; a hundred in a row are a defect of the rules.
 _MOST_ROUNDS = 100
@@ -173,16 +173,6 @@ def disjoint_fixes(findings: Iterable[Diagnostic]) -> list[TextFix]:
 
 def _edits(fixes: Iterable[TextFix], text: str) -> tuple[TextEdit, ...]:
     return tuple(in_line_style(edit, text) for edit in edits_of(fixes))
-
-
-def in_line_style(edit: TextEdit, text: str) -> TextEdit:
-    """Return an edit with the line ends that a text has."""
-    if "\n" not in edit.text or "\r" not in text:
-        return edit
-    line_end = "\r\n" if "\r\n" in text else "\r"
-    if "\n" in text.replace("\r\n", ""):
-        return edit
-    return edit._replace(text=edit.text.replace("\r\n", "\n").replace("\n", line_end))
 
 
 def _errors(analysis: Analysis) -> Counter[str]:

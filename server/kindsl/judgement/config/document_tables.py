@@ -5,7 +5,6 @@ import os
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 
-from kindsl.judgement.analysis.fixing import in_line_style
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.judgement.config.configuration import Configuration
 from kindsl.judgement.config.configuration_reading import configuration_of
@@ -13,7 +12,7 @@ from kindsl.judgement.config.errors import ConfigurationError
 from kindsl.judgement.config.parameter_lines import key, parameter_lines
 from kindsl.judgement.config.toml_places import KeyPath
 from kindsl.language.semantics.parameters import JointProperties
-from kindsl.language.text.edits import TextEdit, apply_edits
+from kindsl.language.text.edits import TextEdit, apply_edits, in_line_style
 
 _KEYS = {"minimum": "min", "maximum": "max"}
 _GLOB = "*?[]!#\\"

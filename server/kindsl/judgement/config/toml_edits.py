@@ -12,12 +12,11 @@ import tomlkit
 from tomlkit.exceptions import TOMLKitError
 from tomlkit.items import KeyType, SingleKey
 
-from kindsl.judgement.analysis.fixing import in_line_style
 from kindsl.judgement.config.configuration import Configuration, DocumentTable
 from kindsl.judgement.config.configuration_reading import configuration_of
 from kindsl.judgement.config.errors import ConfigurationError
 from kindsl.judgement.config.toml_places import KeyPath, spans_of
-from kindsl.language.text.edits import TextEdit, apply_edits, difference
+from kindsl.language.text.edits import TextEdit, apply_edits, difference, in_line_style
 from kindsl.language.text.lines import LineIndex
 
 # A table, TOML's or Python's: of its values nothing is known.

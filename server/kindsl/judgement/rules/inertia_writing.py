@@ -5,13 +5,11 @@ from collections.abc import Iterator
 from kindsl.judgement.rules.base import Replacement
 from kindsl.language.semantics.declarations import Inertia, Link
 from kindsl.language.semantics.places import Place
-from kindsl.language.syntax.indentation import indentation
+from kindsl.language.syntax.insertions import section_indent
 from kindsl.language.syntax.tree import Node
 from kindsl.language.syntax.vocabulary import MOMENTS, words_of
-from kindsl.language.text.lines import is_first_on_line
+from kindsl.language.text.lines import line_start, newline_of
 from kindsl.robots.cad.properties import MassProperties
-
-_STEP = "    "
 
 
 def body_around(bodies: tuple[Link, ...], at: Place) -> Link | None:
@@ -35,7 +33,7 @@ def inertia_changes(body: Link, found: MassProperties, at: Place) -> tuple[Repla
         section.end <= at.start if section in ids else at.end <= section.start
         for section in sections
     ):
-        start = _line_start(at.island.text, at.start)
+        start = line_start(at.island.text, at.start)
         block = _block(body, found)
         if at.island.text[start : at.start].strip():
             start, block = at.start, block.lstrip()
@@ -52,7 +50,7 @@ def new_inertia(body: Link, found: MassProperties) -> tuple[Replacement, ...]:
     if inertia is None:
         ids = [section for section in _sections(body) if section.kind == "id"]
         behind = ids[0] if ids else next(c for c in body.node.children if c.kind == "{")
-        new = _with_newlines(body, f"\n{_block(body, found)}")
+        new = f"{newline_of(body.island.text)}{_block(body, found)}"
         return (Replacement(Place(body.island, behind.end, behind.end), new),)
     if _is_whole(inertia) and _frame(body, found) == (inertia.frame or ""):
         return tuple(_values(inertia, found))
@@ -65,15 +63,17 @@ def _sections(body: Link) -> list[Node]:
 
 
 def _block(body: Link, found: MassProperties) -> str:
-    indent, inertia = _indent(body), body.inertia
+    text, inertia = body.island.text, body.inertia
+    indent = section_indent(text, body.node)
     keyword = next(inertia.node.tokens()).text if inertia is not None else words_of("inertia")[0]
-    return _with_newlines(body, indent + found.block(keyword, indent, _frame(body, found)))
+    block = found.block(keyword, indent, _frame(body, found))
+    return indent + block.replace("\n", newline_of(text))
 
 
 def without_lines(at: Place) -> Replacement:
     """Return the change that removes a passage, and its lines if nothing else is in them."""
     text = at.island.text
-    start, end = _line_start(text, at.start), at.end
+    start, end = line_start(text, at.start), at.end
     while end < len(text) and text[end] in " \t\r":
         end += 1
     if text[start : at.start].strip() or text[end : end + 1] not in ("", "\n"):
@@ -101,20 +101,3 @@ def _values(inertia: Inertia, found: MassProperties) -> Iterator[Replacement]:
     moments = (inertia.moments[name] for name in MOMENTS)
     for value, text in zip((inertia.mass, *inertia.com.components, *moments), texts, strict=True):
         yield Replacement(Place(inertia.island, value.start, value.end), text)
-
-
-def _indent(body: Link) -> str:
-    """Return the blanks before the sections of a body."""
-    text = body.island.text
-    for child in body.node.children:
-        if isinstance(child, Node) and is_first_on_line(text, child.start):
-            return indentation(text, child.start)
-    return indentation(text, body.start) + _STEP
-
-
-def _with_newlines(body: Link, block: str) -> str:
-    return block.replace("\n", "\r\n") if "\r\n" in body.island.text else block
-
-
-def _line_start(text: str, position: int) -> int:
-    return max(text.rfind("\n", 0, position), text.rfind("\r", 0, position)) + 1

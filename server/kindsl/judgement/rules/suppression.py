@@ -15,6 +15,7 @@ from kindsl.language.semantics.lowering import OtherIsland
 from kindsl.language.semantics.places import Place
 from kindsl.language.syntax.tree import Island, Node
 from kindsl.language.syntax.vocabulary import of_kind
+from kindsl.language.text.lines import line_start
 
 _COMMENT = re.compile(r"kindsl:\s*(?:(ignore(?:-file)?)(?![\w-])\s*(?:\[([^\]\r\n]*)\])?)?")
 _CODE = re.compile(r"[^,\s](?:[^,]*[^,\s])?")
@@ -110,8 +111,7 @@ def covered_by(
     comment = directive.comment
     number = next(n for n, island in enumerate(islands) if island is comment.island)
     island = islands[number]
-    line = max(island.text.rfind("\n", 0, comment.start), island.text.rfind("\r", 0, comment.start))
-    line += 1
+    line = line_start(island.text, comment.start)
     if island.text[line : comment.start].strip():
         end = len(island.text[: comment.start].rstrip())
         ended = next((node for node in _blocks(island) if node.end == end), None)

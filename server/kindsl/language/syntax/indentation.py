@@ -3,13 +3,12 @@
 from collections.abc import Iterator, Sequence
 
 from kindsl.language.syntax.tree import Token
-from kindsl.language.text.lines import is_first_on_line
+from kindsl.language.text.lines import is_first_on_line, line_start
 
 
 def indentation(text: str, position: int) -> str:
     """Return the blanks at the beginning of the line that holds a position."""
-    start = max(text.rfind("\n", 0, position), text.rfind("\r", 0, position)) + 1
-    end = start
+    start = end = line_start(text, position)
     while end < len(text) and text[end] in " \t":
         end += 1
     return text[start:end]

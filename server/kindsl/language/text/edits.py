@@ -4,6 +4,8 @@ from bisect import bisect_left
 from collections.abc import Callable, Iterable, Sequence
 from typing import NamedTuple
 
+from kindsl.language.text.lines import newline_of
+
 # What is compared in one go: of ten thousand items nearly all are the same.
 _BLOCK = 256
 
@@ -14,6 +16,13 @@ class TextEdit(NamedTuple):
     start: int
     end: int
     text: str
+
+
+def in_line_style(edit: TextEdit, text: str) -> TextEdit:
+    """Return an edit with the line ends that a text has."""
+    if "\n" not in edit.text:
+        return edit
+    return edit._replace(text=edit.text.replace("\r\n", "\n").replace("\n", newline_of(text)))
 
 
 def apply_edits(text: str, edits: Iterable[TextEdit]) -> str:

@@ -38,8 +38,12 @@ def is_first_on_line(text: str, position: int) -> bool:
     return position == 0 or text[position - 1] in "\r\n"
 
 
+def line_start(text: str, position: int) -> int:
+    """Return where the line that holds a position begins."""
+    return max(text.rfind("\n", 0, position), text.rfind("\r", 0, position)) + 1
+
+
 def newline_of(text: str) -> str:
-    """Return the line end that a text uses."""
-    if "\r\n" in text:
-        return "\r\n"
-    return "\r" if "\r" in text and "\n" not in text else "\n"
+    """Return the line end that a text uses, a line feed where it uses none or several."""
+    ends = set(re.findall(_LINE_END, text)) if "\r" in text else ()
+    return "".join(ends) if len(ends) == 1 else "\n"

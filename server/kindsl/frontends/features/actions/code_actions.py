@@ -21,7 +21,7 @@ from kindsl.judgement.analysis.text_fix import TextFix
 from kindsl.language.semantics.declarations import ValueKind
 from kindsl.language.syntax.indentation import indentation
 from kindsl.language.text.edits import TextEdit
-from kindsl.language.text.lines import LineIndex, newline_of
+from kindsl.language.text.lines import line_start, newline_of
 
 FIX_ALL = "source.fixAll.kindsl"
 QUICK_FIX = "quickfix"
@@ -128,8 +128,7 @@ def _touched(analysis: Analysis, start: int, end: int) -> list[Diagnostic]:
 
 def _ignoring(text: str, finding: Diagnostic) -> TextEdit:
     """Return the comment on a line of its own before the finding's, indented like it."""
-    _, column = LineIndex(text).position(finding.start)
-    line = finding.start - column
+    line = line_start(text, finding.start)
     comment = f"{indentation(text, finding.start)}// kindsl: ignore[{finding.code}]"
     return TextEdit(line, line, f"{comment}{newline_of(text)}")
 
@@ -144,8 +143,7 @@ def _ignoring_xml(analysis: Analysis, finding: Diagnostic) -> TextEdit:
         if node.start <= finding.start - placed.start < node.end:
             at = placed.start + node.start
             pending = list(node.nodes("inertia"))
-    _, column = LineIndex(text).position(at)
-    before = text[at - column : at]
+    before = text[line_start(text, at) : at]
     behind = " " if before.strip() else f"{newline_of(text)}{before}"
     return TextEdit(at, at, f"<!-- kindsl: ignore[{finding.code}] -->{behind}")
 
