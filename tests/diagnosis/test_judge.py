@@ -339,3 +339,14 @@ def test_copies_of_a_body_are_one_witness(monkeypatch: pytest.MonkeyPatch) -> No
         judge.diagnoses(suspects_of(analysis.model, values), analysis.model, values)
     assert heard[0] == pytest.approx(heard[2])
     assert heard[1] == pytest.approx(heard[5])
+
+
+def test_masses_that_are_all_in_grams_are_not_compared_with_each_other() -> None:
+    """Beside the others, which have the same mistake, the mass that was meant is tiny."""
+    balls = [ball(density, (0.1, 0.2, z)) for density in (800.0, 1200.0) for z in (0.2, 0.3, 0.4)]
+    masses = [b._replace(mass=1e3 * b.mass) for b in balls]
+    analysis = analyse(document_of_bodies([inertia_text(b, significant(6)) for b in masses]))
+    model, values = analysis.model, analysis.context.values
+    found = judge.diagnoses(suspects_of(model, values), model, values)
+    assert [causes[0].hypothesis.slips for _, causes in found] == [(Slip.MASS,)] * len(balls)
+    assert all(causes[0].probability > 0.9 for _, causes in found)

@@ -168,7 +168,9 @@ def test_other_links_tell_which_of_two_causes_it_is() -> None:
     good += " Iz=0.01 Ixy=0.0 Ixz=0.0 Iyz=0.0 }"
     alone = analyse(document_of_bodies([either, good]), INERTIA).findings
     assert [f.fix for f in alone if f.code in CAUSES] == [None]
-    rods = [body_of(m, [0.1, 0.12, 0.2], [[m * x * y for x in ROD] for y in ROD]) for m in (1, 2)]
+    rods = [
+        body_of(m, [0.1, 0.12, 0.2], [[m * x * y for x in ROD] for y in ROD]) for m in range(1, 5)
+    ]
     clear = [inertia_text(about_com(rod), significant(5)) for rod in rods]
     together = analyse(document_of_bodies([either, *clear, good]), INERTIA).findings
     assert next(f for f in together if f.code == "KD306").fix is not None

