@@ -13,9 +13,8 @@ from typing import NamedTuple
 
 from kindsl.mechanics.rigid.pose import IDENTITY, Rotation, Vector3, product, transposed, turned
 from kindsl.robots.limbs.limb import Match
-from kindsl.robots.limbs.mounts import CONVENTIONS, Mount, Way, is_proper, mounts
+from kindsl.robots.limbs.mounts import CONVENTIONS, SAME_PLACE, Mount, Way, is_proper, mounts
 
-_SEEN = 1e-3
 _KNOWN = frozenset(CONVENTIONS)
 _ALIKE = {kind: [C for C in CONVENTIONS if is_proper(C) == kind] for kind in (True, False)}
 # The row and the triple (`translation`, `angles`) that is wrong.
@@ -107,7 +106,7 @@ class LimbComparison:
         below = list(self._below[at])
         for index in below:
             below += self._below[index]
-        return any(max(map(abs, self.rows[i].one.translation)) > _SEEN for i in below)
+        return any(max(map(abs, self.rows[i].one.translation)) > SAME_PLACE for i in below)
 
     def _read(self, among: Sequence[Mount], may_slip: bool) -> Iterator[Reading]:
         here, there = self.rows[0].one.translation, self.rows[0].other.translation

@@ -12,10 +12,10 @@ from typing import NamedTuple
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3
 from kindsl.robots.limbs.limb import Body, Limbs, matched
+from kindsl.robots.limbs.mounts import SAME_PLACE
 
-# Points nearer than this are the same, m and as a share of the limb: designs are written in
-# millimetres.
-_SAME, _SHARE = 1e-3, 0.01
+# Points of a limb that are nearer than this share of it are the same.
+_SHARE = 0.01
 # How far a copy that is turned is from its mirror image at least, as a share of the limb: 0.09 in
 # the one published robot that turns an arm, 0.16 and more in 37 of 44 limbs copied below the head.
 _UNLIKE = 0.2
@@ -71,7 +71,7 @@ def _heads(limbs: Limbs) -> Iterator[tuple[Body, Body]]:
 def _only_axis_between(left: Body, right: Body) -> int | None:
     """Return the one axis of the carrier along which two heads are apart, if it is one."""
     pairs = zip(left.translation, right.translation, strict=True)
-    apart = [axis for axis, (x, y) in enumerate(pairs) if abs(x - y) > _SAME]
+    apart = [axis for axis, (x, y) in enumerate(pairs) if abs(x - y) > SAME_PLACE]
     return apart[0] if len(apart) == 1 else None
 
 
@@ -100,7 +100,7 @@ def _likeness(
     if len(here) != len(there) or len(here) < _FEWEST:
         return False, False
     size = max(dist(point, here[0]) for point in here)
-    within = max(_SAME, _SHARE * size)
+    within = max(SAME_PLACE, _SHARE * size)
     off = min(_apart([_mirror(point, axis) for point in here], there) for axis in axes)
     origin = RigidPose(left.rotation, left.translation).inverse()
     target = RigidPose(right.rotation, right.translation)

@@ -17,7 +17,9 @@ from kindsl.mechanics.rigid.pose import (
 )
 from kindsl.robots.limbs.limb import Body
 
-_APART = 1e-3
+# Points that are nearer are at the same place, m: designs are written in millimetres. With half of
+# it two slips of 111 that were planted are not found, with twice of it as many as with it.
+SAME_PLACE = 1e-3
 # The cosine of no angle between the axis of a turn and another, as far as numbers are rounded.
 _ALONG = 1.0 - 1e-6
 # The plainest explanation first: what costs more must explain a slip more.
@@ -87,7 +89,7 @@ def mounts(how: str, one: Body, other: Body) -> Iterator[Mount]:
     if how == "TURN" and here == there:
         yield Mount(product(other.rotation, transposed(one.rotation)), there, 0.0)
     is_sliding = one.kind == other.kind == "prismatic"
-    apart = [abs(x - y) > _APART for x, y in zip(here, there, strict=True)]
+    apart = [abs(x - y) > SAME_PLACE for x, y in zip(here, there, strict=True)]
     for axis, mirror in enumerate(_MIRRORS):
         j, k = (axis + 1) % 3, (axis + 2) % 3
         place, along = turned(mirror, here), moved(here, there, axis)
@@ -103,15 +105,15 @@ def mounts(how: str, one: Body, other: Body) -> Iterator[Mount]:
             # The same limb at the mirrored place, on a like, a mirrored or a turned mount.
             yield Mount(mirror, place, _LIKE, is_copy=True)
             yield from (Mount(turn, place, _LIKE) for turn in (_SAME, *_HALF_TURNS))
-        if how == "LR" and min(abs(here[j]), abs(here[k])) > _APART:
+        if how == "LR" and min(abs(here[j]), abs(here[k])) > SAME_PLACE:
             yield Mount(_HALF_TURNS[axis], turned(_HALF_TURNS[axis], here), _TURNED)
-        if how == "TURN" and min(hypot(p[j], p[k]) for p in (here, there)) > _APART:
+        if how == "TURN" and min(hypot(p[j], p[k]) for p in (here, there)) > SAME_PLACE:
             turn = _turn(axis, atan2(there[k], there[j]) - atan2(here[k], here[j]))
             yield Mount(turn, turned(turn, here), 0.0)
             # The place may be wrong that tells the angle, but the rotation right.
             for turn in _turns_of(one, other, _PROPER):
                 place = turned(turn, here)
-                if turn[axis][axis] > _ALONG and dist(place, there) > _APART:
+                if turn[axis][axis] > _ALONG and dist(place, there) > SAME_PLACE:
                     yield Mount(turn, place, 0.0)
         if how == "TURN" and apart[axis]:
             yield Mount(_SAME, along, _MOVED, axis)

@@ -14,14 +14,15 @@ from typing import NamedTuple
 from kindsl.mechanics.rigid.pose import IDENTITY, Rotation, pose_from, product, transposed, turned
 from kindsl.robots.limbs.comparison import LimbComparison
 from kindsl.robots.limbs.limb import Body, Limbs, Side, held_by, matched
-from kindsl.robots.limbs.mounts import REFLECTIONS
+from kindsl.robots.limbs.mounts import REFLECTIONS, SAME_PLACE
 from kindsl.robots.limbs.names import is_held
 from kindsl.robots.limbs.slips import n_retyped
 from kindsl.robots.limbs.weighing import Accusation, Masses, Suspect, WeighedComparison, seen_by
 
 # Bodies of a pair of which a number may be typed anew; of fewer it is a sign, an order, a unit.
 _SMALLEST = {"LR": 3, "HELD": 2}
-_SAME_PLACE, _SAME_TURN = 1e-3, 0.02
+# Of the numbers of a turn that two limbs let expect.
+_SAME_TURN = 0.02
 _Pair = tuple[Side, Side]
 _ByTwin = Sequence[Sequence[Accusation]]
 _Weighed = Mapping[_Pair, WeighedComparison]
@@ -172,8 +173,8 @@ def _is_at_another(pairs: _Weighed, label: Side, said: Accusation) -> bool:
     is_moved = said.place == Suspect(own.name, own.joint, "translation")
     place = said.meant if is_moved else own.translation
     places = [head.translation for head in heads.values()]
-    return any(dist(place, each) < _SAME_PLACE for each in places) and all(
-        dist(x, y) >= _SAME_PLACE for x, y in combinations(places, 2)
+    return any(dist(place, each) < SAME_PLACE for each in places) and all(
+        dist(x, y) >= SAME_PLACE for x, y in combinations(places, 2)
     )
 
 
@@ -189,7 +190,7 @@ def _agreed(by_twin: _ByTwin) -> Accusation | None:
 
 
 def _agree(one: Accusation, other: Accusation) -> bool:
-    here, there, within = one.meant, other.meant, _SAME_PLACE
+    here, there, within = one.meant, other.meant, SAME_PLACE
     if one.place.what == "angles":
         here, there, within = _matrix(*here), _matrix(*there), _SAME_TURN
     free = one.free_axis, other.free_axis
@@ -246,7 +247,7 @@ def _is_base_at_one(limbs: LimbComparison, said: Accusation) -> bool:
     twin = other if said.place.joint == one.joint else one
     is_sliding = one.kind == other.kind == "prismatic"
     is_there = not (is_sliding or is_held(one.name, other.name)) and all(
-        abs(x - y) < _SAME_PLACE for x, y in zip(said.meant, twin.translation, strict=True)
+        abs(x - y) < SAME_PLACE for x, y in zip(said.meant, twin.translation, strict=True)
     )
     return is_there or not any(one.translation) or not any(other.translation)
 
@@ -310,7 +311,7 @@ def _ways(pairs: _Weighed, mirrored: _Way, index: int) -> Iterator[_Way]:
     places = [r.one.translation for p in rows for r in pairs[p].limbs.rows if r.up == index]
     for signs in REFLECTIONS[1:] if rows else ():
         if all(
-            abs(x) < _SAME_PLACE for place in places for x in map(sub, turned(signs, place), place)
+            abs(x) < SAME_PLACE for place in places for x in map(sub, turned(signs, place), place)
         ):
             yield {**mirrored, **{pair: product(signs, C) for pair, C in rows.items()}}
 
