@@ -7,8 +7,8 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 
 from kindsl.mechanics.dynamics.bodies import Bodies
-from kindsl.mechanics.dynamics.evaluation.differentiable import GRAVITY
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanics.dynamics.evaluation.whole_body import GRAVITY
 from kindsl.mechanics.dynamics.regressor import PARAMETERS_PER_BODY, regressor
 from kindsl.mechanics.rigid.body import lumped, seen_from
 from kindsl.mechanics.rigid.pose import RigidPose

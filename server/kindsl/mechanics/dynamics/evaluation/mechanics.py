@@ -17,7 +17,6 @@ from kindsl.mechanics.dynamics.evaluation.arguments import (
     placed_frame,
     vectors,
 )
-from kindsl.mechanics.dynamics.evaluation.differentiable import AT_REST, GRAVITY
 from kindsl.mechanics.dynamics.evaluation.forms import Forms
 from kindsl.mechanics.dynamics.evaluation.request import Request
 from kindsl.mechanics.dynamics.evaluation.results import (
@@ -28,7 +27,7 @@ from kindsl.mechanics.dynamics.evaluation.results import (
     Poses,
 )
 from kindsl.mechanics.dynamics.evaluation.singular import not_finite, too_large
-from kindsl.mechanics.dynamics.evaluation.whole_body import WholeBody
+from kindsl.mechanics.dynamics.evaluation.whole_body import AT_REST, GRAVITY, WholeBody
 from kindsl.mechanics.dynamics.forward_kinematics import joint_poses
 from kindsl.mechanics.dynamics.jacobian import jacobian, relative_jacobian
 from kindsl.mechanics.dynamics.quantities import (
