@@ -18,7 +18,15 @@ from kindsl.judgement.diagnosis.digits import likely_half_widths, numbers_writte
 from kindsl.judgement.diagnosis.judgements import IMPOSSIBLE, verdict_of
 from kindsl.language.semantics.declarations import Inertia
 from kindsl.language.semantics.numbers import mass_distribution
-from kindsl.language.semantics.ranges import Interval, bounds_of, degrees_of, product_degrees
+from kindsl.language.semantics.ranges import (
+    Interval,
+    bounds_of,
+    degrees_of,
+    difference_of,
+    product_degrees,
+    product_of,
+    sum_of,
+)
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.rigid.body import eigensystem, second_moments_about_com
 
@@ -138,26 +146,17 @@ def _is_proved(inertia: Inertia, part: Ranges, values: Values) -> bool:
 def _second_moments(mass: Interval, com: list[Interval], moments: list[Interval]) -> list[Interval]:
     """Return bounds of the six second moments about the CoM."""
     (ix, iy, iz), products = moments[:3], moments[3:]
-    diagonal = [_less(_sum(iy, iz), ix), _less(_sum(ix, iz), iy), _less(_sum(ix, iy), iz)]
+    diagonal = [
+        difference_of(sum_of(iy, iz), ix),
+        difference_of(sum_of(ix, iz), iy),
+        difference_of(sum_of(ix, iy), iz),
+    ]
     found = []
     for half, c in zip(diagonal, com, strict=True):
-        found.append(_less((0.5 * half[0], 0.5 * half[1]), _product(mass, _square(c))))
+        found.append(difference_of((0.5 * half[0], 0.5 * half[1]), product_of(mass, _square(c))))
     for moment, (i, j) in zip(products, ((0, 1), (0, 2), (1, 2)), strict=True):
-        found.append(_less(moment, _product(mass, _product(com[i], com[j]))))
+        found.append(difference_of(moment, product_of(mass, product_of(com[i], com[j]))))
     return found
-
-
-def _sum(a: Interval, b: Interval) -> Interval:
-    return a[0] + b[0], a[1] + b[1]
-
-
-def _less(a: Interval, b: Interval) -> Interval:
-    return a[0] - b[1], a[1] - b[0]
-
-
-def _product(a: Interval, b: Interval) -> Interval:
-    products = [x * y for x in a for y in b]
-    return min(products), max(products)
 
 
 def _square(a: Interval) -> Interval:

@@ -47,29 +47,37 @@ def product_degrees(left: Degrees, right: Degrees) -> Degrees:
     return {name: left.get(name, 0) + right.get(name, 0) for name in {**left, **right}}
 
 
-def _sum(left: Interval, right: Interval) -> Interval:
+def sum_of(left: Interval, right: Interval) -> Interval:
+    """Return the bounds of a sum."""
     return left[0] + right[0], left[1] + right[1]
 
 
-def _difference(left: Interval, right: Interval) -> Interval:
+def difference_of(left: Interval, right: Interval) -> Interval:
+    """Return the bounds of a difference."""
     return left[0] - right[1], left[1] - right[0]
 
 
-def _product(left: Interval, right: Interval) -> Interval:
+def product_of(left: Interval, right: Interval) -> Interval:
+    """Return the bounds of a product."""
     products = [a * b for a in left for b in right]
     return min(products), max(products)
 
 
 def _quotient(left: Interval, right: Interval) -> Interval | None:
     has_zero = right[0] <= 0.0 <= right[1]
-    return None if has_zero else _product(left, (1.0 / right[1], 1.0 / right[0]))
+    return None if has_zero else product_of(left, (1.0 / right[1], 1.0 / right[0]))
 
 
 def _negative(interval: Interval) -> Interval:
     return -interval[1], -interval[0]
 
 
-_OPERATIONS = {"add": _sum, "subtract": _difference, "multiply": _product, "divide": _quotient}
+_OPERATIONS = {
+    "add": sum_of,
+    "subtract": difference_of,
+    "multiply": product_of,
+    "divide": _quotient,
+}
 
 
 def _degrees(node: Node, names: frozenset[str]) -> Degrees | None:
