@@ -17,6 +17,7 @@ from kindsl.mechanics.dynamics.centroidal_momentum import (
 from kindsl.mechanics.dynamics.constrained_forward_dynamics import constrained_forward_dynamics
 from kindsl.mechanics.dynamics.coriolis_matrix import coriolis_matrix
 from kindsl.mechanics.dynamics.evaluation.arguments import (
+    NOTHING,
     JointVector,
     check_mass,
     checked,
@@ -37,6 +38,7 @@ from kindsl.mechanics.dynamics.inverse_dynamics_derivatives import (
 )
 from kindsl.mechanics.dynamics.jacobian import jacobian
 from kindsl.mechanics.dynamics.joint_space_inertia import joint_space_inertia
+from kindsl.mechanics.dynamics.joints import uniform_acceleration
 from kindsl.mechanics.dynamics.posture import posture
 from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY
 from kindsl.mechanics.dynamics.regressor import inertial_parameters, regressor
@@ -129,11 +131,8 @@ class WholeBody:
         The forces are those of the bodies, without rotors and friction of joints.
         """
         base = {"base_velocity": base_velocity, "base_acceleration": base_acceleration}
-        joints = {"q": q, "qd": qd, "qdd": qdd}
-        q, qd, qdd, base_velocity, base_acceleration, g = self._motion(joints, base, gravity)
-        relative = base_acceleration.copy()
-        relative[..., 3:] -= g
-        return regressor(self.bodies, q, qd, qdd, base_velocity, relative)
+        q, qd, qdd, v, a, g = self._motion({"q": q, "qd": qd, "qdd": qdd}, base, gravity)
+        return regressor(self.bodies, q, qd, qdd, v, a - uniform_acceleration(g))
 
     def inertial_parameters(self) -> Array:
         """Return the inertial parameters that the regressor multiplies, ten a moving body.
@@ -146,8 +145,8 @@ class WholeBody:
     def _motion(
         self,
         joints: Mapping[str, JointVector],
-        base: Mapping[str, npt.ArrayLike | None],
-        gravity: npt.ArrayLike,
+        base: Mapping[str, npt.ArrayLike | None] = NOTHING,
+        gravity: npt.ArrayLike = STANDARD_GRAVITY,
     ) -> list[Array]:
         """Return all arguments checked, with one batch shape."""
         given = checked(self.bodies, joints, base, gravity)
@@ -165,7 +164,7 @@ class WholeBody:
             ValueError: If the total mass is zero.
         """
         check_mass(self.bodies)
-        q, _ = self._motion({"q": q}, {}, STANDARD_GRAVITY)
+        q, _ = self._motion({"q": q})
         return centroidal_momentum_matrix(self.bodies, q)
 
     def centroidal_momentum_drift(
@@ -179,8 +178,7 @@ class WholeBody:
             ValueError: If the total mass is zero.
         """
         check_mass(self.bodies)
-        joints, base = {"q": q, "qd": qd}, {"base_velocity": base_velocity}
-        q, qd, v, _ = self._motion(joints, base, STANDARD_GRAVITY)
+        q, qd, v, _ = self._motion({"q": q, "qd": qd}, {"base_velocity": base_velocity})
         return centroidal_momentum_drift(self.bodies, q, qd, v)
 
     def frame_velocity(
@@ -239,7 +237,7 @@ class WholeBody:
         Raises:
             SingularInertiaError: If nothing resists a motion.
         """
-        q, _ = self._motion({"q": q}, {}, STANDARD_GRAVITY)
+        q, _ = self._motion({"q": q})
         try:
             inverse = np.linalg.inv(joint_space_inertia(self.bodies, q))
         except np.linalg.LinAlgError:
@@ -255,8 +253,7 @@ class WholeBody:
 
         `C + C.T` is the rate of the joint-space inertia. Friction of joints is not in `C`.
         """
-        joints, base = {"q": q, "qd": qd}, {"base_velocity": base_velocity}
-        q, qd, v, _ = self._motion(joints, base, STANDARD_GRAVITY)
+        q, qd, v, _ = self._motion({"q": q, "qd": qd}, {"base_velocity": base_velocity})
         return coriolis_matrix(self.bodies, q, qd, v)
 
     def constrained_forward_dynamics(
@@ -347,7 +344,6 @@ class WholeBody:
         q, qd, qdd, v, a, _ = self._motion(
             dict(zip(("q", "qd", "qdd"), (*joints, {}), strict=False)),
             dict(zip(("base_velocity", "base_acceleration"), (*base, None), strict=False)),
-            STANDARD_GRAVITY,
         )
         body, body_T_frame = placed_frame(self.bodies, name)
         motion = frame_motion(self.bodies, q, qd, qdd, v, a, body, body_T_frame)
