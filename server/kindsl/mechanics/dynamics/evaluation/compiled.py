@@ -75,7 +75,7 @@ class CompiledMechanics(Mechanics):
         self._feet = [foot.name for foot in feet(robot_of(bodies))]
         self._forms = self._generated = _Rows(self, threads)  # type: ignore[assignment]
         try:
-            self._pose_entries = self._group("plain").bind("poses", _not_direct, True)
+            self._pose_entries = self._group("plain").bind("poses")
         except SingularInertiaError:
             raise singular_inertia(bodies, np.zeros(bodies.n_links)) from None
         self._bind("plain")
@@ -94,7 +94,7 @@ class CompiledMechanics(Mechanics):
         for name in METHODS[group]:
             method: Method = partial(_general, getattr(Mechanics, name), self)
             if name in extension.shapes:
-                method = extension.bind(name, method, batches)
+                method = extension.bind(name, method, batches=batches)
             setattr(self, name, method)
 
     def forward_kinematics(self, q: JointVector) -> Poses:
@@ -122,7 +122,7 @@ class CompiledMechanics(Mechanics):
     ) -> ConstrainedMotion:
         """Return the accelerations while frames are held; compiled for feet, see `Mechanics`."""
         if not is_rigid and contacts and {*contacts} <= {*self._feet}:
-            run = self._group("control").bind("contact_dynamics", _not_direct, True)
+            run = self._group("control").bind("contact_dynamics")
             active = np.array([float(foot in contacts) for foot in self._feet])
             given = gravity if gravity is not STANDARD_GRAVITY else None
             found = run(q, qd, tau, active, base_velocity, given)
@@ -160,8 +160,7 @@ class CompiledMechanics(Mechanics):
         number = self._pose_indices.get(name)
         if number is None:
             return None
-        run = self._group(group).bind(f"{kind}_{number}", _not_direct, True)
-        answer: Array | None = run(*arguments)
+        answer: Array | None = self._group(group).bind(f"{kind}_{number}")(*arguments)
         return answer
 
 
@@ -190,7 +189,7 @@ class _Rows:
         ]
         rows[0] = np.ascontiguousarray(rows_of(given["q"], request.batch_shape))
         outs = tuple(np.empty((size, *shape)) for shape in extension.shapes[name])
-        _run_in_threads(extension.bind(name, _refuse, True), rows, outs, self._threads)
+        _run_in_threads(extension.bind(name, _refuse), rows, outs, self._threads)
         entries = np.concatenate(
             [out.reshape((size, math.prod(out.shape[1:]))) for out in outs], axis=1
         )
@@ -239,10 +238,6 @@ def _general(method: Method, owner: Mechanics, *arguments: Any, **named: Any) ->
 def _refuse(*_: object, **__: object) -> None:
     # What Python has checked is only refused for results that are not finite.
     raise ZeroDivisionError
-
-
-def _not_direct(*_: object, **__: object) -> None:
-    """Return nothing: Python has to look at the arguments."""
 
 
 def _compiled_when_called(group: str, name: str) -> Method:

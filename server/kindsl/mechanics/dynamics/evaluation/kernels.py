@@ -69,6 +69,10 @@ OF_FRAMES = {
 }
 
 
+def _nothing(*_: object, **__: object) -> None:
+    """Return nothing: Python has to look at the arguments."""
+
+
 class Extension:
     """The compiled functions of a group.
 
@@ -86,7 +90,7 @@ class Extension:
         # with whatever robot's functions were loaded last.
         self._bind: Method = compiled_module(MODULE, source).bind
 
-    def bind(self, name: str, general: Method, batches: bool) -> Method:
+    def bind(self, name: str, general: Method = _nothing, *, batches: bool = True) -> Method:
         """Return a compiled function that calls `general` for what it does not take."""
         bound: Method = self._bind(name, general, RESULT_CLASSES.get(name), batches)
         return bound
