@@ -75,7 +75,8 @@ UNSEEN, MOST_OF_A_FAMILY, ROUNDS = 0.05, 40.0, 200
 # Each table, the spread, and whether all counterparts agree, or one but for its signs.
 N_PARTS = len(RANGES) + 3
 START_OF_AGREEMENT = 5.0
-# How stiffly weights are held at the table of slips, and factors at one.
+# How stiffly weights are held at the table of slips, and factors at one. Weights that are held less
+# take the slips planted here, of each kind as many, for as common; see the evidence.
 OF_SORTS, OF_PARTS = 10.0, 3.0
 WEIGHT_OF_PUBLISHED, DOUBT = 8.0, 0.1
 AS_WRITTEN, UNKNOWN = "as written", "unknown"
