@@ -12,9 +12,10 @@ EXAMPLE ?= examples/quadruped.kindsl
 export PYTHONDONTWRITEBYTECODE :=
 # Files in order: those of few tests, some of them long, would else come last and run alone.
 BROWSERS := tests/typist tests/web tests/vscode tests/preview
-IN_PARALLEL := $(BIN)/python -m pytest -n 2 --dist loadfile --no-loadscope-reorder
-RUN_TESTS = $(IN_PARALLEL) $(BROWSERS:%=--ignore=%); others=$$?; \
-	$(IN_PARALLEL) $(BROWSERS) && exit $$others
+IN_PARALLEL := $(BIN)/python -m pytest --dist loadfile --no-loadscope-reorder -n
+# Tests in browsers wait for what is drawn: a third worker takes a sixth off their time.
+RUN_TESTS = $(IN_PARALLEL) 2 $(BROWSERS:%=--ignore=%); others=$$?; \
+	$(IN_PARALLEL) 3 $(BROWSERS) && exit $$others
 
 .PHONY: demo demo-web playground test thorough fix lint types layers docs tables bench vsix screenshots clean
 
