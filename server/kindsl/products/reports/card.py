@@ -115,7 +115,7 @@ def _joints(skeleton: Linkage) -> Iterator[Block]:
 def _masses(skeleton: Linkage, facts: dict[str, Any], analysis: Analysis) -> Iterator[Block]:
     yield Heading("Masses")
     header = ("link", "mass / kg", "CoM / m", "principal moments / kg m²", "shape")
-    first = 0 if skeleton.has_base_mass else 1
+    first = 0 if skeleton.base_mass_counts else 1
     bodies = list(zip(skeleton.body_names, skeleton.masses, strict=True))[first:]
     unknown = unknown_bodies(analysis.model, analysis.context.values)
     written = {body["name"]: body["mass"] for _, body in branches(facts)}

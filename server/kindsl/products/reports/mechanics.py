@@ -31,7 +31,7 @@ class MechanicsReport(NamedTuple):
 
 
 def report_of(old: ComparedSide, new: ComparedSide, found: MechanicalComparison) -> MechanicsReport:
-    """Return the report; dynamics are asked where joints, all of them, match and NumPy is there."""
+    """Return the report, with dynamics where NumPy is there and all joints match, if any move."""
     matching = found.matching
     is_partial = matching.only_ours or matching.only_theirs or old.unknown or new.unknown
     if is_partial or not old.skeleton.n_links:

@@ -271,7 +271,7 @@ def _body_numbers(pair: Pair, bounds: Tolerances, body: int) -> Iterator[NumberD
     if body and one.joint_kinds[body - 1] == other.joint_kinds[its - 1]:
         yield from joint_differences(pair, body, bounds)
     is_heavy = any(ours.inertias) and any(theirs.inertias)
-    if is_heavy and (body or (one.has_base_mass and other.has_base_mass)):
+    if is_heavy and (body or (one.base_mass_counts and other.base_mass_counts)):
         yield from inertia_differences(pair, body, bounds)
 
 

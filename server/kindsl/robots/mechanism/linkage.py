@@ -211,13 +211,13 @@ class Linkage:
         return replace(self, bodies=tuple(body.weighing(mass) for body, mass in pairs))
 
     @property
-    def has_base_mass(self) -> bool:
-        """Whether the base's mass matters: it floats, or is all there is."""
+    def base_mass_counts(self) -> bool:
+        """True if the base's mass matters: it floats, or is all there is."""
         return self.is_floating or not self.n_links
 
     def without_mass_at_rest(self) -> "Linkage":
         """Return the same robot with nothing known of a fixed base's mass, which has no effect."""
-        if self.has_base_mass or self.bodies[0].mass is None:
+        if self.base_mass_counts or self.bodies[0].mass is None:
             return self
         return replace(self, bodies=(self.bodies[0].weighing(None), *self.bodies[1:]))
 
