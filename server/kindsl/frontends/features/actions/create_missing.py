@@ -1,18 +1,15 @@
 """Create what a reference names and nothing has, beside what may be meant instead."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 from kindsl.frontends.features.actions.action import CodeAction
+from kindsl.frontends.features.manipulation.new_blocks import new_frame
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.rules.base import Fix
 from kindsl.judgement.rules.new_blocks import new_joint, new_link
-from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.places import Place
-from kindsl.language.syntax.insertions import inserted_section, last_section
-from kindsl.language.text.decimals import rounded_decimal
 from kindsl.language.text.edits import TextEdit
-from kindsl.mechanics.rigid.pose import Vector3
 
 _LINK, _JOINT, _FRAME = "KD105", "KD106", "KD107"
 
@@ -61,33 +58,3 @@ def add_referenced_frame(analysis: Analysis, finding: Diagnostic) -> Iterator[Co
             moved = TextEdit(*analysis.resolver.span(at), edit.text)
             title = f"Create frame '{name}' in '{link.name}'"
             yield CodeAction(title, "quickfix", (moved,), (finding,))
-
-
-def new_frame(link: Link, name: str, translation: Vector3) -> TextEdit | None:
-    """Return the edit of a link's island that adds a frame without rotation.
-
-    Args:
-        link: Where to; None is returned where it has no braces.
-        name: Of the frame.
-        translation: In the link's frame, metres.
-    """
-    length = sum(map(abs, translation))
-    components = ", ".join(rounded_decimal(value, length) for value in translation)
-    lines = [
-        f"{name} {{",
-        f"    translation = ({components})",
-        "    rotation = (0.0, 0.0, 0.0)",
-        "}",
-    ]
-    return added_frame(link, lines)
-
-
-def added_frame(link: Link, lines: Sequence[str]) -> TextEdit | None:
-    """Return the edit of a link's island that adds the lines of a frame, None without braces."""
-    text = link.island.text
-    section = next(link.node.nodes("frames"), None)
-    if section is None:
-        indented = ["frames {", *(f"    {line}" for line in lines), "}"]
-        return inserted_section(text, link.node, last_section(link.node), indented)
-    *_, group = section.nodes("frame_group")
-    return inserted_section(text, group, last_section(group), lines)

@@ -10,7 +10,7 @@ from math import ceil, log10
 from typing import NamedTuple
 
 from kindsl.frontends.features.actions.action import CodeAction
-from kindsl.frontends.features.actions.create_missing import new_frame
+from kindsl.frontends.features.manipulation.new_blocks import new_frame
 from kindsl.frontends.features.names_taken import names_taken
 from kindsl.frontends.features.tree_path import path_at
 from kindsl.judgement.analysis.analysis import Analysis

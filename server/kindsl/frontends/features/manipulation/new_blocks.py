@@ -3,7 +3,6 @@
 from collections.abc import Iterable, Sequence
 from itertools import count
 
-from kindsl.frontends.features.actions.create_missing import added_frame
 from kindsl.frontends.features.names_taken import names_taken
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.declarations import Link
@@ -11,8 +10,10 @@ from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Construct, Place
 from kindsl.language.syntax.indentation import indentation
 from kindsl.language.syntax.insertions import inserted_section, last_section
+from kindsl.language.text.decimals import rounded_decimal
 from kindsl.language.text.edits import TextEdit
 from kindsl.language.text.lines import is_first_on_line, newline_of
+from kindsl.mechanics.rigid.pose import Vector3
 
 
 def with_child(analysis: Analysis, body: Link, link: str, joint: str) -> TextEdit | None:
@@ -35,6 +36,36 @@ def with_child(analysis: Analysis, body: Link, link: str, joint: str) -> TextEdi
 def with_frame(analysis: Analysis, body: Link, lines: Sequence[str]) -> TextEdit | None:
     """Return the edit that gives a body one more frame, None where its braces are missing."""
     return _absolute(analysis, body, added_frame(body, lines))
+
+
+def new_frame(link: Link, name: str, translation: Vector3) -> TextEdit | None:
+    """Return the edit of a link's island that adds a frame without rotation.
+
+    Args:
+        link: Where to; None is returned where it has no braces.
+        name: Of the frame.
+        translation: In the link's frame, metres.
+    """
+    length = sum(map(abs, translation))
+    components = ", ".join(rounded_decimal(value, length) for value in translation)
+    lines = [
+        f"{name} {{",
+        f"    translation = ({components})",
+        "    rotation = (0.0, 0.0, 0.0)",
+        "}",
+    ]
+    return added_frame(link, lines)
+
+
+def added_frame(link: Link, lines: Sequence[str]) -> TextEdit | None:
+    """Return the edit of a link's island that adds the lines of a frame, None without braces."""
+    text = link.island.text
+    section = next(link.node.nodes("frames"), None)
+    if section is None:
+        indented = ["frames {", *(f"    {line}" for line in lines), "}"]
+        return inserted_section(text, link.node, last_section(link.node), indented)
+    *_, group = section.nodes("frame_group")
+    return inserted_section(text, group, last_section(group), lines)
 
 
 def behind_last(analysis: Analysis, blocks: Sequence[Construct], texts: Iterable[str]) -> TextEdit:
