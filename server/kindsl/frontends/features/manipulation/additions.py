@@ -6,11 +6,12 @@ from kindsl.frontends.features.manipulation.gesture import Gesture, Refusal
 from kindsl.frontends.features.manipulation.new_blocks import (
     behind_last,
     fresh_name,
+    in_braces,
     next_id,
+    pose_lines,
     with_child,
     with_frame,
 )
-from kindsl.frontends.features.manipulation.value_text import number_text
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.text.lines import newline_of
 from kindsl.mechanics.rigid.pose import Vector3
@@ -30,7 +31,7 @@ def add_frame(analysis: Analysis, link: str, point: Vector3) -> Gesture | Refusa
     if body is None:
         return Refusal(f"there is no link '{link}'")
     name = fresh_name(analysis.model, "frame")
-    edit = with_frame(analysis, body, [f"{name} {{", *_pose_lines(point, "    "), "}"])
+    edit = with_frame(analysis, body, name, point)
     if edit is None:
         return Refusal(f"link '{link}' is not whole")
     return Gesture(f"Add frame '{name}' to '{link}'", (edit,), (name,))
@@ -58,16 +59,10 @@ def add_child(
     if listed is None:
         return Refusal(f"'{parent}' has no section of children to add to")
     newline = newline_of(analysis.text)
-    head = [f"{KEYWORDS[kind]} {joint} {{", "    ref_frame {"]
-    lines = [*head, *_pose_lines(point, "        "), "    }", "}"]
+    lines = in_braces(f"{KEYWORDS[kind]} {joint}", in_braces("ref_frame", pose_lines(point)))
     block = without_placeholders(snippets.link(link, next_id(model))).replace("\n", newline)
     bodies = model.links or model.bases
     linked = behind_last(analysis, bodies, [block])
     jointed = behind_last(analysis, model.joints or bodies, [newline.join(lines)])
     title = f"Add link '{link}' to '{parent}' by joint '{joint}'"
     return Gesture(title, tuple(sorted((listed, linked, jointed))), (link, joint))
-
-
-def _pose_lines(point: Vector3, indent: str) -> list[str]:
-    x, y, z = (number_text(value, "").text for value in point)
-    return [f"{indent}translation = ({x}, {y}, {z})", f"{indent}rotation = (0.0, 0.0, 0.0)"]

@@ -33,39 +33,33 @@ def with_child(analysis: Analysis, body: Link, link: str, joint: str) -> TextEdi
     return _absolute(analysis, body, edit)
 
 
-def with_frame(analysis: Analysis, body: Link, lines: Sequence[str]) -> TextEdit | None:
+def with_frame(analysis: Analysis, body: Link, name: str, origin: Vector3) -> TextEdit | None:
     """Return the edit that gives a body one more frame, None where its braces are missing."""
-    return _absolute(analysis, body, added_frame(body, lines))
+    edit = new_frame(body, name, origin)
+    return _absolute(analysis, body, edit)
 
 
-def new_frame(link: Link, name: str, translation: Vector3) -> TextEdit | None:
-    """Return the edit of a link's island that adds a frame without rotation.
-
-    Args:
-        link: Where to; None is returned where it has no braces.
-        name: Of the frame.
-        translation: In the link's frame, metres.
-    """
-    length = sum(map(abs, translation))
-    components = ", ".join(rounded_decimal(value, length) for value in translation)
-    lines = [
-        f"{name} {{",
-        f"    translation = ({components})",
-        "    rotation = (0.0, 0.0, 0.0)",
-        "}",
-    ]
-    return added_frame(link, lines)
-
-
-def added_frame(link: Link, lines: Sequence[str]) -> TextEdit | None:
-    """Return the edit of a link's island that adds the lines of a frame, None without braces."""
-    text = link.island.text
+def new_frame(link: Link, name: str, origin: Vector3) -> TextEdit | None:
+    """Return the edit of a link's island that adds a frame, None where its braces are missing."""
+    text, lines = link.island.text, in_braces(name, pose_lines(origin))
     section = next(link.node.nodes("frames"), None)
     if section is None:
-        indented = ["frames {", *(f"    {line}" for line in lines), "}"]
-        return inserted_section(text, link.node, last_section(link.node), indented)
+        lines = in_braces("frames", lines)
+        return inserted_section(text, link.node, last_section(link.node), lines)
     *_, group = section.nodes("frame_group")
     return inserted_section(text, group, last_section(group), lines)
+
+
+def pose_lines(translation: Vector3) -> list[str]:
+    """Return the sections of a pose without rotation, its translation in metres."""
+    length = sum(map(abs, translation))
+    components = ", ".join(rounded_decimal(value, length) for value in translation)
+    return [f"translation = ({components})", "rotation = (0.0, 0.0, 0.0)"]
+
+
+def in_braces(head: str, lines: Sequence[str]) -> list[str]:
+    """Return the lines of a block or section."""
+    return [f"{head} {{", *(f"    {line}" for line in lines), "}"]
 
 
 def behind_last(analysis: Analysis, blocks: Sequence[Construct], texts: Iterable[str]) -> TextEdit:
