@@ -49,6 +49,16 @@ def test_what_is_not_known_of_a_body_is_no_number(tmp_path: Path) -> None:
     assert row == ("LF_hip", "0.54", "-", "-", "-")
 
 
+def test_a_suppressed_doubt_about_a_shape_is_not_told(tmp_path: Path) -> None:
+    path = tmp_path / "a.kindsl"
+    light = QUADRUPED.read_text().replace("mass = 0.54", "mass = 0.000054", 1)
+    shapes = []
+    for comment in ("", "// kindsl: ignore-file[KD311]\n"):
+        path.write_text(comment + light)
+        shapes += [row[4] for row in table(page(path), "Masses").rows if row[0] == "LF_hip"]
+    assert shapes == ["too light", "-"]
+
+
 def test_every_link_and_frame_is_drawn_within_the_sheet() -> None:
     (picture,) = (b for b in page(QUADRUPED) if isinstance(b, Figure))
     shapes = picture.drawing.shapes

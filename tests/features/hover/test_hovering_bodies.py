@@ -19,6 +19,7 @@ def of_link(text):
 
 
 LEAF = ARM.replace("link lower", "link $0lower")
+FAR = "Ix=9.01 Iy=9.01 Iz=0.01 Ixy=0.0 Ixz=0.0 Iyz=0.0"
 MOMENTS = "Ix=0.02 Iy=0.02 Iz=0.02 Ixy=0.0 Ixz=0.0 Iyz=0.0"
 
 
@@ -48,6 +49,35 @@ def test_a_link_tells_whether_its_inertia_is_possible(mass, com, moments, verdic
     body = f"inertia_params {{ mass = {mass} CoM = ({com}, 0.0, 0.0) {moments} }}"
     text = f"Robot R {{ RobotBase a {{ }} link $0b {{ id = 1 {body} children {{ }} }} }}"
     assert [line for line in lines(text) if line[0] in "✓✗⚠"] == [verdict]
+
+
+@pytest.mark.parametrize(
+    ("com", "moments", "code"),
+    [
+        ("0.0", MOMENTS.replace("0.02", "30.0"), "KD311"),
+        ("1.0", MOMENTS, "KD301"),
+        ("0.0", MOMENTS.replace("Iz=0.02", "Iz=0.0"), "KD305"),
+    ],
+)
+def test_a_suppressed_doubt_is_neither_told_nor_called_consistent(com, moments, code):
+    body = f"inertia_params {{ mass = 1.0 CoM = ({com}, 0.0, 0.0) {moments} }}"
+    text = f"Robot R {{ RobotBase a {{ }} link $0b {{ id = 1 {body} children {{ }} }} }}"
+    assert [line for line in lines(text) if code in line]
+    comment = f"// kindsl: ignore-file[{code}]\n"
+    assert not [line for line in lines(comment + text) if code in line or "consistent" in line]
+    elsewhere = text.replace("link $0b", f"{comment} link $0b")
+    assert not [line for line in lines(elsewhere) if code in line or "consistent" in line]
+    above = text.replace("link $0b", "// kindsl: ignore[KD303]\n link $0b")
+    assert lines(above) == lines(text)
+
+
+def test_a_suppressed_doubt_about_a_place_is_not_told():
+    body = f"inertia_params {{ mass = 1.0 CoM = (0.0, 0.0, 3.0) {FAR} }}"
+    frames = "frames { end { translation = (0.1, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }"
+    text = f"Robot R {{ RobotBase a {{ }}\nlink $0b {{ id = 1\n{body}\n{frames} }} }}"
+    assert [line for line in lines(text) if "(KD309)" in line]
+    silent = text.replace("\ninertia_params", "\n// kindsl: ignore[KD309]\ninertia_params")
+    assert not [line for line in lines(silent) if "KD309" in line or "consistent" in line]
 
 
 def test_a_body_that_is_thinner_than_any_is_told_without_a_mark():

@@ -23,6 +23,7 @@ from kindsl.judgement.rules.base import Finding, Rule
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.registry import CONCERN_XML, all_rules, checking_rules, rules_with
 from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.places import Located
 from kindsl.language.syntax.document import SyntaxDocument, paused_collector
 from kindsl.language.syntax.readings import as_read_for
 from kindsl.language.text.display import html_of
@@ -31,6 +32,7 @@ from kindsl.language.text.phrases import counted
 from kindsl.robots.interchange.syntaxes import syntax_of
 
 if TYPE_CHECKING:
+    from kindsl.judgement.rules.suppression import Suppression
     from kindsl.robots.mechanism.build import Mechanism
     from kindsl.robots.mechanism.linkage import Linkage
 
@@ -129,6 +131,25 @@ class Analysis:
         """Return all findings, including those that comments or a baseline suppress."""
         return self._found(self._run(go_on))
 
+    def is_silenced(self, code: str, at: Located) -> bool:
+        """Return whether a setting or a comment keeps a rule from reporting at a place."""
+        start, _ = self.resolver.span(at)
+        is_off = not any(is_enabled(rule, self.settings) for rule in rules_with(frozenset((code,))))
+        return is_off or any(each.covers(code, start) for each in self._suppressions)
+
+    @cached_property
+    def _suppressions(self) -> Sequence[Suppression]:
+        if not self._has_comments_for_us:
+            return ()
+        # Imported for such comments only, since it delays the linter's start.
+        from kindsl.judgement.rules.suppression import suppressions
+
+        return suppressions(self.syntax.islands, self.syntax.starts, len(self.text))
+
+    @property
+    def _has_comments_for_us(self) -> bool:
+        return any("kindsl:" in island.text for island in self.syntax.islands)
+
     def edited(self, edits: Sequence[TextEdit]) -> Analysis:
         """Return the analysis of the edited text; only edited parts are computed again."""
         return Analysis(self._written.edited(edits), self.settings)
@@ -226,11 +247,11 @@ class Analysis:
 
     def _without_silenced(self, found: list[Diagnostic], run: CheckRun) -> list[Diagnostic]:
         """Return the findings that neither comments suppress nor others explain, in order."""
-        if any("kindsl:" in island.text for island in self.syntax.islands):
-            # Imported for such comments only, since it delays the linter's start.
+        if self._has_comments_for_us:
             from kindsl.judgement.analysis.silencing import without_silenced
 
-            found = without_silenced(found, self.syntax, self._codes(run), self._resolve)
+            codes, silenced = self._codes(run), self._suppressions
+            found = without_silenced(found, self.syntax, silenced, codes, self._resolve)
         explained = {(d.start, code) for d in found for code in d.explains}
         mended = {(d.start, code) for d in found if d.fix or d.choices for code in d.explains}
         if explained:

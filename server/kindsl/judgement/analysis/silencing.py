@@ -8,13 +8,14 @@ from kindsl.judgement.rules.checks.kd704_unused_suppression import RULE as UNUSE
 from kindsl.judgement.rules.checks.kd704_unused_suppression import unused_suppressions
 from kindsl.judgement.rules.checks.kd706_unknown_suppression import RULE as UNKNOWN_SUPPRESSION
 from kindsl.judgement.rules.checks.kd706_unknown_suppression import unknown_suppressions
-from kindsl.judgement.rules.suppression import Directive, covered_by, directives, suppressions
+from kindsl.judgement.rules.suppression import Directive, Suppression, covered_by, directives
 from kindsl.language.syntax.document import SyntaxDocument
 
 
 def without_silenced(
     found: Sequence[Diagnostic],
     document: SyntaxDocument,
+    silenced: Sequence[Suppression],
     codes: Collection[str],
     resolve: Callable[[Rule, Finding], Diagnostic],
 ) -> list[Diagnostic]:
@@ -23,6 +24,7 @@ def without_silenced(
     Args:
         found: All findings.
         document: The document.
+        silenced: What its comments silence.
         codes: Those of the rules that ran.
         resolve: Gives findings absolute offsets.
     """
@@ -31,7 +33,6 @@ def without_silenced(
         return [resolve(rule, finding) for finding in findings] if rule.code in codes else []
 
     found = [*found, *of(UNKNOWN_SUPPRESSION, unknown_suppressions(_unknown(document, found)))]
-    silenced = suppressions(document.islands, document.starts, len(document.text))
     unused = [s for s in silenced if not any(s.covers(d.code, d.start) for d in found)]
     found = [d for d in found if not any(s.covers(d.code, d.start) for s in silenced)]
     return found + of(UNUSED_SUPPRESSION, unused_suppressions(unused, codes))

@@ -7,7 +7,7 @@ from typing import Any
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.body_doubts import body_doubts
 from kindsl.judgement.analysis.settings import pose_named
-from kindsl.judgement.rules.inertia.shapes import shape_verdicts
+from kindsl.judgement.rules.inertia.shapes import shape_doubts
 from kindsl.language.text.phrases import counted
 from kindsl.mechanics.rigid.body import principal_moments_about_com
 from kindsl.mechanics.rigid.pose import PLAIN, RigidPose, angles
@@ -132,8 +132,9 @@ def _masses(skeleton: Linkage, facts: dict[str, Any], analysis: Analysis) -> Ite
 def _shape(analysis: Analysis, name: str) -> str:
     """Return the doubts about a body in a word or two, or a dash."""
     body = analysis.model.body_named[name]
-    doubts = shape_verdicts(body, analysis.model.tree.joints_on(body), analysis.context)
-    return ", ".join(doubt.kind for doubt in doubts) or "-"
+    doubts = shape_doubts(body, analysis.model.tree.joints_on(body), analysis.context)
+    reported = (doubt for at, doubt in doubts if not analysis.is_silenced(doubt.code, at))
+    return ", ".join(doubt.kind for doubt in reported) or "-"
 
 
 def _frames(skeleton: Linkage) -> Iterator[Block]:

@@ -1,6 +1,7 @@
 """The hovers of robots, links, joints and frames."""
 
 from collections.abc import Iterator
+from itertools import islice
 
 from kindsl.frontends.features.subtree import subtree_of
 from kindsl.frontends.features.wording import (
@@ -14,11 +15,13 @@ from kindsl.frontends.features.wording import (
 )
 from kindsl.frontends.features.zero_configuration import body_pose, frame_pose, joint_pose, own_pose
 from kindsl.judgement.analysis.analysis import Analysis
-from kindsl.judgement.rules.base import Severity
-from kindsl.judgement.rules.inertia.shapes import shape_verdicts
-from kindsl.judgement.rules.registry import all_rules
+from kindsl.judgement.analysis.settings import severity_of
+from kindsl.judgement.rules.base import Rule, Severity
+from kindsl.judgement.rules.inertia.shapes import shape_doubts
+from kindsl.judgement.rules.registry import rules_with
 from kindsl.language.semantics.declarations import Frame, Joint, Link
 from kindsl.language.semantics.lowering import declarations
+from kindsl.language.semantics.places import Located
 from kindsl.language.semantics.unknown import Unknown
 from kindsl.language.text.phrases import counted, listed
 from kindsl.mechanics.rigid.body import principal_moments_about_com
@@ -26,9 +29,11 @@ from kindsl.mechanics.rigid.pose import RigidPose
 from kindsl.robots.mechanism.link_inertia import link_inertia
 from kindsl.robots.mechanism.total_mass import UNKNOWN, Weight, own_mass, total_mass
 
-_CODES = ("KD301", "KD302", "KD303", "KD305")
+_CODES = frozenset(("KD301", "KD302", "KD303", "KD305"))
 _MARKS = {Severity.ERROR: "✗ ", Severity.WARNING: "⚠ "}
 _CONSISTENT = "✓ physically consistent"
+
+_Reports = Iterator[tuple[Rule, Located, Severity | None, str]]
 
 
 def robot_hover(analysis: Analysis, name: str) -> str:
@@ -115,20 +120,28 @@ def _subtree_text(weight: Weight, dof: int) -> str:
 
 
 def _verdicts(analysis: Analysis, body: Link) -> Iterator[str]:
-    """Yield what the rules say of a link's inertia: the worst defect, else each doubt."""
-    declared = declarations(body.island)
-    for rule in all_rules():
-        if rule.code not in _CODES or rule.check_island is None:
-            continue
-        for finding in rule.check_island(declared, analysis.context):
-            severity = finding.severity or rule.severity
-            yield f"{_MARKS.get(severity, '')}{finding.message} ({rule.code})"
-            return
-    doubts = list(shape_verdicts(body, analysis.model.tree.joints_on(body), analysis.context))
-    for doubt in doubts:
-        yield f"{_MARKS[Severity.WARNING]}{doubt.sentence} ({doubt.code})"
-    if not doubts:
+    """Yield what the linter reports of a link's inertia: the worst defect, else each doubt."""
+    found = [*islice(_defects(analysis, body), 1)] or [*_doubts(analysis, body)]
+    for rule, at, severity, message in found:
+        if not analysis.is_silenced(rule.code, at):
+            mark = _MARKS.get(severity_of(rule, severity, analysis.settings), "")
+            yield f"{mark}{message} ({rule.code})"
+    if not found:
         yield _CONSISTENT
+
+
+def _defects(analysis: Analysis, body: Link) -> _Reports:
+    declared = declarations(body.island)
+    for rule in rules_with(_CODES):
+        for each in rule.check_island(declared, analysis.context) if rule.check_island else ():
+            yield rule, each.at, each.severity, each.message
+
+
+def _doubts(analysis: Analysis, body: Link) -> _Reports:
+    joints = analysis.model.tree.joints_on(body)
+    for at, doubt in shape_doubts(body, joints, analysis.context):
+        for rule in rules_with(frozenset((doubt.code,))):
+            yield rule, at, None, doubt.sentence
 
 
 def joint_hover(analysis: Analysis, joint: Joint) -> str:

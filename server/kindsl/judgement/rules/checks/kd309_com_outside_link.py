@@ -32,9 +32,8 @@ from kindsl.language.semantics.declarations import Joint, Link
 
 def check_body(body: Link, joints: tuple[Joint, ...], context: Context) -> Iterator[Finding]:
     """Yield a finding where the mass of a link is not where the link is."""
-    for verdict in shape_doubts(body, joints, context, "KD309"):
-        if body.inertia is not None and body.inertia.com is not None:
-            yield Finding(body.inertia.com, verdict.sentence)
+    for at, verdict in shape_doubts(body, joints, context, "KD309"):
+        yield Finding(at, verdict.sentence)
 
 
 RULE = Rule(__name__, Severity.WARNING, check_body=check_body)

@@ -29,11 +29,10 @@ where this lays the rod along the link. The fix is unsafe: it changes the robot.
 from collections.abc import Iterator
 
 from kindsl.judgement.diagnosis.body_verdicts import lies_along
-from kindsl.judgement.diagnosis.judgements import keyword
 from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.inertia.shapes import link_ends, shape_doubts
-from kindsl.language.semantics.declarations import Inertia, Joint, Link
+from kindsl.language.semantics.declarations import Joint, Link
 from kindsl.language.semantics.numbers import mass_distribution
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.rigid.body import MassDistribution
@@ -45,19 +44,17 @@ _NEXT = (2, 0, 1, 5, 3, 4, 7, 8, 6)
 
 def check_body(body: Link, joints: tuple[Joint, ...], context: Context) -> Iterator[Finding]:
     """Yield a finding where the mass of a link is a rod across the way to its only end."""
-    for verdict in shape_doubts(body, joints, context, "KD313"):
-        if body.inertia is not None:
-            fix = _laid_along(body, joints, context, body.inertia)
-            yield Finding(keyword(body.inertia), verdict.sentence, fix=fix)
+    for at, verdict in shape_doubts(body, joints, context, "KD313"):
+        fix = _laid_along(body, joints, context)
+        yield Finding(at, verdict.sentence, fix=fix)
 
 
-def _laid_along(
-    body: Link, joints: tuple[Joint, ...], context: Context, inertia: Inertia
-) -> Fix | None:
+def _laid_along(body: Link, joints: tuple[Joint, ...], context: Context) -> Fix | None:
     """Return the fix that turns the axes round, None where that lays no rod along the link."""
-    written = mass_distribution(inertia, context.values)
+    inertia = body.inertia
+    written = mass_distribution(inertia, context.values) if inertia is not None else None
     children, frames = link_ends(body, joints, context)
-    if written is None or inertia.com is None or inertia.frame is not None:
+    if inertia is None or inertia.com is None or written is None or inertia.frame is not None:
         return None
     values = [*inertia.com.components, *(inertia.moments[name] for name in MOMENTS)]
     numbers, texts = [*written.com, *written.moments], [value.text for value in values]

@@ -39,10 +39,9 @@ _MOST = 0.9
 
 def check_body(body: Link, joints: tuple[Joint, ...], context: Context) -> Iterator[Finding]:
     """Yield a finding where a rod goes the other way than its link."""
-    for verdict in shape_doubts(body, joints, context, "KD511"):
-        if body.inertia is not None and body.inertia.com is not None:
-            choices = tuple(_choices(body, joints, context)) if verdict.number < 0.0 else ()
-            yield Finding(body.inertia.com, verdict.sentence, choices=choices)
+    for at, verdict in shape_doubts(body, joints, context, "KD511"):
+        choices = tuple(_choices(body, joints, context)) if verdict.number < 0.0 else ()
+        yield Finding(at, verdict.sentence, choices=choices)
 
 
 def _choices(body: Link, joints: tuple[Joint, ...], context: Context) -> Iterator[Fix]:

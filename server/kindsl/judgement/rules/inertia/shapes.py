@@ -7,29 +7,39 @@ written besides.
 from collections.abc import Iterator
 
 from kindsl.judgement.diagnosis.body_verdicts import BodyVerdict, body_verdicts
-from kindsl.judgement.diagnosis.judgements import Verdict, is_impossible, is_moving, judgements
+from kindsl.judgement.diagnosis.judgements import (
+    Verdict,
+    is_impossible,
+    is_moving,
+    judgements,
+    keyword,
+)
 from kindsl.judgement.rules.context import Context
 from kindsl.language.semantics.declarations import Joint, Link, Pose
 from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import frame_of_com, written_pose
+from kindsl.language.semantics.places import Located
 from kindsl.language.semantics.unknown import Unknown
 from kindsl.language.text.facts import Fact
 from kindsl.mechanics.rigid.pose import Vector3
 from kindsl.robots.mechanism.link_inertia import link_inertia
 
 _VERDICTS = Fact[tuple[object, list[BodyVerdict]]]("shape")
-_OF_DENSITY = "KD311"
+_OF_DENSITY, _OF_COM = "KD311", ("KD309", "KD511")
 
 
 def shape_doubts(
-    body: Link, joints: tuple[Joint, ...], context: Context, code: str
-) -> Iterator[BodyVerdict]:
-    """Yield what one rule reports of a body's shape; it is judged once for all of them."""
+    body: Link, joints: tuple[Joint, ...], context: Context, code: str = ""
+) -> Iterator[tuple[Located, BodyVerdict]]:
+    """Yield what one rule reports of a body's shape, or all; it is judged once for all of them."""
     verdicts = body.facts.made_of(
         _VERDICTS, (joints, context.values), lambda: list(shape_verdicts(body, joints, context))
     )
-    yield from (verdict for verdict in verdicts if verdict.code == code)
+    for verdict in verdicts if body.inertia is not None else ():
+        if verdict.code.startswith(code):
+            com = body.inertia.com if verdict.code in _OF_COM else None
+            yield com or keyword(body.inertia), verdict
 
 
 def is_told_of(body: Link, model: Model, context: Context) -> bool:
