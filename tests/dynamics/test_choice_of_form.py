@@ -13,7 +13,6 @@ from kindsl.mechanics.dynamics.evaluation.forms import (
     SMALLEST_BATCH,
     WORTH_GENERATING,
     Forms,
-    GeneratedForm,
 )
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanics.dynamics.evaluation.request import Request
@@ -42,7 +41,7 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
     def counting(name: str) -> object:
         return lambda *_: counts.update([name])
 
-    monkeypatch.setattr(GeneratedForm, "evaluate", counting("code"))
+    monkeypatch.setattr(Forms, "by_code", counting("code"))
     monkeypatch.setattr(book, "evaluate", counting("book"))
     return counts
 
@@ -83,7 +82,7 @@ def test_code_is_written_once(is_floating: bool, monkeypatch: pytest.MonkeyPatch
     monkeypatch.setattr(forms, "trace", lambda *a: traced.update([a[1:]]) or trace(*a))
     monkeypatch.setattr(forms, "robot_of", lambda b: trees.append(1) or robot_of(b))
     bodies = random_bodies(np.random.default_rng(5), 3, is_floating)
-    form = GeneratedForm(bodies)
+    form = Forms(bodies)
     for _ in range(2):
         for quantity in QUANTITIES:
             for shape in ((), (SMALLEST_BATCH - 1,), (SMALLEST_BATCH,), (2, SMALLEST_BATCH), (0,)):
@@ -102,7 +101,7 @@ def test_rest_is_no_velocity_and_standard_gravity(
 ) -> None:
     """Code for rest must not answer for a base that moves, or under another gravity."""
     bodies = random_bodies(np.random.default_rng(2), 3, is_floating=True)
-    form = GeneratedForm(bodies)
+    form = Forms(bodies)
     for quantity in QUANTITIES:
         request = _request(quantity, shape, 3, v, g)
         expected = book.evaluate(bodies, request)
@@ -115,22 +114,9 @@ def test_only_few_configurations_make_single_answers_ready() -> None:
     bodies = random_bodies(np.random.default_rng(2), 3, is_floating=True)
     for size, is_ready in ((0, False), (1, True), (SMALLEST_BATCH - 1, True),
                            (SMALLEST_BATCH, False)):  # fmt: skip
-        form = GeneratedForm(bodies)
+        form = Forms(bodies)
         form.evaluate(_request("gravity_torque", (size,), 3))
         assert ("gravity_torque" in form.at_rest) == is_ready
-
-
-def test_pose_entries_are_those_of_poses() -> None:
-    bodies = random_bodies(np.random.default_rng(2), 3, is_floating=True)
-    form = GeneratedForm(bodies)
-    for quantity in QUANTITIES[::-1]:
-        assert form.pose_entries is None
-        form.evaluate(_request(quantity, (), 3))
-    q = np.array([0.1, 0.2, 0.3])
-    assert form.pose_entries is not None
-    entries = form.pose_entries(q)
-    assert isinstance(entries, tuple)
-    np.testing.assert_array_equal(entries, form.at_rest["poses"](q))
 
 
 def test_ready_answers_are_for_rest_only() -> None:

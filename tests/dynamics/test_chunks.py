@@ -49,7 +49,7 @@ def test_code_gets_parts_of_nearly_one_size(size: int, chunk: int) -> None:
         out[0], out[1], out[3] = q[1] * fixed[0], cosines[0], sines[1]
 
     q = np.random.default_rng(1).uniform(-3.0, 3.0, (size, 2))
-    function = BatchFunction(evaluate, 2, 4, np.array([2]), np.array([[5.0]]))
+    function = BatchFunction(evaluate, 2, 4, {2: 5.0})
     found = run_in_chunks(function, [q, [3.0]], size, chunk)
     assert len(widths) == -(-size // chunk)
     assert max(widths, default=0) <= chunk and sum(widths) == size

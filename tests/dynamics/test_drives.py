@@ -26,6 +26,7 @@ from tests.support.differences import assert_close
 from kindsl.mechanics.dynamics.bodies import Bodies, Drives
 from kindsl.mechanics.dynamics.evaluation import book
 from kindsl.mechanics.dynamics.evaluation.compiled import CompiledMechanics
+from kindsl.mechanics.dynamics.evaluation.forms import Forms
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanics.dynamics.evaluation.request import Request
 from kindsl.mechanics.dynamics.quantities import JOINT_VECTORS
@@ -62,7 +63,7 @@ def test_all_forms_are_one(seed: int) -> None:
             vectors = tuple(generator.uniform(-1.0, 1.0, (n, bodies.n_links)) for _ in names)
             request = Request(quantity, (n,), vectors, base, g)
             expected = book.evaluate(bodies, request)
-            generated = Mechanics(bodies)._forms.generated.evaluate(request)
+            generated = Forms(bodies).by_code(request)
             np.testing.assert_allclose(generated, expected, rtol=1e-8, atol=1e-8)
     _check_generated(seed, bodies)
 

@@ -11,7 +11,6 @@ from kindsl.mechanics.dynamics.evaluation.forms import (
     SMALLEST_BATCH,
     WORTH_GENERATING,
     Forms,
-    GeneratedForm,
 )
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanics.dynamics.evaluation.request import Request
@@ -30,7 +29,7 @@ def test_forms_are_equal(quantity: Quantity, is_floating: bool, is_at_rest: bool
     for seed, n_links in enumerate((1, 2, 5, 9)):
         generator = np.random.default_rng(seed)
         bodies = random_bodies(generator, n_links, is_floating)
-        form = GeneratedForm(bodies)
+        form = Forms(bodies)
         for shape in SHAPES:
             n_vectors = len(JOINT_VECTORS[quantity])
             vectors = generator.uniform(-3.0, 3.0, (n_vectors, *shape, n_links))
@@ -39,7 +38,7 @@ def test_forms_are_equal(quantity: Quantity, is_floating: bool, is_at_rest: bool
                 v = generator.uniform(-1.0, 1.0, (*shape, 6)) * is_floating
                 gravity = generator.uniform(-9.0, 9.0, 3)
             request = Request(quantity, shape, tuple(vectors), v, gravity)
-            got, expected = form.evaluate(request), book.evaluate(bodies, request)
+            got, expected = form.by_code(request), book.evaluate(bodies, request)
             assert got.shape == expected.shape
             scale = abs(expected).max(initial=1e-3)
             assert abs(got - expected).max(initial=0.0) <= TOLERANCE * scale

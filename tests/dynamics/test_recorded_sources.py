@@ -54,8 +54,8 @@ def sources(patch: pytest.MonkeyPatch) -> Iterator[str]:
     yield "## scalars"
     yield from scalar_source(recorded).splitlines()
     yield "## rows"
-    source, rows = batch_source(recorded)
-    yield from source.splitlines()
+    rows = batch_source(recorded)
+    yield from rows.text.splitlines()
     yield f"{rows.n_scratch} rows besides, {rows.constants}"
     yield "## lines"
     named = dict(zip("qp", recorded.arguments, strict=True))

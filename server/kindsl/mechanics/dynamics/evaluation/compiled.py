@@ -73,7 +73,7 @@ class CompiledMechanics(Mechanics):
         self._extensions: dict[str, Extension] = {}
         self._threads = threads
         self._feet = [foot.name for foot in feet(robot_of(bodies))]
-        self._forms = self._generated = _Rows(self, threads)  # type: ignore[assignment]
+        self._forms = _Rows(self, threads)  # type: ignore[assignment]
         try:
             self._pose_entries = self._group("plain").bind("poses")
         except SingularInertiaError:
@@ -169,7 +169,6 @@ class _Rows:
 
     def __init__(self, owner: CompiledMechanics, threads: int) -> None:
         self.at_rest: dict[str, Method] = {}
-        self.pose_entries = None
         self._owner = owner
         self._threads = threads
 

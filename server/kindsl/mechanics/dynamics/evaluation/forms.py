@@ -6,8 +6,6 @@ NumPy rows a batch of a thousand ten times sooner; see benchmarks/dynamics.py.
 """
 
 import math
-from collections.abc import Callable
-from functools import partial
 
 import numpy as np
 
@@ -20,9 +18,7 @@ from kindsl.mechanics.dynamics.generation.emitters.numpy_rows import (
     run_in_chunks,
 )
 from kindsl.mechanics.dynamics.generation.emitters.scalar_python import (
-    NumbersFunction,
     ScalarFunction,
-    numbers_function,
     scalar_function,
 )
 from kindsl.mechanics.dynamics.generation.robot import Robot, robot_of
@@ -40,68 +36,51 @@ LINEAR: frozenset[Quantity] = frozenset(
 WORTH_GENERATING = 3000
 
 
-class Forms:
-    """The forms of one mechanism, of which the one is asked that answers sooner.
-
-    Attributes:
-        generated: The form whose ready functions may be called directly.
-    """
-
-    __slots__ = ("_generates_code", "generated")
-
-    def __init__(self, bodies: Bodies, *, generates_code: bool = True) -> None:
-        self._generates_code = generates_code
-        self.generated = GeneratedForm(bodies)
-
-    def evaluate(self, request: Request) -> Array:
-        """Return a quantity's entries in one row per configuration, shape (..., entries).
-
-        Raises:
-            SingularInertiaError, ZeroDivisionError, numpy.linalg.LinAlgError: If nothing resists a
-                motion; or the result holds values that are not finite.
-        """
-        return self._chosen(request)(request)
-
-    def _chosen(self, request: Request) -> Callable[[Request], Array]:
-        bodies = self.generated.bodies
-        is_large = math.prod(request.batch_shape) >= WORTH_GENERATING
-        is_worth_it = bodies.n_links <= MOST_LINKS_TO_GENERATE_FOR or (
-            request.quantity in LINEAR and is_large
-        )
-        if self._generates_code and is_worth_it:
-            return self.generated.evaluate
-        return partial(book.evaluate, bodies)
-
-
 # A ufunc's call takes as long as a thousand additions; much longer rows leave the cache.
 CHUNK = 5120
 # Fewer configurations are computed one by one.
 SMALLEST_BATCH = 40
 
 
-class GeneratedForm:
-    """Code for one mechanism; each quantity's is written on its first use.
+class Forms:
+    """Code for one mechanism, each quantity's written on its first use, and the book beside it.
 
     Two threads that ask for the same new code both write it, with the same result.
 
     Attributes:
         bodies: The mechanism.
         at_rest: The functions that are ready for one configuration at rest.
-        pose_entries: The one for all entries of its poses, as floats, once it is ready.
     """
 
-    __slots__ = ("_batch", "_robot", "_single", "at_rest", "bodies", "pose_entries")
+    __slots__ = ("_batch", "_generates_code", "_robot", "_single", "at_rest", "bodies")
 
-    def __init__(self, bodies: Bodies) -> None:
+    def __init__(self, bodies: Bodies, *, generates_code: bool = True) -> None:
         self.bodies = bodies
         self.at_rest: dict[str, ScalarFunction] = {}
-        self.pose_entries: NumbersFunction | None = None
+        self._generates_code = generates_code
         self._single: dict[tuple[str, Conditions], tuple[ScalarFunction, list[str]]] = {}
         self._batch: dict[tuple[str, Conditions], tuple[BatchFunction, list[str]]] = {}
         self._robot: Robot | None = None
 
     def evaluate(self, request: Request) -> Array:
-        """Return a quantity's entries in one row per configuration, shape (..., entries).
+        """Return a quantity's entries in one row per configuration, by the form that is sooner.
+
+        Shape (..., entries).
+
+        Raises:
+            SingularInertiaError, ZeroDivisionError, numpy.linalg.LinAlgError: If nothing resists a
+                motion; or the result holds values that are not finite.
+        """
+        is_large = math.prod(request.batch_shape) >= WORTH_GENERATING
+        is_worth_it = self.bodies.n_links <= MOST_LINKS_TO_GENERATE_FOR or (
+            request.quantity in LINEAR and is_large
+        )
+        if self._generates_code and is_worth_it:
+            return self.by_code(request)
+        return book.evaluate(self.bodies, request)
+
+    def by_code(self, request: Request) -> Array:
+        """Return the same by code.
 
         Raises:
             ZeroDivisionError: For a few configurations, if nothing resists a motion; a batch
@@ -130,13 +109,10 @@ class GeneratedForm:
 
     def _new_single(self, name: str, conditions: Conditions) -> tuple[ScalarFunction, list[str]]:
         recorded = self._trace(name, conditions)
-        function = scalar_function(recorded)
-        self._single[name, conditions] = function, recorded.names
+        found = self._single[name, conditions] = scalar_function(recorded), recorded.names
         if conditions == "at_rest":
-            self.at_rest[name] = function
-            if name == "poses":
-                self.pose_entries = numbers_function(recorded)
-        return function, recorded.names
+            self.at_rest[name] = found[0]
+        return found
 
     def _trace(self, name: str, conditions: Conditions) -> Trace:
         if self._robot is None:

@@ -59,7 +59,7 @@ class Mechanics(WholeBody):
     All methods raise ValueError for arguments of a wrong shape or with values that are not finite.
     """
 
-    __slots__ = ("_forms", "_generated", "_pose_indices", "bodies")
+    __slots__ = ("_forms", "_pose_indices", "bodies")
 
     def __init__(self, bodies: Bodies, *, generates_code: bool = True) -> None:
         """Take over a tree of bodies.
@@ -71,7 +71,6 @@ class Mechanics(WholeBody):
         """
         self.bodies = bodies
         self._forms = Forms(bodies, generates_code=generates_code)
-        self._generated = self._forms.generated
         names = (*bodies.link_names, *(frame.name for frame in bodies.frames))
         self._pose_indices = {name: index for index, name in enumerate(names)}
 
@@ -92,11 +91,9 @@ class Mechanics(WholeBody):
 
     def forward_kinematics(self, q: JointVector) -> Poses:
         """Return `base_T_x` (..., 4, 4) of each link and frame x by name, links first."""
-        try:
-            return Poses(self._pose_indices, self._generated.pose_entries(q))  # type: ignore[misc]
-        except NOT_READY:
-            entries = self._evaluate("poses", (q,))
-        return Poses(self._pose_indices, self._pose_by_pose(entries))
+        poses = self._poses(q)
+        n = poses.ndim - 3
+        return Poses(self._pose_indices, poses.transpose((n, *range(n), n + 1, n + 2)))
 
     def joint_poses(self, q: JointVector) -> dict[str, Array]:
         """Return `base_T_j` (..., 4, 4) of each joint frame j by the joint's name.
@@ -317,7 +314,7 @@ class Mechanics(WholeBody):
         if base_velocity is None and gravity is STANDARD_GRAVITY and is_plain:
             # A single answer if code is ready and nothing is wrong, without a slow check.
             try:
-                return self._generated.at_rest[quantity](*joint_vectors)
+                return self._forms.at_rest[quantity](*joint_vectors)
             except NOT_READY:
                 pass
         names = JOINT_VECTORS[quantity]
@@ -350,17 +347,15 @@ class Mechanics(WholeBody):
         except OverflowError:
             raise too_large(arrays) from None
 
+    def _poses(self, q: JointVector) -> Array:
+        """Return `base_T_x` (..., poses, 4, 4) of the links, then of the frames."""
+        entries = self._evaluate("poses", (q,))
+        return entries.reshape((*entries.shape[:-1], entries.shape[-1] // 16, 4, 4))
+
     def _body_poses(self, q: JointVector) -> Array:
         """Return `base_T_body` (..., n + 1, 4, 4), the base first."""
-        entries = self._evaluate("poses", (q,))
-        named = entries.reshape((*entries.shape[:-1], entries.shape[-1] // 16, 4, 4))
+        named = self._poses(q)
         poses = np.empty((*named.shape[:-3], self.bodies.n_links + 1, 4, 4))
         poses[..., 0, :, :] = np.eye(4)
         poses[..., 1:, :, :] = named[..., : self.bodies.n_links, :, :]
         return poses
-
-    def _pose_by_pose(self, entries: Array) -> Array:
-        """Return rows of entries, one per configuration, as (poses, ..., 4, 4)."""
-        n = entries.ndim - 1
-        poses = entries.reshape((*entries.shape[:-1], entries.shape[-1] // 16, 4, 4))
-        return poses.transpose((n, *range(n), n + 1, n + 2))

@@ -3,33 +3,20 @@
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-import numpy as np
-
 from kindsl.mechanics.spatial.arrays import Array
 
 
 class Poses(Mapping[str, Array]):
-    """Poses `base_T_x` (..., 4, 4) by the names of the links and frames x.
-
-    All numbers are there from the start. Those of one configuration become arrays when the first
-    pose is asked for: that takes nearly as long as computing them.
-    """
+    """Poses `base_T_x` (..., 4, 4) by the names of the links and frames x."""
 
     __slots__ = ("_indices", "_poses")
 
-    def __init__(self, indices: Mapping[str, int], poses: Array | tuple[float, ...]) -> None:
-        """Keep poses.
-
-        Args:
-            indices: The number of each pose.
-            poses: Shape (poses, ..., 4, 4), or all entries of a single configuration.
-        """
+    def __init__(self, indices: Mapping[str, int], poses: Array) -> None:
+        """Keep poses (poses, ..., 4, 4) by their numbers."""
         self._indices = indices
         self._poses = poses
 
     def __getitem__(self, name: str) -> Array:
-        if isinstance(self._poses, tuple):
-            self._poses = np.array(self._poses).reshape((-1, 4, 4))
         pose: Array = self._poses[self._indices[name]]
         return pose
 

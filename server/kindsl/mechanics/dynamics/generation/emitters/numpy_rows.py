@@ -6,12 +6,11 @@ array, so that a chunk's working set stays in the processor's cache and nothing 
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
-from kindsl.mechanics.dynamics.generation.terms import Operand, Term, operand_nodes
+from kindsl.mechanics.dynamics.generation.terms import Term, operand_nodes
 from kindsl.mechanics.dynamics.generation.trace import Trace
 from kindsl.mechanics.spatial.arrays import Array
 
@@ -26,8 +25,7 @@ UFUNCS = {
 }
 
 
-@dataclass(frozen=True, slots=True)
-class BatchFunction:
+class BatchFunction(NamedTuple):
     """A compiled trace.
 
     Attributes:
@@ -35,50 +33,75 @@ class BatchFunction:
             scratch rows. All are sequences of rows; arguments may hold numbers instead.
         n_scratch: Number of scratch rows that it needs.
         n_outputs: Number of output rows.
-        constant_rows: Which of them it leaves alone, shape (k,).
-        constants: Values of these, shape (k, 1).
+        constants: Values of those that it leaves alone, by their numbers.
     """
 
     evaluate: Callable[..., None]
     n_scratch: int
     n_outputs: int
-    constant_rows: npt.NDArray[np.intp]
-    constants: Array
+    constants: dict[int, float]
+
+
+class BatchSource(NamedTuple):
+    """The source of a function `evaluate`.
+
+    Attributes:
+        text: The source.
+        n_scratch: Number of scratch rows in it.
+        constants: The names of numbers in it.
+    """
+
+    text: str
+    n_scratch: int
+    constants: dict[float, str]
 
 
 def batch_function(trace: Trace) -> BatchFunction:
     """Compile a trace for rows."""
-    source, rows = batch_source(trace)
+    source = batch_source(trace)
     namespace: dict[str, object] = dict(UFUNCS.values())
     # A ufunc takes a 0-d array a third faster than a float.
-    namespace |= {name: np.array(value) for value, name in rows.constants.items()}
-    exec(compile(source, "<generated mechanics>", "exec"), namespace)
+    namespace |= {name: np.array(value) for value, name in source.constants.items()}
+    exec(compile(source.text, "<generated mechanics>", "exec"), namespace)
     evaluate: Callable[..., None] = namespace["evaluate"]  # type: ignore[assignment]
-    constants = {n: o for n, o in enumerate(trace.outputs) if not isinstance(o, Term)}
-    return BatchFunction(
-        evaluate,
-        rows.n_scratch,
-        len(trace.outputs),
-        np.array(list(constants), dtype=np.intp),
-        np.array(list(constants.values()))[:, None],
-    )
+    constants = {n: x for n, x in enumerate(trace.outputs) if isinstance(x, float)}
+    return BatchFunction(evaluate, source.n_scratch, len(trace.outputs), constants)
 
 
-def batch_source(trace: Trace) -> tuple[str, "Rows"]:
-    """Return the source of a function `evaluate`, and what the names in it stand for."""
-    rows = Rows(trace)
-    lines: list[str] = []
-    for index in trace.needed():
-        operation, *operands = trace.graph.nodes[index]
-        if operation not in UFUNCS:
-            continue
-        words = ",".join(rows.word(operand) for operand in operands)
-        # What is used for the last time may make place for the result.
-        rows.release(index)
-        lines.append(f"{UFUNCS[operation][0]}({words},{rows.claim(index)})")
-    arguments = ",".join(f"a{number}" for number in range(len(trace.arguments)))
-    head = f"def evaluate({arguments},cosines,sines,out,scratch):"
-    return "\n ".join([head, *rows.unpacked(), *lines, *rows.copied(), "return\n"]), rows
+def batch_source(trace: Trace) -> BatchSource:
+    """Return the source of a trace: each value has its place in an output or a scratch row."""
+    graph, order, blocks = trace.graph, trace.needed(), _blocks(trace)
+    names = {node: f"{b}_{row}" for b, nodes in blocks.items() for row, node in enumerate(nodes)}
+    outputs: dict[int, list[str]] = {}
+    for number, output in enumerate(trace.outputs):
+        if isinstance(output, Term):
+            outputs.setdefault(output.index, []).append(f"o{number}")
+    last_use = {operand: node for node in order for operand in operand_nodes(graph, node)}
+    lines, constants, scratch, free = list[str](), dict[float, str](), set[str](), list[str]()
+    for node in order:
+        operation, *operands = graph.nodes[node]
+        places = outputs.get(node, [])
+        if operation in UFUNCS:
+            words = [
+                names[x] if isinstance(x, int) else constants.setdefault(x, f"k{len(constants)}")
+                for x in operands
+            ]
+            # What is used for the last time may make place for the result.
+            last = {x for x in operand_nodes(graph, node) if last_use[x] == node}
+            free += [names[x] for x in sorted(last) if names[x] in scratch]
+            if not places and not free:
+                free.append(f"s{len(scratch)}")
+                scratch.update(free)
+            names[node] = places.pop(0) if places else free.pop()
+            lines.append(f"{UFUNCS[operation][0]}({','.join([*words, names[node]])})")
+        lines += [f"copy({names[node]},{place})" for place in places]
+    unpacked = [",".join(names[x] for x in nodes) for nodes in blocks.values()]
+    heads = [f"{given},={block}" for given, block in zip(unpacked, blocks, strict=True) if given]
+    rows = ",".join(f"s{n}" for n in range(len(scratch)))
+    heads += [f"{rows},=scratch"] if scratch else []
+    heads.append(f"{','.join(f'o{n}' for n in range(len(trace.outputs)))},=out")
+    head = f"def evaluate({','.join(blocks)},out,scratch):"
+    return BatchSource("\n ".join([head, *heads, *lines, "return\n"]), len(scratch), constants)
 
 
 def run_in_chunks(
@@ -96,7 +119,7 @@ def run_in_chunks(
         Shape (outputs, size).
     """
     out = np.empty((function.n_outputs, size))
-    out[function.constant_rows] = function.constants
+    out[list(function.constants)] = np.array(list(function.constants.values()))[:, None]
     n_chunks = max(1, math.ceil(size / chunk))
     chunk = math.ceil(size / n_chunks)
     scratch = np.empty((function.n_scratch, chunk))
@@ -126,82 +149,6 @@ def _cosines_and_sines(angles: Array) -> tuple[Array, Array]:
     sines *= cosines
     cosines -= 1.0
     return cosines, sines
-
-
-class Rows:
-    """The place of each value of a trace: in an argument, an output or a scratch row.
-
-    Attributes:
-        constants: The names of constants.
-    """
-
-    def __init__(self, trace: Trace) -> None:
-        self.constants: dict[float, str] = {}
-        self._trace = trace
-        self._scratch: set[str] = set()
-        self._free: list[str] = []
-        self._names: dict[int, str] = {}
-        self._blocks = _blocks(trace)
-        for block, indices in self._blocks.items():
-            self._names.update((node, f"{block}_{row}") for row, node in enumerate(indices))
-        self._outputs: dict[int, int] = {}
-        for number, output in enumerate(trace.outputs):
-            if isinstance(output, Term) and output.index not in self._names:
-                self._outputs.setdefault(output.index, number)
-        self._last_use = {
-            operand: index
-            for index in trace.needed()
-            for operand in operand_nodes(trace.graph, index)
-        }
-
-    @property
-    def n_scratch(self) -> int:
-        """Number of scratch rows claimed so far."""
-        return len(self._scratch)
-
-    def word(self, operand: Operand) -> str:
-        """Return how to write an operand."""
-        if isinstance(operand, int):
-            return self._names[operand]
-        return self.constants.setdefault(operand, f"k{len(self.constants)}")
-
-    def claim(self, index: int) -> str:
-        """Return the row that a node's result goes to."""
-        if index in self._outputs:
-            name = f"o{self._outputs[index]}"
-        elif self._free:
-            name = self._free.pop()
-        else:
-            name = f"s{self.n_scratch}"
-            self._scratch.add(name)
-        self._names[index] = name
-        return name
-
-    def release(self, index: int) -> None:
-        """Free the scratch rows that no node after this one uses."""
-        for operand in set(operand_nodes(self._trace.graph, index)):
-            if self._last_use[operand] == index and self._names[operand] in self._scratch:
-                self._free.append(self._names[operand])
-
-    def unpacked(self) -> list[str]:
-        """Return lines that give the rows their names."""
-        needed = set(self._trace.needed())
-        scratch = [f"s{number}" for number in range(self.n_scratch)]
-        lines = [f"{','.join(scratch)},=scratch"] if scratch else []
-        for block, indices in self._blocks.items():
-            if not needed.isdisjoint(indices):
-                names = ",".join(self._names[index] for index in indices)
-                lines.append(f"{names},={block}")
-        outputs = ",".join(f"o{number}" for number in range(len(self._trace.outputs)))
-        return [*lines, f"{outputs},=out"]
-
-    def copied(self) -> list[str]:
-        """Return lines that fill the rows that are neither computed in place nor constant."""
-        return [
-            f"copy({self._names[output.index]},o{number})"
-            for number, output in enumerate(self._trace.outputs)
-            if isinstance(output, Term) and self._outputs.get(output.index) != number
-        ]
 
 
 def _blocks(trace: Trace) -> dict[str, list[int]]:

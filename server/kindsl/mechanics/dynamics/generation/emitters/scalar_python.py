@@ -17,7 +17,6 @@ from kindsl.mechanics.dynamics.generation.trace import Trace
 from kindsl.mechanics.spatial.arrays import Array
 
 ScalarFunction: TypeAlias = Callable[..., Array]
-NumbersFunction: TypeAlias = Callable[..., tuple[float, ...]]
 
 # A value used once is written where it is used, unless the line grows longer than this.
 LONGEST_INLINED = 160
@@ -33,44 +32,20 @@ def scalar_function(trace: Trace) -> ScalarFunction:
     """
     # Packing takes half the time that an array takes to convert a list; pad bytes are zeros.
     layout = "".join("8x" if is_zero(output) else "d" for output in trace.outputs)
-    packing = {
-        "pack": struct.Struct(layout).pack_into,
-        "empty": partial(np.empty, len(trace.outputs)),
-    }
-    return _compiled(scalar_source(trace), packing)
-
-
-def numbers_function(trace: Trace) -> NumbersFunction:
-    """Compile a trace into a function that returns the outputs as floats; else as above."""
-    return _compiled(_source(trace, lambda outputs: [f"return {','.join(outputs)},"]), {})
-
-
-def scalar_source(trace: Trace) -> str:
-    """Return the source of a function `evaluate` that returns an array."""
-
-    def packed(outputs: list[str]) -> list[str]:
-        given = [
-            text for text, output in zip(outputs, trace.outputs, strict=True) if not is_zero(output)
-        ]
-        return ["out=empty()", f"pack({','.join(['out', '0', *given])})", "return out"]
-
-    return _source(trace, packed)
-
-
-def _compiled(source: str, packing: dict[str, object]) -> Callable[..., Any]:
-    functions = {
+    namespace: dict[str, Any] = {
         "sin": math.sin,
         "cos": math.cos,
         "sign": OPERATIONS["sign"],
         "float64": np.dtype(np.float64),
+        "pack": struct.Struct(layout).pack_into,
+        "empty": partial(np.empty, len(trace.outputs)),
     }
-    namespace: dict[str, Any] = functions | packing
-    exec(compile(source, "<generated mechanics>", "exec"), namespace)
-    function: Callable[..., Any] = namespace["evaluate"]
+    exec(compile(scalar_source(trace), "<generated mechanics>", "exec"), namespace)
+    function: ScalarFunction = namespace["evaluate"]
     return function
 
 
-def _source(trace: Trace, returned: Callable[[list[str]], list[str]]) -> str:
+def scalar_source(trace: Trace) -> str:
     """Return the source of `evaluate`, one local variable for each shared value."""
     texts: dict[int, str] = {}
     lines = _unpacked_arguments(trace, texts)
@@ -84,12 +59,14 @@ def _source(trace: Trace, returned: Callable[[list[str]], list[str]]) -> str:
         else:
             texts[index] = f"v{index}"
             lines.append(f"v{index}={text}")
-    outputs = [
+    given = [
         texts[output.index] if isinstance(output, Term) else repr(output)
         for output in trace.outputs
+        if not is_zero(output)
     ]
     names = ",".join(f"a{number}" for number in range(len(trace.arguments)))
-    body = "\n ".join([*lines, *returned(outputs)])
+    packed = ",".join(["out", "0", *given])
+    body = "\n ".join([*lines, "out=empty()", f"pack({packed})", "return out"])
     return f"def evaluate({names}):\n {body}\n"
 
 
