@@ -1,8 +1,6 @@
 """Operations as a language writes them, in an order, cut into parts that a compiler can take in."""
 
-import math
 from collections.abc import Callable, Collection, Iterable, Sequence
-from itertools import count
 from typing import NamedTuple
 
 from kindsl.mechanics.dynamics.generation.terms import (
@@ -133,17 +131,7 @@ def cut(
                 kept[node] = free.pop()
                 leaving.setdefault(last_use[node], []).append(kept[node])
         parts.append(Part(piece, kept))
-    return Parts([_scattered(part, n_kept) for part in parts] or [Part([], {})], n_kept)
-
-
-def _scattered(part: Part, n_kept: int) -> Part:
-    """Return a part whose places do not lie side by side.
-
-    Neighbours are what compilers pack into vectors, which takes them a quarter of their time for
-    straight lines and makes these slower.
-    """
-    step = next(step for step in count(n_kept * 5 // 8 + 1) if math.gcd(step, n_kept) == 1)
-    return part._replace(kept={node: place * step % n_kept for node, place in part.kept.items()})
+    return Parts(parts or [Part([], {})], n_kept)
 
 
 def setup_nodes(graph: Graph, parameters: Iterable[int], order: Iterable[int]) -> set[int]:
