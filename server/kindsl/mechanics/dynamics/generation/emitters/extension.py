@@ -135,11 +135,11 @@ def _many(number: int, kernel: Kernel) -> str:
         return loop
     rows = {f"a{i}": f"in[{i}] + i * strides[{i}], strides[{i}]" for i, _ in _given(kernel)}
     stores = [
-        f"hand_out(out[{i}], o{i}_lanes, {len(r.entries)}, i, n);"
+        f"scatter(out[{i}] + i * {len(r.entries)}, o{i}_lanes, {len(r.entries)}, width);"
         for i, r in enumerate(kernel.results)
     ]
     wide = wide_loop(Wide(str(number), *_named(kernel)), rows, stores)
-    return f"#if defined(LANES)\n{wide}    END_OF_STREAMS;\n#else\n{loop}#endif\n"
+    return f"#if defined(LANES)\n{wide}#else\n{loop}#endif\n"
 
 
 def _wide(graph: Graph, number: int, kernel: Kernel) -> str:

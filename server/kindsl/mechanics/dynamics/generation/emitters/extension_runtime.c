@@ -9,7 +9,6 @@
 #include <Python.h>
 #include <numpy/arrayobject.h>
 #include <math.h>
-#include <stdint.h>
 
 #define MOST_ARGUMENTS 8
 #define MOST_RESULTS 4
@@ -273,53 +272,3 @@ python:
      METH_FASTCALL | METH_KEYWORDS, KERNELS_HELP_##number}
 
 @LANES@
-#if defined(LANES)
-/* Results that no cache holds are written past them, whole registers one after the other: a cache
- * would first read what is overwritten. */
-#if defined(__x86_64__)
-#include <immintrin.h>
-#define LEAST_STREAMED_BYTES (4 << 20)
-#if LANES == 8
-#define STREAM(to, x) _mm512_stream_pd(to, (__m512d)(x))
-#elif LANES == 4
-#define STREAM(to, x) _mm256_stream_pd(to, (__m256d)(x))
-#else
-#define STREAM(to, x) _mm_stream_pd(to, (__m128d)(x))
-#endif
-
-static inline void stream(double *to, const double *from, npy_intp n)
-{
-    npy_intp i = 0;
-    for (; i < n && (uintptr_t)(to + i) % sizeof(lanes) != 0; i++) {
-        to[i] = from[i];
-    }
-    for (; i + LANES <= n; i += LANES) {
-        lanes x;
-        memcpy(&x, &from[i], sizeof x);
-        STREAM(&to[i], x);
-    }
-    for (; i < n; i++) {
-        to[i] = from[i];
-    }
-}
-#define END_OF_STREAMS _mm_sfence()
-#else
-#define END_OF_STREAMS
-#endif
-
-/* Write lanes as rows `i` and following of a result of `n` rows. */
-static inline void hand_out(double *result, const lanes *from, npy_intp length, npy_intp i,
-                            npy_intp n)
-{
-    double *to = result + i * length;
-#if defined(LEAST_STREAMED_BYTES)
-    if (n - i >= LANES && n * length * (npy_intp)sizeof *to >= LEAST_STREAMED_BYTES) {
-        lanes rows[length];
-        scatter((double *)rows, from, length, LANES);
-        stream(to, (const double *)rows, length * LANES);
-        return;
-    }
-#endif
-    scatter(to, from, length, n - i < LANES ? n - i : LANES);
-}
-#endif
