@@ -1,10 +1,10 @@
-"""Batches are computed in lanes where that saves time, and forces apart where they cost any."""
+"""Batches are computed in lanes where that saves time."""
 
 import pytest
 from tests.codegen.robots import bodies_of_seed, library
 
 from kindsl.mechanics.dynamics.generation.function import Function, Result, argument
-from kindsl.products.codegen.c_sources import _is_lightly_loaded, _is_wide
+from kindsl.products.codegen.c_sources import _is_wide
 
 MADE = library(bodies_of_seed(2), ("poses",))
 
@@ -34,12 +34,3 @@ def test_neither_little_nor_very_much_is_in_lanes(
     assert not _is_wide(MADE, function(entries, "jacobian_tip"))
     assert not _is_wide(MADE, function(entries, takes="qd"))
     assert not _is_wide(library(bodies_of_seed(2), ("poses",), real="float"), function(entries))
-
-
-@pytest.mark.parametrize(("loaded", "is_light"), [(104, True), (105, False), (106, False)])
-def test_forces_are_light_if_they_add_less_than_a_twentieth(
-    loaded: int, is_light: bool, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    counts = iter([100, loaded])
-    monkeypatch.setattr("kindsl.products.codegen.c_sources.operations", lambda *_: next(counts))
-    assert _is_lightly_loaded(MADE, function(1)) is is_light

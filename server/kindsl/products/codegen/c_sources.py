@@ -13,7 +13,7 @@ from kindsl.mechanics.dynamics.generation.emitters.lanes import (
 )
 from kindsl.mechanics.dynamics.generation.emitters.loops import loop_call, loops_text
 from kindsl.mechanics.dynamics.generation.function import Function, Result
-from kindsl.mechanics.dynamics.generation.terms import Scalar, Term, operations
+from kindsl.mechanics.dynamics.generation.terms import Scalar, Term
 from kindsl.products.codegen.c_text import (
     EXTERNAL,
     batch_declaration,
@@ -25,9 +25,6 @@ from kindsl.products.codegen.c_text import (
 )
 from kindsl.products.codegen.filling import fill, template
 from kindsl.products.codegen.library import Library
-
-# Compilers take as long for code with external forces as for that without.
-MOST_ADDED = 0.05
 
 
 def sources(library: Library) -> Iterator[tuple[str, str]]:
@@ -131,26 +128,10 @@ def _definition(library: Library, function: Function) -> str:
     names = [declared.split("[")[0].split(" ")[-1].lstrip("*")
              for declared in parameters(library, function)]  # fmt: skip
     head = f"void {name}({', '.join(parameters(library, function, 'restrict '))})"
-    if _is_lightly_loaded(library, function):
-        zeros = f"static const {real(library)} none[{len(library.external)}] = {{0}};"
-        given = ", ".join(f"{n} != NULL ? {n} : none" if n == EXTERNAL else n for n in names)
-        return f"{loaded}\n{head}\n{{\n    {zeros}\n    {name}_loaded({given});\n}}\n"
-    free = _body(library, function, f"{name}_free", function.results, "static ")
-    without = ", ".join(n for n in names if n != EXTERNAL)
-    call = (
-        f"{{\n    if ({EXTERNAL} != NULL) {{\n        {name}_loaded({', '.join(names)});\n"
-        f"    }} else {{\n        {name}_free({without});\n    }}\n}}\n"
-    )
-    return f"{free}\n{loaded}\n{head}\n{call}"
-
-
-def _is_lightly_loaded(library: Library, function: Function) -> bool:
-    """Return whether external forces add so little that zeros are as good as code without them."""
-    free, loaded = (
-        operations(library.robot.graph, [entry for result in results for entry in result.entries])
-        for results in (function.results, function.loaded or ())
-    )
-    return loaded - free < MOST_ADDED * free
+    # Forces that are zero cost at most a tenth of the time, a function without them the text again.
+    zeros = f"static const {real(library)} none[{len(library.external)}] = {{0}};"
+    given = ", ".join(f"{n} != NULL ? {n} : none" if n == EXTERNAL else n for n in names)
+    return f"{loaded}\n{head}\n{{\n    {zeros}\n    {name}_loaded({given});\n}}\n"
 
 
 def _body(
