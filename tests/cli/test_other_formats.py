@@ -151,13 +151,58 @@ def test_a_xacro_without_errors_is_computed_without_a_note(kindsl: Runner, folde
     assert (told.status, told.err) == (0, "")
 
 
-def test_a_robot_beyond_the_language_is_told_in_a_sentence(kindsl: Runner, folder: Path) -> None:
+PLANAR = "line 12: <joint name='shoulder'> is a planar joint, which the language does not support"
+ROOM = """<sdf version="1.9"><world name="room">
+<model name="box"><link name="body"><inertial><mass>2</mass></inertial></link>
+<link name="lid"><inertial><mass>1</mass></inertial></link>
+<joint name="hinge" type="{}"><pose>0 0 1 0 0 0</pose><parent>body</parent><child>lid</child>
+<axis/></joint></model>
+<model name="ball"><pose>3 0 0 0 0 0</pose>
+<link name="body"><inertial><mass>4</mass></inertial></link></model></world></sdf>
+"""
+
+
+def test_what_is_beyond_the_language_is_shown_with_a_note(kindsl: Runner, folder: Path) -> None:
     (folder / "arm.urdf").write_text(URDF.replace('"revolute"', '"planar"'))
     told = kindsl("info", "arm.urdf")
-    assert (told.status, told.err) == (
-        1,
-        "arm.urdf: error: the joint 'shoulder' is planar, which the language does not support\n",
-    )
+    assert (told.status, told.err) == (0, f"arm.urdf: note: {PLANAR}\n")
+    assert "0 degrees of freedom" in told.out and "2 kg" in told.out
+    assert kindsl("preview", "arm.urdf", "--export", "page.html").status == 0
+    for command in (
+        ("compute", "arm.urdf"),
+        ("convert", "arm.urdf", "-"),
+        ("generate", "arm.urdf", "--language", "python", "-o", "d"),
+    ):
+        told = kindsl(*command)
+        assert (told.status, told.err.splitlines()[-1]) == (1, f"arm.urdf: error: {PLANAR}")
+
+
+def test_an_inertia_that_cannot_be_read_is_a_gap(kindsl: Runner, folder: Path) -> None:
+    for old, new, error in (
+        ('<mass value="2"/>', "", "line 5: <inertial> of link 'upper' has no <mass>"),
+        ('value="2"', 'value="2,0"', "line 7: <mass> has '2,0' in 'value', which is not a finite"),
+    ):
+        (folder / "arm.urdf").write_text(URDF.replace(old, new))
+        told = kindsl("info", "arm.urdf")
+        assert told.status == 0 and "mass unknown (link 'upper' has no mass)" in told.out
+        told = kindsl("compute", "arm.urdf")
+        assert told.status == 1 and f"arm.urdf: error: {error}" in told.err
+    (folder / "b.urdf").write_text(URDF)
+    told = kindsl("diff", "arm.urdf", "b.urdf")
+    assert told.status == 1 and "line 7: <mass> has" in told.err
+
+
+def test_models_of_a_world_are_shown_together(kindsl: Runner, folder: Path) -> None:
+    (folder / "room.sdf").write_text(ROOM.format("revolute"))
+    told = kindsl("info", "room.sdf", "--output-format", "json")
+    facts = json.loads(told.out)
+    two = "line 6: the SDF has 2 models, exactly one is required: 'box' and 'ball'"
+    assert told.err == f"room.sdf: note: {two}; 1 more\n"
+    assert (facts["dof"], facts["base"]["name"]) == (1, "world")
+    (folder / "room.sdf").write_text(ROOM.format("ball"))
+    assert "7 kg" in kindsl("info", "room.sdf").out
+    told = kindsl("convert", "room.sdf", "-")
+    assert told.status == 1 and "error: line 6: the SDF has 2 models" in told.err
 
 
 def test_findings_are_the_files_own(kindsl: Runner, folder: Path) -> None:

@@ -8,7 +8,7 @@ import pytest
 from tests.support.urdf_mutants import mutant
 
 from kindsl.robots.interchange.format import FormatError
-from kindsl.robots.interchange.kindsl_writing import kindsl_text
+from kindsl.robots.interchange.kindsl_writing import written_kindsl
 from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
 
 LINK = '<link name="{}"><inertial><mass value="1.0"/><inertia ixx="0.1" iyy="0.1" izz="0.1"'
@@ -24,7 +24,7 @@ ARM = f"<robot name='arm'>\n{LINKS}{SHOULDER}{WRIST}</robot>"
 def read(text: str, folder: Path) -> str:
     path = folder / "robot.urdf"
     path.write_text(text, encoding="utf-8")
-    return kindsl_text(robot_of_urdf(path.read_bytes(), "robot").robot)
+    return written_kindsl(robot_of_urdf(path.read_bytes(), "robot")).text
 
 
 @pytest.mark.parametrize(
@@ -90,12 +90,12 @@ def test_another_kind_of_file_is_told(tmp_path: Path) -> None:
         (
             "</robot>",
             "<link name='a'/><link name='b'/><link name='c'/><link name='d'/></robot>",
-            "the URDF has 5 root links, .*: 'base', 'a', 'b', 'c', 'd'$",
+            "line 7: the URDF has 5 root links, .*: 'base', 'a', 'b', 'c', 'd'$",
         ),
         (
             "</robot>",
             "".join(f"<link name='{name}'/>" for name in "abcde") + "</robot>",
-            "the URDF has 6 root links, .*: 'base', 'a', 'b', 'c', 'd', ...$",
+            "line 7: the URDF has 6 root links, .*: 'base', 'a', 'b', 'c', 'd', ...$",
         ),
         (ARM[ARM.index("<link") : -8], "", "^the URDF has no link$"),
     ],

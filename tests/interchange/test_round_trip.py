@@ -15,7 +15,7 @@ from kindsl.judgement.analysis.settings import Settings
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanics.spatial.arrays import Array
 from kindsl.robots.interchange.format import FormatError, ReadingChoices
-from kindsl.robots.interchange.kindsl_writing import kindsl_text
+from kindsl.robots.interchange.kindsl_writing import kindsl_text, written_kindsl
 from kindsl.robots.interchange.registry import format_named
 from kindsl.robots.interchange.urdf.urdf_reading import robot_of_urdf
 
@@ -136,10 +136,8 @@ def test_axis_turns_to_z(axis: str, tmp_path: Path) -> None:
 
 
 def test_what_the_language_has_not_is_refused_by_name(tmp_path: Path) -> None:
-    with pytest.raises(FormatError, match="'2nd' is planar"):
-        read(tmp_path, kind="planar")
-    with pytest.raises(FormatError, match="one root link"):
-        robot_of_urdf("<robot name='r'><link name='a'/><link name='b'/></robot>", "robot")
+    with pytest.raises(FormatError, match="'2nd'> is a planar joint"):
+        written_kindsl(robot_of_urdf(URDF.format(kind="planar", axis="0 1 0"), "robot"))
     with pytest.raises(FormatError, match="no attribute 'name'"):
         robot_of_urdf("<robot><link/></robot>", "robot")
     with pytest.raises(FormatError, match="not a readable URDF"):

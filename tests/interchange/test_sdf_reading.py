@@ -11,7 +11,7 @@ from tests.support.urdf_mutants import mutant
 
 from kindsl.language.semantics.parameters import UNTOLD
 from kindsl.robots.interchange.format import AS_WRITTEN, FormatError, ReadingChoices, ReadRobot
-from kindsl.robots.interchange.kindsl_writing import kindsl_text
+from kindsl.robots.interchange.kindsl_writing import kindsl_text, written_kindsl
 from kindsl.robots.interchange.registry import format_named
 
 MASS = "<inertial><pose>0.1 0 0 0 0 0</pose><mass>2</mass><inertia><ixx>0.1</ixx><iyy>0.2</iyy>"
@@ -119,13 +119,17 @@ def test_world_is_the_base_of_what_turns_on_it(tmp_path: Path) -> None:
             "<parent>lower</parent><child>base",
             "the joints of the SDF close a kinematic loop, which the language does not support",
         ),
-        ("</model>", "</model><model name='b'/>", "the SDF has 2 models.*'arm' and 'b'"),
-        ("</model>", "<link name='b'/></model>", "the SDF has 2 root links.*the world and 'b'"),
+        (
+            "</model>",
+            "</model><model name='b'><link name='l'/></model>",
+            "line 12: the SDF has 2 models.*'arm' and 'b'",
+        ),
+        ("</model>", "<link name='b'/></model>", "line 12: .*2 root links.*the world and 'b'"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_held_is_refused(old: str, new: str, message: str, tmp_path: Path) -> None:
     with pytest.raises(FormatError, match=f"^{message}$") as caught:
-        robot(ARM.replace(old, new), tmp_path)
+        written_kindsl(robot(ARM.replace(old, new), tmp_path))
     assert "\n" not in str(caught.value) and not str(caught.value).endswith(".")
 
 
@@ -152,22 +156,25 @@ def test_each_loss_is_one_sentence(tmp_path: Path) -> None:
 
 def test_of_many_models_and_roots_five_are_named(tmp_path: Path) -> None:
     for part, message in (
-        ("<model name='{}'/>", "the SDF has 7 models, .*: 'arm', 'a', 'b', 'c' and 'd'"),
-        ("<link name='{}'/>", "the SDF has 7 root links, .*: the world, 'a', 'b', 'c' and 'd'"),
+        (
+            "<model name='{}'><link name='l'/></model>",
+            "line 12: the SDF has 7 models, .*: 'arm', 'a', 'b', 'c' and 'd'",
+        ),
+        ("<link name='{}'/>", "line 12: .*7 root links, .*: the world, 'a', 'b', 'c' and 'd'"),
     ):
         more = "".join(map(part.format, "abcdef"))
         text = ARM.replace("</model>", f"</model>{more}" if "model" in part else f"{more}</model>")
         with pytest.raises(FormatError, match=f"^{message}$"):
-            robot(text, tmp_path)
+            written_kindsl(robot(text, tmp_path))
 
 
 def test_roots_without_the_world_are_named(tmp_path: Path) -> None:
     text = ARM.replace("<parent>world</parent><child>base", "<parent>base</parent><child>lower")
     text = text.replace("<parent>upper</parent><child>lower", "<parent>upper</parent><child>b")
-    message = "the SDF has 2 root links, exactly one root link is required: 'base' and 'b0'"
+    message = "line 12: .* 2 root links, exactly one root link is required: 'base' and 'b0'"
     text = text.replace("</model>", "<link name='b'/><link name='b0'/></model>")
     with pytest.raises(FormatError, match=f"^{message}$"):
-        robot(text, tmp_path)
+        written_kindsl(robot(text, tmp_path))
 
 
 def test_model_without_links_is_refused_where_it_begins(tmp_path: Path) -> None:

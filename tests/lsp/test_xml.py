@@ -117,10 +117,8 @@ def test_the_preview_shows_it_and_keeps_its_last_picture(client: RawClient, tmp_
 
 def test_a_robot_that_cannot_be_shown_is_told_why(client: RawClient, tmp_path: Path) -> None:
     uri = uris.uri(tmp_path / "arm.urdf")
-    client.open(uri, URDF.replace('"revolute"', '"planar"'))
+    client.open(uri, URDF.replace('<child link="upper"', '<child link="base"'))
     refused = client.refusal(
         "workspace/executeCommand", {"command": "kindsl.preview", "arguments": [uri]}
     )
-    assert refused["message"] == (
-        "the joint 'shoulder' is planar, which the language does not support"
-    )
+    assert refused["message"] == ("line 12: <joint name='shoulder'> closes a loop: base -> base")

@@ -120,7 +120,7 @@ async def test_a_urdf_is_judged_where_it_stands_and_computed(folder: Path) -> No
         assert numbers["configurations"][0]["joint_space_inertia"] == [[pytest.approx(0.01)]]
     (folder / "arm.urdf").write_text(urdf.replace('value="2"', 'value="2,"'))
     sentence = await refused(folder, "compute", path="arm.urdf")
-    assert sentence.startswith("line 2: <mass> has '2,' in 'value'")
+    assert sentence.startswith("line 2 cannot be read (KD005): <mass> has '2,' in 'value'")
 
 
 async def test_a_difference_binds_parameters_and_notes_what_a_file_leaves_open(

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.check_run import Checkpoint, Fault, go_on
@@ -21,6 +22,10 @@ from kindsl.robots.interchange.syntaxes import (
     unjudged,
 )
 from kindsl.robots.interchange.xml_document import XmlDocument
+from kindsl.robots.mechanism.errors import ModelError
+
+if TYPE_CHECKING:
+    from kindsl.robots.mechanism.build import Mechanism
 
 
 class UnreadableRobotError(FormatError):
@@ -36,11 +41,15 @@ class UnreadableRobotError(FormatError):
 
 
 class TranslatedRobot(Analysis):
-    """A robot of another format: text, findings and places are its file's, the model is ours."""
+    """A robot of another format: text, findings and places are its file's, the model is ours.
 
-    def __init__(self, judged: Analysis, document: Analysis) -> None:
+    Attributes:
+        refused: Why it can be shown, but not computed: sentences, mostly none.
+    """
+
+    def __init__(self, judged: Analysis, document: Analysis, refused: tuple[str, ...]) -> None:
         super().__init__(judged.syntax, document.settings)
-        self._judged, self._document = judged, document
+        self._judged, self._document, self.refused = judged, document, refused
 
     @cached_property
     def model(self) -> Model:
@@ -77,7 +86,13 @@ class TranslatedRobot(Analysis):
     def with_settings(self, settings: Settings) -> Analysis:
         """Return the analysis of the same text under other decisions."""
         document = self._document.with_settings(settings)
-        return TranslatedRobot(self._judged.with_settings(settings), document)
+        return TranslatedRobot(self._judged.with_settings(settings), document, self.refused)
+
+    def mechanism(self, parameters: Mapping[str, float] | None = None) -> "Mechanism":
+        """Return the numbered bodies for mechanics; raises ModelError where it is only shown."""
+        for reason in self.refused:
+            raise ModelError(reason)
+        return super().mechanism(parameters)
 
 
 class _NamedPlaces(Resolver):
@@ -121,10 +136,10 @@ def analysed_robot(
     syntax = unjudged(text) if name.lower().endswith(XACRO_SUFFIX) else syntax_of(name, text)
     judged = Analysis(syntax if syntax.is_xml else unjudged(text), settings)
     try:
-        document = _translated(format, name, text, path, choices, settings)
+        document, refused = _translated(format, name, text, path, choices, settings)
     except FormatError as error:
         raise UnreadableRobotError(str(error), tuple(_defects(judged))) from None
-    return TranslatedRobot(judged, document)
+    return TranslatedRobot(judged, document, refused)
 
 
 def _translated(
@@ -134,7 +149,7 @@ def _translated(
     path: Path | None,
     choices: ReadingChoices,
     settings: Settings,
-) -> Analysis:
+) -> tuple[Analysis, tuple[str, ...]]:
     if path is not None and format.read is not None:
         read = format.read(path, choices)
     elif format.parse is not None:
@@ -143,7 +158,8 @@ def _translated(
         raise FormatError(f"{format.title} is read from a file, which may name others")
     written = described_kindsl(read)
     joints = {**written.joints, **settings.joints}
-    return Analysis(parse(written.text), settings._replace(joints=joints))
+    document = Analysis(parse(written.text), settings._replace(joints=joints))
+    return document, read.refused
 
 
 def _defects(judged: Analysis) -> Iterator[Diagnostic]:

@@ -67,7 +67,6 @@ def generate(
     model, values = source.analysis.model, source.analysis.context.values
     inputs = _inputs(source.analysis, options.parameters)
     joints = {} if language.is_rigid else source.analysis.settings.joints
-    robot = symbolic_robot(model, values, inputs, joints)
     stamp = stamp or Stamp(
         f"kindsl {__version__}",
         file_name(source.name),
@@ -78,6 +77,7 @@ def generate(
     name = str(model.name or "robot")
     parameters = parameter_values(defaults.items())
     mechanics = source.analysis.mechanism(parameters)
+    robot = symbolic_robot(model, values, inputs, joints)
     if language.is_rigid:
         mechanics = Mechanism(mechanics.linkage)
     values_of_arguments = sample(mechanics.bodies)

@@ -121,8 +121,9 @@ def read_robot(
     if asked:
         found = read(ReadingChoices(floating=True))
     robot = described_robot(label, found.robot, found.find_numbers())
-    robot = replace(robot, properties=found.joints)
-    notes = []
+    gaps = (b.name for b in found.robot.bodies if found.unknown & {part.name for part in b.parts})
+    robot = replace(robot, properties=found.joints, unknown=frozenset(gaps))
+    notes = [f"{label}: {reason}" for reason in found.refused[:1]]
     mimics = n_mimics(found.remarks)
     if mimics:
         told = f"{counted(mimics, 'mimicking joint')} of {label}"

@@ -32,6 +32,8 @@ class ReadRobot(NamedTuple):
         comments: Lines of text on the robot (without a name), on links and joints, by `"robot"`,
             `"link"` or `"joint"` and the name.
         find_numbers: Finds the numbers in its text, for comparing; none where that is not known.
+        refused: Why it can be shown, but neither converted nor computed: sentences, mostly none.
+        unknown: Links whose inertia is there and cannot be read.
     """
 
     robot: "Linkage"
@@ -40,6 +42,8 @@ class ReadRobot(NamedTuple):
     tells_base: bool = False
     comments: Mapping[tuple[str, str], tuple[str, ...]] = MappingProxyType({})
     find_numbers: "Callable[[], FileNumbers]" = dict
+    refused: tuple[str, ...] = ()
+    unknown: frozenset[str] = frozenset()
 
 
 class WrittenRobot(NamedTuple):

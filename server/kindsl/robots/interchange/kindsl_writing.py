@@ -1,6 +1,6 @@
 """A linkage as a document of the Kinematics-DSL."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from itertools import count
 from math import pi
 
@@ -28,8 +28,10 @@ def written_kindsl(read: ReadRobot) -> WrittenRobot:
     """Return the document of a robot, with all notes.
 
     Raises:
-        FormatError: Nothing in it moves, and a document has a joint.
+        FormatError: Nothing in it moves, and a document has a joint; or it can only be shown.
     """
+    for reason in read.refused:
+        raise FormatError(reason)
     if not read.robot.n_links:
         raise FormatError("no joint of the robot moves, and a document needs one that does")
     return described_kindsl(read)
@@ -45,15 +47,18 @@ def described_kindsl(read: ReadRobot) -> WrittenRobot:
         if joint in read.joints
     }
     remarks = (*read.remarks, *_left_out(robot), *_renamed(robot))
-    return WrittenRobot(kindsl_text(robot, read.comments), remarks, joints)
+    return WrittenRobot(kindsl_text(robot, read.comments, read.unknown), remarks, joints)
 
 
-def kindsl_text(robot: Linkage, comments: Comments = NO_COMMENTS) -> str:
+def kindsl_text(
+    robot: Linkage, comments: Comments = NO_COMMENTS, unknown: Set[str] = frozenset()
+) -> str:
     """Return the document of a robot; its names made valid and unique.
 
     Args:
         robot: The robot.
         comments: Lines on it, see `ReadRobot`.
+        unknown: Links whose inertia cannot be read.
     """
     name, links, joints, frames = _names(robot)
     children: list[list[str]] = [[] for _ in links]
@@ -62,9 +67,14 @@ def kindsl_text(robot: Linkage, comments: Comments = NO_COMMENTS) -> str:
             children[body.parent].append(f"{link} via {joint}")
     floating = " floating" if robot.is_floating else ""
     heads = [[f"RobotBase {links[0]}{floating} {{"], *map(link_head, links[1:], count(1))]
+    bodies = list(robot.bodies)
+    for index, body in enumerate(bodies):
+        if not unknown.isdisjoint(part.name for part in body.parts):
+            heads[index].append("    inertia_params {}")
+            bodies[index] = body.weighing(None)
     blocks = [
         _comments(comments, "link", body.name) + body_text(head, body, edges, own)
-        for head, body, edges, own in zip(heads, robot.bodies, children, frames, strict=True)
+        for head, body, edges, own in zip(heads, bodies, children, frames, strict=True)
     ]
     blocks += [
         _comments(comments, "joint", body.joint) + joint_text(body, joint)

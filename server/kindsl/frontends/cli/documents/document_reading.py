@@ -12,7 +12,11 @@ from kindsl.frontends.cli.documents.sources import STDIN, UNNAMED, read_source
 from kindsl.frontends.cli.outcome import Failure, as_failures
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.diagnostics import Diagnostic
-from kindsl.judgement.analysis.translated_robot import UnreadableRobotError, analysed_robot
+from kindsl.judgement.analysis.translated_robot import (
+    TranslatedRobot,
+    UnreadableRobotError,
+    analysed_robot,
+)
 from kindsl.judgement.config.errors import ConfigurationError
 from kindsl.judgement.config.robots import is_robot
 from kindsl.judgement.rules.base import Severity
@@ -165,7 +169,11 @@ def require_parameters(path: str, *documents: Analysis) -> None:
 
 
 def note_errors(path: str, analysis: Analysis) -> None:
-    """Warn on stderr if a document has errors, since its numbers may then be wrong."""
+    """Warn on stderr if a document has errors, or is not all of what its file describes."""
+    if isinstance(analysis, TranslatedRobot) and analysis.refused:
+        first, *others = analysis.refused
+        more = f"; {len(others)} more" if others else ""
+        write(sys.stderr, f"{shown_name(path)}: note: {printable(first)}{more}\n")
     n_errors = sum(finding.severity is Severity.ERROR for finding in analysis.findings)
     if n_errors:
         told = f"{n_errors} errors" if n_errors > 1 else "an error"

@@ -40,9 +40,8 @@ def losses(spec: Any) -> Iterator[str]:
     """Yield a note on each dropped part.
 
     Raises:
-        FormatError: An equality closes a loop, or there is a deformable body.
+        FormatError: There is a deformable body.
     """
-    _check_equalities(spec)
     if len(spec.flexes):
         raise FormatError(
             "the MJCF has a deformable body (flex), which the language does not support"
@@ -54,7 +53,8 @@ def losses(spec: Any) -> Iterator[str]:
     if n_drawn:
         yield f"geometry and meshes of {_bodies(n_drawn)} dropped"
     for equality in _of_the_robot(spec):
-        yield f"{_named(equality)} dropped: the joints are now independent"
+        if _kind(equality) not in _LOOPS:
+            yield f"{_named(equality)} dropped: the joints are now independent"
     for body in _targets(spec):
         yield f"the mocap body '{body.name}' dropped: it is a target, no part of the robot"
 
@@ -112,13 +112,13 @@ def physics_losses(model: Any) -> Iterator[str]:
         yield "forces of the fluid around the bodies dropped: not supported"
 
 
-def check_joints(model: Any) -> None:
-    """Raise FormatError for a ball joint."""
+def ball_joints(model: Any) -> Iterator[str]:
+    """Yield that joints are ball joints."""
     for joint in range(model.njnt):
         if model.jnt_type[joint] == _BALL:
             name, body = model.joint(joint).name, model.body(model.jnt_bodyid[joint]).name
             told = f"the joint '{name}'" if name else f"a joint of the body '{body}'"
-            raise FormatError(f"{told} is a ball joint, which the language does not support")
+            yield f"{told} is a ball joint, which the language does not support"
 
 
 def _strip_assets(spec: Any) -> None:
@@ -136,12 +136,11 @@ def _strip_assets(spec: Any) -> None:
                 spec.delete(element)
 
 
-def _check_equalities(spec: Any) -> None:
+def loops(spec: Any) -> Iterator[str]:
+    """Yield that equalities close loops: without them the robot can be shown."""
     for equality in _of_the_robot(spec):
         if _kind(equality) in _LOOPS:
-            raise FormatError(
-                f"{_named(equality)} closes a kinematic loop, which the language does not support"
-            )
+            yield f"{_named(equality)} closes a kinematic loop, which the language does not support"
 
 
 def _targets(spec: Any) -> list[Any]:

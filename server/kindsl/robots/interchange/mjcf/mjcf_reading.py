@@ -16,8 +16,9 @@ from kindsl.robots.comparison.quantities import AXIS, INERTIA, POSE, TURNS
 from kindsl.robots.interchange.format import FormatError, ReadingChoices, ReadRobot, told_joints
 from kindsl.robots.interchange.mjcf.compiling import compiled, spec_of_file
 from kindsl.robots.interchange.mjcf.losses import (
-    check_joints,
+    ball_joints,
     joint_losses,
+    loops,
     losses,
     physics_losses,
     strip,
@@ -52,11 +53,11 @@ def read_mjcf(path: Path, choices: ReadingChoices) -> ReadRobot:
 
 
 def _read(spec: Any, name: str, floating: bool) -> ReadRobot:
-    lost = tuple(losses(spec))
+    lost, refused = tuple(losses(spec)), [*loops(spec)]
     strip(spec)
     model = compiled(spec)
-    check_joints(model)
-    roots, outside = _roots(model)
+    refused += ball_joints(model)
+    roots, outside = _roots(model, refused)
     base: BaseKind = "floating" if floating or _is_free(model, roots[0]) else "fixed"
     links = _links(model, roots, base)
     robot, moved = robot_of_links(spec.modelname or name, base, links, "body")
@@ -67,9 +68,9 @@ def _read(spec: Any, name: str, floating: bool) -> ReadRobot:
         *_joint_remarks(model),
         *moved,
     )
-    joints = [joint for joint in range(model.njnt) if model.jnt_type[joint] != _FREE]
+    joints = [joint for joint in range(model.njnt) if model.jnt_type[joint] >= _SLIDE]
     own = told_joints((_joint_name(model, joint), _properties(model, joint)) for joint in joints)
-    return ReadRobot(robot, (*lost, *told), own, tells_base=True)
+    return ReadRobot(robot, (*lost, *told), own, tells_base=True, refused=tuple(refused))
 
 
 def _properties(model: Any, joint: int) -> JointProperties:
@@ -87,7 +88,7 @@ def _properties(model: Any, joint: int) -> JointProperties:
     )
 
 
-def _roots(model: Any) -> tuple[list[int], list[str]]:
+def _roots(model: Any, refused: list[str]) -> tuple[list[int], list[str]]:
     """Return the bodies that stand at the root, and what is said of those left out.
 
     The world is the root unless one body alone is in it that is free or has no joint.
@@ -100,10 +101,9 @@ def _roots(model: Any) -> tuple[list[int], list[str]]:
     others = [b for b in tops if b not in free and _moves(model, b)]
     if len(free) + len(others) > 1:
         told = listed(f"'{_name(model, b)}'" for b in (*free, *others)[:5])
-        number = len(free) + len(others)
-        raise FormatError(
-            f"the MJCF has {number} root bodies, exactly one is required beside a free one: {told}"
-        )
+        number = f"{len(free) + len(others)} root bodies, exactly one is required beside a free one"
+        refused.append(f"the MJCF has {number}: {told}")
+        return [_WORLD], []
     dropped = [f"'{_name(model, b)}'" for b in tops if b not in free]
     what = "body" if len(dropped) == 1 else "bodies"
     return free, [f"the {what} {listed(dropped)}, fixed to the world, dropped"] if dropped else []
@@ -169,7 +169,10 @@ def _jointed(model: Any, joint: int, parent_T_body: RigidPose, *, has_own_body: 
     MuJoCo turns a body about an anchor in its frame, and by the joint value less `ref`. The pose
     that is written is the body's, and where it has another joint already, the anchor.
     """
-    axis, slides = model.jnt_axis[joint], model.jnt_type[joint] == _SLIDE
+    axis, kind = model.jnt_axis[joint], model.jnt_type[joint]
+    slides = kind == _SLIDE
+    if kind < _SLIDE:
+        return RigidLink("", None, "", "fixed", parent_T_joint=parent_T_body)
     body_T_anchor = IDENTITY if slides else _translation(model.jnt_pos[joint])
     ref = float(model.qpos0[model.jnt_qposadr[joint]])
     back = _translation(-ref * axis) if slides else _turn(axis, -ref)

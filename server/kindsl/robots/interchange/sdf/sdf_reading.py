@@ -38,7 +38,7 @@ from kindsl.robots.interchange.sdf.joint_properties import joint_properties
 from kindsl.robots.interchange.sdf.losses import losses, world_losses
 from kindsl.robots.interchange.sdf.nesting import flatten
 from kindsl.robots.interchange.sdf.numbers import numbers_of_sdf
-from kindsl.robots.interchange.xml_reading import JOINT_KINDS, TENSOR
+from kindsl.robots.interchange.xml_reading import JOINT_KINDS, TENSOR, XmlElement
 
 _Z = (0.0, 0.0, 1.0)
 _UNIT: Symmetric = (1.0, 1.0, 1.0, 0.0, 0.0, 0.0)
@@ -60,21 +60,21 @@ def robot_of_sdf(
 
     Args:
         text: As in the file.
-        name: Not needed: a model has a name.
+        name: What several models are called together.
         choices: Whether the root floats though it is fixed to the world.
         searched: Folders of the models that it includes.
 
     Raises:
         FormatError: The text is unreadable or beyond the Kinematics-DSL.
     """
-    del name
     root = parsed(text)
     include(root, searched)
-    model, others = _only_model(root, searched)
+    refused: list[str] = []
+    model, others = _one_model(root, searched, name, refused)
     flatten(model)
     graph = FrameGraph(model, root.get("version") or "")
-    joints = _joints_by_child(model, graph)
-    start, is_fixed = _root(model, graph, joints)
+    joints = _joints_by_child(model, graph, refused)
+    start, is_fixed = _root(model, graph, joints, refused)
     base: BaseKind = "fixed" if is_fixed and not choices.floating else "floating"
     links = _links(model, graph, joints, start, base)
     robot, moved = robot_of_links(name_of(model), base, links)
@@ -87,20 +87,32 @@ def robot_of_sdf(
     )
     own = ((name_of(joint), joint_properties(joint)) for joint in model.iterfind("joint"))
     numbers = partial(numbers_of_sdf, text)
-    return ReadRobot(robot, told, told_joints(own), is_fixed, find_numbers=numbers)
+    properties, why = told_joints(own), tuple(refused)
+    return ReadRobot(robot, told, properties, is_fixed, find_numbers=numbers, refused=why)
 
 
-def _only_model(root: Any, searched: Sequence[Path]) -> tuple[Any, tuple[str, ...]]:
-    """Return the model, and what is said of the others, which are static."""
+def _one_model(
+    root: Any, searched: Sequence[Path], name: str, refused: list[str]
+) -> tuple[Any, tuple[str, ...]]:
+    """Return the model, or one of all, and what is said of others that are static."""
     models = [*root.findall("model"), *root.findall("world/model")]
     moving = [model for model in models if not is_true(model, "static")] if models[1:] else models
+    missing = root.find("world/include")
+    if missing is not None and not moving:
+        raise not_found(missing, searched)
+    if not models:
+        raise FormatError("the SDF has no model, exactly one is required")
     if len(moving) != 1:
-        missing = root.find("world/include")
-        if missing is not None and not moving:
-            raise not_found(missing, searched)
+        line, number = models[1].sourceline, f"{len(models)} models, exactly one is required"
         told = listed(f"'{m.get('name')}'" for m in models[:5])
-        found = f"{len(models)} models" if models else "no model"
-        raise FormatError(f"the SDF has {found}, exactly one is required" + (told and f": {told}"))
+        refused.append(f"line {line}: the SDF has {number}: {told}")
+        whole = XmlElement.beside(root, "model", name=name)
+        for index, model in enumerate(models):
+            if model.get("name") in [other.get("name") for other in models[:index]]:
+                model.set("name", f"{model.get('name')}_{index + 1}")
+        whole.extend((*models, *root.iterfind("world/frame"), *root.iterfind("world/joint")))
+        _check_model(whole, whole, searched)
+        return whole, ()
     _check_model(root, moving[0], searched)
     static = (f"'{name_of(model)}'" for model in models if model is not moving[0])
     return moving[0], tuple(f"the static model {name} dropped" for name in static)
@@ -119,27 +131,32 @@ def _check_model(root: Any, model: Any, searched: Sequence[Path]) -> None:
         raise defect(model, "has no link")
 
 
-def _joints_by_child(model: Any, graph: FrameGraph) -> dict[str, Any]:
+def _joints_by_child(model: Any, graph: FrameGraph, refused: list[str]) -> dict[str, Any]:
+    """Return the joint that carries each link: of several one that is supported."""
     joints: dict[str, Any] = {}
-    for joint in model.iterfind("joint"):
+    for joint in sorted(model.iterfind("joint"), key=lambda j: j.get("type") not in JOINT_KINDS):
         kind = joint.get("type")
-        if kind not in JOINT_KINDS:
-            raise defect(joint, f"is a {kind} joint, which the language does not support")
         child = graph.link_of(text_of(joint, "child"), joint)
         if child == WORLD:
             raise defect(joint, "has the world as its child")
-        if child in joints:
-            first = name_of(joints[child])
-            raise defect(joint, f"gives link '{child}' a second parent after joint '{first}'")
-        joints[child] = joint
+        if kind not in JOINT_KINDS:
+            what = f"is a {kind} joint, which the language does not support"
+            refused.append(str(defect(joint, what)))
+        elif child in joints:
+            what = f"gives link '{child}' a second parent after joint '{name_of(joints[child])}'"
+            refused.append(str(defect(joint, what)))
+        joints.setdefault(child, joint)
     return joints
 
 
-def _root(model: Any, graph: FrameGraph, joints: Mapping[str, Any]) -> tuple[str, bool]:
+def _root(
+    model: Any, graph: FrameGraph, joints: Mapping[str, Any], refused: list[str]
+) -> tuple[str, bool]:
     """Return the root, and whether it is fixed: the world, or a link that hangs on nothing else."""
     on_world = [child for child, joint in joints.items() if _parent(joint, graph) == WORLD]
-    names = [name_of(link) for link in model.iterfind("link")]
-    free = [name for name in names if name not in joints]
+    links = {name_of(link): link for link in model.iterfind("link")}
+    # Some call a link so, where SDFormat has no other world.
+    free = [n for n in links if n not in joints and not (on_world and n == WORLD)]
     if len(free) + bool(on_world) != 1:
         roots = [*(["the world"] if on_world else []), *(f"'{name}'" for name in free)]
         if not roots:
@@ -147,7 +164,9 @@ def _root(model: Any, graph: FrameGraph, joints: Mapping[str, Any]) -> tuple[str
                 "the joints of the SDF close a kinematic loop, which the language does not support"
             )
         number = f"{len(roots)} root links, exactly one root link is required"
-        raise FormatError(f"the SDF has {number}: {listed(roots[:5])}")
+        line = links[free[-1]].sourceline
+        refused.append(f"line {line}: the SDF has {number}: {listed(roots[:5])}")
+        return WORLD, True
     if not on_world:
         return free[0], is_true(model, "static")
     welded = len(on_world) == 1 and joints[on_world[0]].get("type") == "fixed"
@@ -161,7 +180,7 @@ def _parent(joint: Any, graph: FrameGraph) -> str:
 def _links(
     model: Any, graph: FrameGraph, joints: Mapping[str, Any], start: str, base: BaseKind
 ) -> list[RigidLink]:
-    elements = {name_of(link): link for link in model.iterfind("link")}
+    elements = {n: link for link in model.iterfind("link") if (n := name_of(link)) != WORLD}
     frames = _frames(model, graph, start if base == "fixed" else WORLD)
     below: dict[str, list[str]] = {}
     for child, joint in joints.items():
@@ -171,6 +190,11 @@ def _links(
     if start != WORLD:
         first = replace(first, body=mass_of(elements[start]))
     links = [first]
+    for name, element in elements.items() if start == WORLD else ():
+        if name not in joints:
+            root = RigidLink(name, 0, "", "fixed", parent_T_joint=graph.world_T(name, element))
+            own = tuple(frames.get(name, ()))
+            links.append(replace(root, body=mass_of(element), frames=own))
     for index, link in enumerate(links):
         for child in below.get(link.name, ()):
             if child != start:

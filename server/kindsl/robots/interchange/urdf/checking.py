@@ -36,12 +36,14 @@ class UrdfDefect(NamedTuple):
         element: Where it is.
         what: What is wrong with the element.
         attribute: The attribute that is to blame, empty where that is the element.
+        is_shown: Whether the robot can be shown nevertheless.
     """
 
     code: str
     element: Any
     what: str
     attribute: str = ""
+    is_shown: bool = False
 
     @property
     def message(self) -> str:
@@ -49,11 +51,13 @@ class UrdfDefect(NamedTuple):
         return f"<{_name_of(self.element)}> {self.what}"
 
 
-def checked(content: bytes | str) -> XmlElement:
-    """Return the root element of a URDF whose tree, poses and masses are sound; it needs no name.
+def checked(content: bytes | str) -> tuple[XmlElement, tuple[str, ...]]:
+    """Return the root element of a URDF, a tree with known poses, and why it can only be shown.
+
+    It needs no name. Where it has several roots the first one carries the others.
 
     Raises:
-        FormatError: It is not well-formed, not a tree, or has a number that is none.
+        FormatError: It is not well-formed, not a tree, or a pose has a number that is none.
     """
     try:
         robot = parsed_xml(content)
@@ -64,18 +68,32 @@ def checked(content: bytes | str) -> XmlElement:
     joints = robot.findall("joint")
     _add_world(robot, joints)
     links = robot.findall("link")
+    refused = []
     for defect in defects(robot):
         if defect.element is not robot:
-            raise _error(defect.element, defect.what)
+            found = _error(defect.element, defect.what)
+            if not defect.is_shown:
+                raise found
+            refused.append(str(found))
     if not links:
         raise FormatError("the URDF has no link")
-    roots = root_links(links, joints)
-    if len(roots) != 1:
-        told = ", ".join(f"'{name}'" for name in roots[:5]) + (", ..." if len(roots) > 5 else "")
-        raise FormatError(
-            f"the URDF has {len(roots)} root links, exactly one root link is required: {told}"
-        )
-    return robot
+    first, *others = root_links(links, joints)
+    for other in others:
+        _fix(robot, first, other)
+    if others:
+        second: Any = next(link for link in links if link.get("name") == others[0])
+        told = ", ".join(f"'{n}'" for n in (first, *others)[:5]) + (", ..." if others[4:] else "")
+        number = f"{len(others) + 1} root links, exactly one root link is required"
+        refused.append(f"line {second.sourceline}: the URDF has {number}: {told}")
+    return robot, tuple(refused)
+
+
+def _fix(robot: XmlElement, parent: str, child: str) -> None:
+    """Fix one root to another one: all are in the world's frame."""
+    joint = XmlElement.beside(robot, "joint", name=f"{child}_fixed", type="fixed")
+    ends = (("parent", parent), ("child", child))
+    joint.extend(XmlElement.beside(robot, tag, link=name) for tag, name in ends)
+    robot.append(joint)
 
 
 def _add_world(robot: XmlElement, joints: list[Any]) -> None:
@@ -93,7 +111,7 @@ def defects(robot: Any) -> Iterator[UrdfDefect]:
     yield from _of_names(links, "KD102")
     yield from _of_names(joints, "KD103")
     for link in links:
-        yield from _of_link(link)
+        yield from (defect._replace(is_shown=True) for defect in of_inertia(link))
     for joint in joints:
         yield from _of_joint(joint)
     yield from _of_tree(links, joints)
@@ -127,7 +145,8 @@ def _of_names(elements: list[Any], code: str) -> Iterator[UrdfDefect]:
         seen.setdefault(name or "", element)
 
 
-def _of_link(link: Any) -> Iterator[UrdfDefect]:
+def of_inertia(link: Any) -> Iterator[UrdfDefect]:
+    """Yield what keeps the inertia of a link from being read."""
     for inertial in link.findall("inertial"):
         mass = inertial.find("mass")
         if mass is None:
@@ -147,7 +166,8 @@ def _of_joint(joint: Any) -> Iterator[UrdfDefect]:
         yield from _missing(joint, "type")
     elif kind not in _TYPES:
         meant = hint(nearest_word(kind, _TYPES))
-        yield UrdfDefect(_SYNTAX, joint, f"has the unknown type '{kind}'{meant}", "type")
+        what = f"has the unknown type '{kind}'{meant}"
+        yield UrdfDefect(_SYNTAX, joint, what, "type", is_shown=True)
     for end in ("parent", "child"):
         elements = joint.findall(end)
         if len(elements) != 1:
@@ -162,7 +182,8 @@ def _of_joint(joint: Any) -> Iterator[UrdfDefect]:
         for name in names[2:] if kind == "continuous" and tag == "limit" else names:
             for element in joint.findall(tag):
                 if element.get(name) is not None:
-                    yield from _of_numbers(element, name, 1)
+                    odd = _of_numbers(element, name, 1)
+                    yield from (defect._replace(is_shown=True) for defect in odd)
     for axis in joint.findall("axis") if kind not in ("fixed", "floating") else ():
         if axis.get("xyz") is not None:
             found = list(_of_numbers(axis, "xyz", 3))
@@ -260,6 +281,11 @@ def rotation_of(origin: Any) -> Rotation:
     if rotation is None:
         raise _error(origin, "has a quaternion of no length")
     return rotation
+
+
+def unsupported(joint: Any) -> FormatError:
+    """Return the error for a joint of a kind that only URDF has."""
+    return _error(joint, f"is a {joint.get('type')} joint, which the language does not support")
 
 
 def _error(element: Any, what: str) -> FormatError:

@@ -51,10 +51,12 @@ def fragment_of_urdf(text: str) -> Fragment:
         return _of_inertial(inner)
     given = {kind: _names(robot, kind) for kind in ("link", "joint")}
     more = "".join(_added(robot, given["link"]))
-    read = robot_of_urdf(f'<robot name="pasted">{inner}{more}</robot>', "pasted").robot
+    read = robot_of_urdf(f'<robot name="pasted">{inner}{more}</robot>', "pasted")
+    for reason in read.refused:
+        raise FormatError(reason)
     links = [
         _without_base(link)
-        for link in read.bodies
+        for link in read.robot.bodies
         if link.name != _BASE and link.parent is not None
     ]
     names = frozenset(given["link"]), frozenset(given["joint"])

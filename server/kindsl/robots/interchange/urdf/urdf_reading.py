@@ -18,7 +18,6 @@ from kindsl.mechanics.rigid.pose import (
 from kindsl.robots.comparison.quantities import AXIS, INERTIA, POSE, TURNS
 from kindsl.robots.interchange.format import (
     AS_WRITTEN,
-    FormatError,
     ReadingChoices,
     ReadRobot,
     drawings_dropped,
@@ -36,10 +35,13 @@ from kindsl.robots.interchange.urdf.checking import (
     checked,
     end_of,
     numbers_of,
+    of_inertia,
+    root_links,
     rotation_of,
+    unsupported,
 )
 from kindsl.robots.interchange.written_numbers import FileNumbers, XmlNumbers
-from kindsl.robots.interchange.xml_reading import JOINT_KINDS, TENSOR
+from kindsl.robots.interchange.xml_reading import JOINT_KINDS, TENSOR, finite_number
 from kindsl.robots.mechanism.linkage import Linkage
 
 _OF_LEGS = re.compile(r"(?<![a-z])(foot|feet|leg|ankle|knee|thigh|calf|shank|toe)(?![a-z])", re.I)
@@ -62,14 +64,15 @@ def robot_of_urdf(text: bytes | str, name: str, choices: ReadingChoices = AS_WRI
     Raises:
         FormatError: The text is unreadable or beyond the Kinematics-DSL.
     """
-    robot, floating = checked(text), choices.floating
-    joints = robot.findall("joint")
+    (robot, refused), floating = checked(text), choices.floating
+    links, joints = robot.findall("link"), robot.findall("joint")
     children: dict[str, list[Any]] = {}
     for joint in joints:
         children.setdefault(end_of(joint, "parent"), []).append(joint)
-    bodies = {str(link.get("name")): _body(link) for link in robot.findall("link")}
-    carried = {end_of(joint, "child") for joint in joints}
-    root = next(link for link in bodies if link not in carried)
+    unknown = frozenset(str(link.get("name")) for link in links if any(of_inertia(link)))
+    known = (None if link.get("name") in unknown else _body(link) for link in links)
+    bodies = dict(zip((str(link.get("name")) for link in links), known, strict=True))
+    (root,) = root_links(links, joints)
     first = RigidLink(root, body=bodies[root])
     lost: tuple[str, ...] = ()
     tells_base = root == WORLD
@@ -77,15 +80,18 @@ def robot_of_urdf(text: bytes | str, name: str, choices: ReadingChoices = AS_WRI
     if len(below) == 1 and below[0].get("type") == "floating":
         first, floating = _floating(below[0], bodies), True
         lost, tells_base = (f"the link '{root}', which does not move, dropped",), True
-    links = _links(first, children, bodies)
     base: BaseKind = "floating" if floating else "fixed"
-    read, moved = robot_of_links(robot.get("name") or name, base, links)
+    tree = _links(first, children, bodies)
+    read, moved = robot_of_links(robot.get("name") or name, base, tree)
     legs = _legged_remarks(read) if base == "fixed" and root != WORLD else ()
     remarks = (*_remarks(robot), *lost, *legs, *moved)
     moving = (joint for joint in joints if joint.get("type") not in ("fixed", "floating"))
     told = told_joints((str(joint.get("name")), _properties(joint)) for joint in moving)
     numbers = partial(numbers_of_urdf, text)
-    return ReadRobot(read, remarks, told, tells_base, dict(_comments(robot)), numbers)
+    comments = dict(_comments(robot))
+    odd = (joint for joint in joints if joint.get("type") in ("planar", "floating"))
+    refused += tuple(str(unsupported(joint)) for joint in odd if not lost or joint is not below[0])
+    return ReadRobot(read, remarks, told, tells_base, comments, numbers, refused, unknown)
 
 
 def _legged_remarks(robot: Linkage) -> Iterator[str]:
@@ -111,9 +117,7 @@ def _properties(joint: Any) -> JointProperties:
 
 
 def _number(element: Any, name: str) -> float | None:
-    if element is None or element.get(name) is None:
-        return None
-    return numbers_of(element, name, 1)[0]
+    return None if element is None else finite_number((element.get(name) or "").strip())
 
 
 def _floating(joint: Any, bodies: dict[str, MassDistribution | None]) -> RigidLink:
@@ -131,14 +135,12 @@ def _links(
 
 
 def _carried(joint: Any, parent: int, bodies: dict[str, MassDistribution | None]) -> RigidLink:
-    name, kind = str(joint.get("name")), joint.get("type")
-    if kind not in JOINT_KINDS:
-        raise FormatError(f"the joint '{name}' is {kind}, which the language does not support")
+    name, kind = str(joint.get("name")), JOINT_KINDS.get(joint.get("type"), "fixed")
     child = end_of(joint, "child")
     told = None if kind == "fixed" else joint.find("axis")
     axis = _triple(told, "xyz", _USUAL_AXIS)
     pose = pose_of_origin(joint.find("origin"))
-    return RigidLink(child, parent, name, JOINT_KINDS[kind], axis, pose, body=bodies[child])
+    return RigidLink(child, parent, name, kind, axis, pose, body=bodies[child])
 
 
 def _body(link: Any) -> MassDistribution | None:

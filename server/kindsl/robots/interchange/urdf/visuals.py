@@ -41,7 +41,7 @@ def visuals_of_urdf(content: bytes | str) -> list[LinkVisual]:
     Raises:
         FormatError: It is no URDF.
     """
-    links = checked(content).findall("link")
+    links = checked(content)[0].findall("link")
     visuals = ((link, visual) for link in links for visual in link.findall("visual"))
     return [found for link, visual in visuals for found in _read(str(link.get("name")), visual)]
 
