@@ -33,13 +33,14 @@ def shape_doubts(
     body: Link, joints: tuple[Joint, ...], context: Context, code: str = ""
 ) -> Iterator[tuple[Located, BodyVerdict]]:
     """Yield what one rule reports of a body's shape, or all; it is judged once for all of them."""
+    inertia = body.inertia
     verdicts = body.facts.made_of(
         _VERDICTS, (joints, context.values), lambda: list(shape_verdicts(body, joints, context))
     )
-    for verdict in verdicts if body.inertia is not None else ():
-        if verdict.code.startswith(code):
-            com = body.inertia.com if verdict.code in _OF_COM else None
-            yield com or keyword(body.inertia), verdict
+    for verdict in verdicts:
+        if inertia is not None and verdict.code.startswith(code):
+            com = inertia.com if verdict.code in _OF_COM else None
+            yield com or keyword(inertia), verdict
 
 
 def is_told_of(body: Link, model: Model, context: Context) -> bool:
