@@ -25,14 +25,7 @@ class Pasting(NamedTuple):
 
 
 def pastings(analysis: Analysis, start: int, end: int, text: str) -> tuple[Pasting, ...]:
-    """Return how a text of another format may be pasted; none where it is ours.
-
-    Args:
-        analysis: The document before.
-        start: Where what is replaced begins.
-        end: Where it ends.
-        text: The pasted text.
-    """
+    """Return how a text of another format may be pasted; none where it is ours."""
     if not foreign_passages(text):
         return ()
     raw = TextEdit(start, end, _as_lines(analysis.text, start, end, text))

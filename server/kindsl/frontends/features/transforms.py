@@ -164,14 +164,7 @@ def _listed(document: TransformsDocument, names: list[str]) -> TextEdit | None:
 def renamed_transforms(
     analysis: Analysis, offset: int, new_name: str, text: str
 ) -> tuple[TextEdit, ...]:
-    """Return the edits of a transforms document when something of its robot takes another name.
-
-    Args:
-        analysis: The robot's document, before the renaming.
-        offset: Where the old name stands.
-        new_name: The new name.
-        text: The transforms document.
-    """
+    """Return the edits of a transforms document when something of its robot takes another name."""
     symbol = symbol_at(analysis, offset)
     if symbol is None:
         return ()

@@ -48,12 +48,7 @@ def component_name(meaning: Meaning) -> str:
 
 
 def value_place(path: Sequence[Node], local: int) -> ValuePlace | None:
-    """Return the place of the value at an offset of an island, None where no value stands.
-
-    Args:
-        path: The constructs around the offset, the outermost first.
-        local: The offset.
-    """
+    """Return the place of the value at an offset of an island, None where no value stands."""
     section = next((node for node in path if node.kind in VALUES), None)
     if section is None:
         return None

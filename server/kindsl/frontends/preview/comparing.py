@@ -49,12 +49,7 @@ class ShownComparison(NamedTuple):
 
 
 def document_robot(name: str, read: Callable[[], Analysis | str]) -> OtherRobot:
-    """Return another document.
-
-    Args:
-        name: What to call it.
-        read: Returns it as it is now, or why it cannot be read.
-    """
+    """Return another document, which is read anew each time that it is compared."""
 
     def robot(_floating: bool) -> ComparedSide | str:
         analysis = read()
@@ -109,15 +104,7 @@ def compared(
     skeleton: Linkage,
     other: OtherRobot,
 ) -> ShownComparison:
-    """Compare a document with another description.
-
-    Args:
-        label: What to call the document.
-        analysis: The document.
-        values: Of its parameters.
-        skeleton: What is drawn of it.
-        other: The other description.
-    """
+    """Compare a document with another description."""
     theirs = other.read(skeleton.is_floating)
     if isinstance(theirs, str):
         told_why = f"{other.name}: {theirs}"

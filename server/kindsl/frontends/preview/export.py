@@ -19,9 +19,6 @@ def exported_page(state: Iterable[Part]) -> str:
 
     Only its own scripts may run in it, told by their hashes, and it may not reach any address.
 
-    Args:
-        state: The message that a new tab would be sent.
-
     Raises:
         PreviewUnavailableError: If meshcat is not installed.
     """

@@ -88,14 +88,7 @@ def offered(source: MeshSource) -> list[Part]:
 def link_meshes(
     source: MeshSource, model: Model, values: Mapping[str, float], skeleton: Linkage
 ) -> LinkMeshes:
-    """Return the meshes of a URDF on a document's links, and report those left out.
-
-    Args:
-        source: The URDF.
-        model: The document's model.
-        values: Of its parameters.
-        skeleton: What is drawn of it.
-    """
+    """Return the meshes of a URDF on a document's links, and report those left out."""
     ours = described_document("here", model, values, skeleton)
     try:
         content = source.path.read_bytes()

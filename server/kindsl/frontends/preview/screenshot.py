@@ -22,10 +22,6 @@ _FLAGS = (
 def take_screenshot(page: str, target: Path) -> None:
     """Write a PNG of an exported page's picture, without its panel.
 
-    Args:
-        page: The page.
-        target: The file to write.
-
     Raises:
         PreviewUnavailableError: There is no Chromium, or it fails.
     """

@@ -14,14 +14,7 @@ from kindsl.robots.mechanism.linkage import Linkage
 def compared_document(
     name: str, analysis: Analysis, values: Mapping[str, float], skeleton: Linkage
 ) -> ComparedSide:
-    """Return the robot of a document, with what its configuration tells of joints.
-
-    Args:
-        name: The document's, as shown.
-        analysis: The document.
-        values: Of its parameters.
-        skeleton: Its bodies, as far as they are known.
-    """
+    """Return the robot of a document, with what its configuration tells of joints."""
     lines = LineIndex(analysis.text)
 
     def line_of(at: Located) -> int:

@@ -31,12 +31,7 @@ class _NotTakenError(Exception):
 
 
 def urdf_finding(model: Model, at: Place) -> Finding:
-    """Return the finding of elements of URDF.
-
-    Args:
-        model: The robot that they stand in.
-        at: Where.
-    """
+    """Return the finding of elements of URDF."""
     told = "elements of URDF"
     try:
         fragment = fragment_of_urdf(at.island.text[at.start : at.end])

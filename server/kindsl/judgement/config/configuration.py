@@ -80,11 +80,7 @@ class Configuration(NamedTuple):
         return [(*keys, "parameters", parameter) for keys in found]
 
     def settings_for(self, document: str) -> Settings:
-        """Return the decisions for a document.
-
-        Args:
-            document: Its path, absolute or from the working directory.
-        """
+        """Return the decisions for a document, by its path, absolute or from the current folder."""
         settings = Settings()
         for table in self.tables_for(document):
             settings = overridden(settings, table)

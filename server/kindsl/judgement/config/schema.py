@@ -143,12 +143,7 @@ def bindings(table: Given, origin: str) -> dict[str, Binding]:
 
 
 def twin(table: Given, folder: str) -> tuple[str, TwinFile]:
-    """Return a table of `[[twins]]`: a pattern of documents, and their twin.
-
-    Args:
-        table: As given.
-        folder: Where relative paths begin.
-    """
+    """Return a table of `[[twins]]`: a pattern of documents, and their twin."""
     table.allow(TWIN_KEYS)
     documents, file = pattern(table.require("document")), stripped(table.require("file"))
     joints = tuple(_named(table.at("joints"), _string).items())

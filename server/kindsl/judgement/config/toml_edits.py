@@ -81,13 +81,7 @@ def with_other_numbers(text: str, keys: KeyPath, numbers: Mapping[str, float]) -
 
 
 def renaming_edits(text: str, keys: KeyPath, name: str) -> tuple[TextEdit, ...] | None:
-    """Return the edits that give a key another name wherever it stands; None if that is taken.
-
-    Args:
-        text: Valid TOML.
-        keys: The path of the key.
-        name: The new name.
-    """
+    """Return the edits that give a key another name wherever it stands; None if that is taken."""
     if spans_of(text, (*keys[:-1], name)):
         return None
     return tuple(

@@ -21,11 +21,6 @@ def inertia_changes(body: Link, found: MassProperties, at: Place) -> tuple[Repla
     """Return the changes that replace a passage, or the old inertia, with mass properties.
 
     An inertia that is whole keeps its layout and its comments.
-
-    Args:
-        body: Their link or base.
-        found: The numbers to write.
-        at: The passage, of whole lines.
     """
     inertia, sections = body.inertia, _sections(body)
     ids = [section for section in sections if section.kind == "id"]

@@ -20,11 +20,7 @@ _CONVENTIONS = {
 
 
 def report_finding(at: Place) -> Finding:
-    """Return the finding of a report of mass properties, or of a shape.
-
-    Args:
-        at: Where it stands.
-    """
+    """Return the finding of a report of mass properties, or of a shape."""
     text = at.island.text[at.start : at.end]
     if text.startswith(SHAPES):
         return _shape_finding(text, at)

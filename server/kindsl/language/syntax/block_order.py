@@ -42,12 +42,7 @@ class OrderedBlock(NamedTuple):
 
 
 def order_problems(islands: Sequence[Island], starts: Sequence[int]) -> tuple[PlacedProblem, ...]:
-    """Return the problems of the order and number of blocks.
-
-    Args:
-        islands: The document's islands.
-        starts: Their absolute offsets.
-    """
+    """Return the problems of the order and number of blocks."""
     blocks = [
         OrderedBlock(index, island, starts[index], node)
         for index, island in enumerate(islands)

@@ -36,12 +36,7 @@ _NAMED = {
 def without_invalid(
     text: str, tokens: Sequence[Token]
 ) -> tuple[list[Token], list[Token], tuple[Problem, ...]]:
-    """Return the tokens that can be read, the others, and what to say of characters.
-
-    Args:
-        text: The island's text.
-        tokens: Its tokens, as they are meant.
-    """
+    """Return the tokens that can be read, the others, and what to say of characters."""
     good: list[Token] = []
     invalid: list[Token] = []
     problems: list[Problem] = []
@@ -97,13 +92,7 @@ def _stray_problem(text: str, start: int, end: int) -> Problem:
 
 
 def misprints(text: str, tokens: Sequence[Token], invalid: Iterable[Token]) -> Iterator[Problem]:
-    """Yield a problem for each value, word and sign whose characters stand for others.
-
-    Args:
-        text: The island's text.
-        tokens: Its tokens, as they are meant.
-        invalid: Text between them that is left out.
-    """
+    """Yield a problem for each value, word and sign whose characters stand for others."""
     unseen = [token for token in invalid if all(map(is_ignorable, token.text))]
     ends = {token.end: token.start for token in unseen}
     starts = {token.start: token.end for token in unseen}

@@ -30,14 +30,7 @@ def mended(
     spans: tuple[tuple[int, int], ...],
     about_comments: Sequence[Problem],
 ) -> Island:
-    """Return the island of tokens that do not fit the grammar as they are.
-
-    Args:
-        text: The island's text.
-        tokens: Its tokens.
-        spans: Its comments.
-        about_comments: Problems in them.
-    """
+    """Return the island of tokens that do not fit the grammar as they are."""
     passages = foreign_passages(text)
     ours = [t for t in tokens if not _is_within(t.start, passages)] if passages else tokens
     tokens = tokens_as_meant(text, ours, spans)

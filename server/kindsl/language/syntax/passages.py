@@ -101,13 +101,7 @@ def _unclosed_comment(text: str) -> int:
 
 
 def _end_of_row(text: str, position: int, unclosed: set[str]) -> int:
-    """Return where the last of some elements ends that follow each other.
-
-    Args:
-        text: The text.
-        position: Where the first begins.
-        unclosed: Names of elements that were found to have no end; they are looked for once.
-    """
+    """Return where the last of some elements ends that follow each other."""
     while True:
         skipped, element = _SKIPPED.match(text, position), _ELEMENT.match(text, position)
         if skipped is not None:

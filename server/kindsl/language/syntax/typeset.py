@@ -53,13 +53,7 @@ _PLAIN = re.compile(r"[-+]?(?:[0-9]+[.,]?[0-9]*|[.,][0-9]+)(?P<power>[eE][-+]?[0
 def tokens_as_meant(
     text: str, tokens: list[Token], spans: Sequence[tuple[int, int]]
 ) -> list[Token]:
-    """Return the tokens with each number and word replaced by its meaning, offsets unchanged.
-
-    Args:
-        text: The island's text.
-        tokens: Its tokens.
-        spans: Its comments.
-    """
+    """Return the tokens with each number and word replaced by its meaning, offsets unchanged."""
     plain = as_meant(text, spans)
     if plain != text:
         tokens = scan(plain)

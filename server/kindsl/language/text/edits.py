@@ -28,10 +28,6 @@ def in_line_style(edit: TextEdit, text: str) -> TextEdit:
 def apply_edits(text: str, edits: Iterable[TextEdit]) -> str:
     """Return `text` with all edits made at once.
 
-    Args:
-        text: The text that the offsets refer to.
-        edits: Disjoint edits in any order; two insertions at one place keep their order.
-
     Raises:
         ValueError: Two edits overlap.
     """

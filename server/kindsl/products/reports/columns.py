@@ -7,12 +7,7 @@ PARAMETER_UNITS = {"length": "m", "angle": "rad", "dynamics": ""}
 
 
 def aligned(rows: Sequence[Sequence[str]], right: frozenset[int] = frozenset()) -> str:
-    """Return rows of equal length as lines with columns of equal width.
-
-    Args:
-        rows: The cells.
-        right: Columns that are flush right, numbers.
-    """
+    """Return rows of equal length as lines with columns of equal width."""
     if not rows:
         return ""
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]

@@ -66,11 +66,6 @@ def motions_from(content: object, robot: ConfigurationSpace, where: str = "") ->
 def motion(given: Mapping[str, Any], robot: ConfigurationSpace, names: Mapping[str, str]) -> Motion:
     """Return one configuration; what is not given is zero.
 
-    Args:
-        given: Values by key.
-        robot: The robot that they have to fit.
-        names: Name of each key in messages.
-
     Raises:
         MotionError: It does not fit.
     """

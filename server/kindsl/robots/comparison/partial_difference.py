@@ -73,12 +73,7 @@ def partial_difference(old: Document | None, new: Document | None) -> PartialDif
 def document_difference(
     documents: Sequence[Document], skeletons: Sequence[Linkage]
 ) -> tuple[Difference, list[str]]:
-    """Return what changed besides digits, and a note on numbers that have more or fewer.
-
-    Args:
-        documents: The old and the new one.
-        skeletons: Their bodies.
-    """
+    """Return what changed besides digits, and a note on numbers that have more or fewer."""
     found = difference(*skeletons)
     if found.is_empty:
         return found, []

@@ -78,13 +78,7 @@ def robot_messages(
 def solid_messages(
     skeleton: Linkage, doubts: Doubts = NO_DOUBTS, unknown: Mapping[str, str] = NOTHING_UNKNOWN
 ) -> list[Part]:
-    """Return the bodies of a mechanism.
-
-    Args:
-        skeleton: Its bodies.
-        doubts: What is doubtful about them, by their names.
-        unknown: Why the mass distributions of some are not known, by their names.
-    """
+    """Return the bodies of a mechanism."""
     return list(_solids("robot", skeleton, extent(skeleton), doubts, unknown))
 
 

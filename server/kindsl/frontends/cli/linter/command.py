@@ -26,9 +26,6 @@ _COUNTABLE = ("text", "json")
 def run_lint(args: Any) -> int:
     """Lint, report.
 
-    Args:
-        args: The options, as attributes.
-
     Returns:
         0 without errors (and at most as many warnings as allowed), 1 with findings, 2 for wrong
         usage, a document that cannot be read, or a defect of ours.

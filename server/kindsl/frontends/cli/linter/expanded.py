@@ -21,12 +21,6 @@ def expanded_files(
 
     It evaluates Python expressions. Nothing is found in a file that only holds macros, and nothing
     is fixed.
-
-    Args:
-        path: The file.
-        shown: Its name in messages.
-        text: Its text.
-        settings: Decisions for it.
     """
     try:
         expansion = expanded(Path(path), is_marked=True).decode("utf-8")

@@ -112,12 +112,7 @@ async def ask_for_settings(session: Session) -> None:
 
 
 def refresh(session: Session, changed: Iterable[str] = ()) -> None:
-    """Check all open documents again and let the client ask again for what it shows.
-
-    Args:
-        session: The session.
-        changed: URIs of the configuration files that are the cause.
-    """
+    """Check all open documents again and let the client ask again for what it shows."""
     session.news.set()
     session.publisher.refresh()
     start_task(session.closed.look(changed))

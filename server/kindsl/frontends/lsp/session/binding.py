@@ -67,12 +67,6 @@ async def request_edits(
 ) -> str:
     """Have the client make edits of the version that a view shows, as one step of undo.
 
-    Args:
-        view: The document as it was seen.
-        label: Title of the edits, in the imperative.
-        edits: Of the document.
-        bindings: Values of parameters for the configuration file.
-
     Returns:
         Why nothing was written, or an empty text.
     """

@@ -39,11 +39,7 @@ class ClosedConfigurations:
         state.on_findings.append(self._found)
 
     async def watch(self, on_change: Callable[[], None]) -> None:
-        """Look again and again at the files that decide for documents, until cancelled.
-
-        Args:
-            on_change: Called when one of the files has appeared, changed or gone.
-        """
+        """Look again and again at the files that decide for documents, until cancelled."""
         while True:
             await asyncio.sleep(INTERVAL)
             if await self._state.worker.run(

@@ -53,13 +53,7 @@ def is_told_of(body: Link, model: Model, context: Context) -> bool:
 def shape_verdicts(
     body: Link, joints: tuple[Joint, ...], context: Context
 ) -> Iterator[BodyVerdict]:
-    """Yield what is reported of one body's shape, nothing of a fixed base.
-
-    Args:
-        body: The body.
-        joints: Those by which it carries others.
-        context: The parameters' values.
-    """
+    """Yield what is reported of one body's shape, nothing of a fixed base."""
     if body.inertia is None or not is_moving(body):
         return
     numbers = link_inertia(body, context.values)

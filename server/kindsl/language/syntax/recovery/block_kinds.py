@@ -55,13 +55,7 @@ class Opening(NamedTuple):
 
 
 def opening(tokens: Sequence[Token], index: int, previous: str = "") -> Opening | None:
-    """Return how a block begins at a token, None where none does.
-
-    Args:
-        tokens: The island's tokens.
-        index: Where the block would begin.
-        previous: The kind of the block before.
-    """
+    """Return how a block begins at a token, None where none does."""
     token = tokens[index]
     start = BLOCK_STARTS.get(token.kind)
     if start is not None:

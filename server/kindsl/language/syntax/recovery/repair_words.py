@@ -26,13 +26,7 @@ class Word(NamedTuple):
 def repair_words(
     changes: Iterable[RepairStep], tokens: Sequence[Token], present: Iterable[str]
 ) -> tuple[Word, ...]:
-    """Return what each change of a repair writes.
-
-    Args:
-        changes: The repair.
-        tokens: The tokens that it counts.
-        present: The moments that the inertia has already.
-    """
+    """Return what each change of a repair writes."""
     lacking = [moment for moment in MOMENTS if moment not in present] or list(MOMENTS)
     words = []
     for change in changes:

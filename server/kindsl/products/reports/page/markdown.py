@@ -36,12 +36,7 @@ def beside(picture: Figure) -> str:
 
 
 def markdown_text(page: Page, address: Address = embedded) -> str:
-    """Return a page.
-
-    Args:
-        page: Its blocks.
-        address: Where a picture is.
-    """
+    """Return a page."""
     return "\n".join(part for block in page for part in _block(block, address))
 
 

@@ -44,14 +44,7 @@ class WrittenChange(NamedTuple):
 def written_changes(
     old: Analysis, new: Analysis, links: Mapping[str, str], joints: Mapping[str, str]
 ) -> Iterator[WrittenChange]:
-    """Yield the changes, joints first, then frames, then links.
-
-    Args:
-        old: Before.
-        new: After.
-        links: New names of renamed links by the old ones.
-        joints: New names of renamed joints by the old ones.
-    """
+    """Yield the changes, joints first, then frames, then links."""
     for kind, before, after in (
         ("joint", _joints(old, joints), _joints(new, {})),
         ("frame", _frames(old, links), _frames(new, {})),
