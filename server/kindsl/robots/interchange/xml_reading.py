@@ -107,7 +107,7 @@ class _Reading:
         try:
             self._parser.Parse(content, True)
         except expat.ExpatError as error:
-            line, what = self._flaw(error)
+            line, what = self._flaw(error, content)
             raise XmlError(f"not well-formed XML at line {line}: {what}", line) from error
         except (LookupError, ValueError) as error:
             if isinstance(error, XmlError):
@@ -115,14 +115,21 @@ class _Reading:
             raise XmlError("in an encoding that is not supported") from error
         return cast(XmlElement, self._builder.close())
 
-    def _flaw(self, error: expat.ExpatError) -> tuple[int, str]:
+    def _flaw(self, error: expat.ExpatError, content: bytes | str) -> tuple[int, str]:
         """Return the line of an error and what it is; of an element without end where it begins."""
         what = expat.ErrorString(error.code)
+        if not self._open and self._ended is not None:
+            ended, root = self._ended
+            return error.lineno, f"nothing may follow </{root.tag}> in line {ended}"
         tag, line = self._open[-1] if self._open else ("", 0)
         if tag and what == expat.errors.XML_ERROR_NO_ELEMENTS:
             return line, f"<{tag}> is not closed"
         if what == expat.errors.XML_ERROR_TAG_MISMATCH:
             return error.lineno, f"<{tag}> in line {line} is not closed"
+        if what == expat.errors.XML_ERROR_INVALID_TOKEN:
+            found = content[self._offset(self._parser.ErrorByteIndex) :][:1]
+            sign = found if isinstance(found, str) else found.decode("ascii", "ignore")
+            what = f"unexpected '{sign}'" if sign and sign.isprintable() else "invalid character"
         return error.lineno, what
 
     def _offset(self, index: int) -> int:
