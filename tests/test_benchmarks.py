@@ -5,6 +5,8 @@ import importlib
 from pathlib import Path
 
 import pytest
+from benchmarks.mutating.sites import sample
+from benchmarks.mutation import ROOT, TESTS
 
 BENCHMARKS = sorted((Path(__file__).parents[1] / "benchmarks").rglob("*.py"))
 
@@ -17,3 +19,9 @@ def test_imports_exist(path: Path) -> None:
             for name in node.names:
                 if not hasattr(module, name.name):
                     importlib.import_module(f"{node.module}.{name.name}")
+
+
+@pytest.mark.parametrize(("folder", "tests"), TESTS.items())
+def test_mutants_have_code_and_tests(folder: str, tests: tuple[str, ...]) -> None:
+    assert len(sample(ROOT / "server" / "kindsl", folder, 5, 1)) == 5
+    assert all((ROOT / "tests" / path).exists() for path in tests)

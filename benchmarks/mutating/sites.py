@@ -63,13 +63,14 @@ def sample(kindsl: Path, package: str, count: int, seed: int) -> list[Site]:
 
     Args:
         kindsl: The folder of the package `kindsl`.
-        package: A folder in it, such as `rules` or `lsp/session`.
+        package: A folder or module in it, whatever is around that: `rules`, `lsp/session`.
         count: How many.
         seed: Equal seeds give equal samples of equal code.
     """
     generator = random.Random(seed)
     by_kind: dict[str, list[Site]] = {}
-    for path in sorted((kindsl / package).rglob("*.py")):
+    modules = [*kindsl.glob(f"**/{package}/**/*.py")] or [*kindsl.glob(f"**/{package}.py")]
+    for path in sorted(modules):
         if path.name not in _SKIPPED:
             for site in _sites(path.relative_to(kindsl), path.read_text(encoding="utf-8")):
                 by_kind.setdefault(site.kind, []).append(site)
