@@ -55,18 +55,18 @@ DROP = {
 POSE = "() => JSON.stringify([...kindsl.scene.q])"
 # A number of the page is drawn when the frame after its answer is done.
 DROP_TO_FRAME = """() => {
-  const { editing, viewer } = kindsl, { settle } = editing, { render } = viewer;
+  const { editing: { edits }, viewer } = kindsl, { settle } = edits, { render } = viewer;
   window.dropped = [];
   let released = null, isHeard = false;
-  addEventListener("pointerup", () => { if (editing.drag.isOn) released = performance.now(); }, true);
-  editing.settle = (...told) => { isHeard = true; settle.apply(editing, told); };
+  addEventListener("pointerup", () => { if (edits.drag.isOn) released = performance.now(); }, true);
+  edits.settle = (...told) => { isHeard = true; settle.apply(edits, told); };
   viewer.render = () => {
     render();
     if (isHeard && released !== null) window.dropped.push(performance.now() - released);
     if (isHeard) released = null;
     isHeard = false;
   };
-}"""  # noqa: E501
+}"""
 
 
 class Target(NamedTuple):

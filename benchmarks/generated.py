@@ -104,7 +104,7 @@ def calls_of(bodies: Bodies) -> Calls:
     q, qd, x = generator.uniform(-1.0, 1.0, (3, n))
     v0, a0 = generator.uniform(-1.0, 1.0, (2, 6))
     model, data = theirs.model, theirs.data
-    tq, tv, ta = theirs._q(q), theirs._v(v0, qd), theirs._v(a0, x)
+    tq, tv, ta = theirs.q_of(q), theirs.v_of(v0, qd), theirs.v_of(a0, x)
 
     def moving(size: int) -> tuple[Array, tuple[Array, ...], tuple[Array, ...]]:
         base = tuple(generator.uniform(-1.0, 1.0, (2, size, 6))) if bodies.is_floating else ()

@@ -29,7 +29,7 @@ import kindsl
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.language.semantics.parameters import Binding
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
-from kindsl.robots.interchange.format import Format, FormatError
+from kindsl.robots.interchange.format import Format, FormatError, ReadingChoices
 from kindsl.robots.interchange.kindsl_writing import kindsl_text
 from kindsl.robots.interchange.registry import format_named
 from kindsl.robots.mechanism.errors import ModelError, UnboundParameterError
@@ -68,7 +68,7 @@ def published_documents() -> None:
         try:
             ours = kindsl.load(path, Settings(bindings=bindings)).mechanism()
             found.append(in_mujoco(ours, 1))
-        except (ModelError, UnboundParameterError, FormatError) as error:
+        except (ModelError, UnboundParameterError, FormatError, ValueError) as error:
             left_out.append(f"  {path.stem}: {error}")
     if found:
         _tell(f"{len(found)} published documents in MuJoCo", found)
@@ -86,7 +86,7 @@ def published_urdfs() -> None:
     for path in sorted(path for path in located if path.suffix == ".urdf"):
         try:
             found.append(against_pinocchio(path))
-        except FormatError as error:
+        except (ModelError, FormatError, ValueError) as error:
             left_out.append(f"  {path.stem}: {error}")
     _tell(f"{len(found)} URDFs through MJCF in MuJoCo against pinocchio", found)
     print("\n".join(left_out))
@@ -96,7 +96,8 @@ def against_pinocchio(path: Path) -> Gap:
     """Return the differences in inertia and bias at a random state, of joints by their names."""
     urdf, mjcf = _format("urdf"), _format("mjcf")
     assert urdf.read is not None
-    ours = kindsl.parse(kindsl_text(urdf.read(path, False).robot), Settings()).mechanism()
+    text = kindsl_text(urdf.read(path, ReadingChoices()).robot)
+    ours = kindsl.parse(text, Settings()).mechanism()
     theirs = pinocchio.buildModelFromUrdf(str(path))
     model = mujoco.MjModel.from_xml_string(written(ours, mjcf))
     joints = theirs.names[1:] if not ours.bodies.is_floating else theirs.names[2:]
