@@ -97,3 +97,48 @@ def test_a_sign_is_written_as_the_file_has_it() -> None:
 def test_equal_inertias_are_kept_in_the_next_version() -> None:
     before = analysis(robot(POSSIBLE)).syntax
     assert before.islands[0] in before.edited([TextEdit(0, 0, "")]).islands
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "code", "message", "at"),
+    [
+        (
+            'mass="4"',
+            'mass="2,0"',
+            "KD005",
+            "<inertial> has '2,0' in 'mass', which is not a finite number",
+            "2,0",
+        ),
+        (
+            POSSIBLE,
+            'diaginertia="1 1"',
+            "KD005",
+            "<inertial> has 2 numbers in 'diaginertia', not 3",
+            "1 1",
+        ),
+        (
+            "<joint/>",
+            '<joint name="j" type="hing"/>',
+            "KD001",
+            "<joint name='j'> has the unknown type 'hing'; did you mean 'hinge'?",
+            "hing",
+        ),
+    ],
+)
+def test_what_cannot_be_read_is_told_at_its_place(
+    old: str, new: str, code: str, message: str, at: str
+) -> None:
+    text = robot(POSSIBLE).replace(old, new, 1)
+    (found,) = (f for f in analysis(text).findings if f.severity == "error")
+    assert (found.code, found.message, text[found.start : found.end]) == (code, message, at)
+
+
+def test_xml_of_something_else_is_told_in_one_sentence() -> None:
+    text = '<?xml version="1.0"?>\n<launch><node/></launch>\n'
+    (found,) = analysis(text, "robot.xml").findings
+    assert found.message == (
+        "no description of a robot: its root element is <launch>, not <robot>, <sdf> or <mujoco>"
+    )
+    assert text[found.start : found.end] == "<launch"
+    (found,) = analysis("hello\n", "robot.xml").findings
+    assert found.message == "not well-formed XML at line 1: syntax error"

@@ -67,6 +67,10 @@ def syntax_of(name: str, text: str) -> "SyntaxDocument":
         from kindsl.robots.interchange.mjcf.document import mjcf_document
 
         return mjcf_document(text)
+    if lower.endswith(".xml"):
+        from kindsl.robots.interchange.xml_document import no_robot, xml_document
+
+        return xml_document(text, of_elements=no_robot)
     from kindsl.language.syntax.document import parse
 
     return parse(text)

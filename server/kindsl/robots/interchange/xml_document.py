@@ -154,6 +154,14 @@ def xml_document(
     return document
 
 
+def no_robot(text: str, root: XmlElement, former: SyntaxDocument | None) -> XmlDocument:
+    """Return the document of an XML file that describes something else."""
+    del former
+    roots = "<robot>, <sdf> or <mujoco>"
+    message = f"no description of a robot: its root element is <{root.tag}>, not {roots}"
+    return refused(text, "KD001", message, root.offset, root.offset + len(root.tag) + 1)
+
+
 def unreadable(text: str, error: XmlError) -> XmlDocument:
     """Return the document of a text that is no XML, with the flaw that says so."""
     strange = None if text.isascii() else UNDECODABLE.search(text)

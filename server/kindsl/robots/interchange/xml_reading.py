@@ -6,6 +6,7 @@ since no robot needs them and what they expand to may be without bound.
 """
 
 import re
+from collections.abc import Iterator
 from math import isfinite
 from typing import Literal, NoReturn, cast
 from xml.etree.ElementTree import Element, TreeBuilder
@@ -81,6 +82,17 @@ def finite_number(word: str) -> float | None:
     """Return a decimal number, None where a word is none, or is beyond all measure."""
     value = float(word) if DECIMAL.fullmatch(word) else float("nan")
     return value if isfinite(value) and abs(value) <= _GREATEST else None
+
+
+def wrong_numbers(element: XmlElement, name: str, count: int) -> Iterator[str]:
+    """Yield what is wrong with an attribute that has to hold so many finite numbers."""
+    words = (element.get(name) or "").split()
+    if len(words) != count:
+        yield f"has {len(words)} numbers in '{name}', not {count}"
+        return
+    for word in words:
+        if finite_number(word) is None:
+            yield f"has '{word}' in '{name}', which is not a finite number"
 
 
 class _Reading:

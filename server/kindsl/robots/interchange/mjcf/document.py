@@ -12,12 +12,15 @@ from kindsl.language.semantics.declarations import Inertia, Pose
 from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.language.syntax.tree import Node
 from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.language.text.nearest import hint, nearest_word
 from kindsl.mechanics.rigid.pose import IDENTITY, rotation_from_quaternion
 from kindsl.robots.interchange.robot_island import RobotIsland, XmlPiece
 from kindsl.robots.interchange.xml_document import XmlDocument, rest_of_line, xml_document
-from kindsl.robots.interchange.xml_reading import XmlElement, finite_number
+from kindsl.robots.interchange.xml_reading import XmlElement, finite_number, wrong_numbers
 
 _JOINTS = ("joint", "freejoint")
+_TYPES = ("ball", "free", "hinge", "slide")
+_COUNTS = {"mass": 1, "pos": 3, "quat": 4, "diaginertia": 3, "fullinertia": 6}
 _TURNED_OTHERWISE = ("axisangle", "euler", "xyaxes", "zaxis")
 
 
@@ -53,10 +56,27 @@ class MjcfIsland(RobotIsland):
 
 
 def _of_elements(text: str, root: XmlElement, former: SyntaxDocument | None) -> XmlDocument:
+    flaws = list(_flaws(root))  # The islands take over the offsets of their elements.
     islands = MjcfIsland.made_of(_pieces(text, root), former)
     document = XmlDocument(islands, former)
+    document.flaws = tuple(document.flaw(*flaw) for flaw in flaws)
     document.has_moving_only = True
     return document
+
+
+def _flaws(root: XmlElement) -> Iterator[tuple[str, str, int, str]]:
+    """Yield code and message of each flaw, where its element begins, and the attribute."""
+    every: Iterator[Any] = root.iter()
+    for element in every:
+        if element.tag == "inertial":
+            for name in _COUNTS.keys() & element.keys():
+                for what in wrong_numbers(element, name, _COUNTS[name]):
+                    yield "KD005", f"<inertial> {what}", element.offset, name
+        kind = element.get("type") if element.tag == "joint" else None
+        if kind is not None and kind not in _TYPES:
+            named = f"joint name='{element.get('name')}'" if element.get("name") else "joint"
+            what = f"has the unknown type '{kind}'{hint(nearest_word(kind, _TYPES))}"
+            yield "KD001", f"<{named}> {what}", element.offset, "type"
 
 
 def _pieces(text: str, root: XmlElement) -> Iterator[XmlPiece]:

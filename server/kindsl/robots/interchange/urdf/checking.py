@@ -14,8 +14,8 @@ from kindsl.robots.interchange.xml_reading import (
     TENSOR,
     XmlElement,
     XmlError,
-    finite_number,
     parsed_xml,
+    wrong_numbers,
 )
 
 WORLD = "world"
@@ -255,15 +255,8 @@ def _of_numbers(element: Any, name: str, count: int) -> Iterator[UrdfDefect]:
     if element.get(name) is None:
         yield from _missing(element, name)
         return
-    words = element.get(name).split()
-    if len(words) != count:
-        what = f"has {len(words)} numbers in '{name}', not {count}"
+    for what in wrong_numbers(element, name, count):
         yield UrdfDefect(_NUMBER, element, what, name)
-        return
-    for word in words:
-        if finite_number(word) is None:
-            what = f"has '{word}' in '{name}', which is not a finite number"
-            yield UrdfDefect(_NUMBER, element, what, name)
 
 
 def numbers_of(element: Any, name: str, count: int) -> list[float]:
