@@ -11,15 +11,16 @@ from tests.codegen.robots import bodies_of_seed
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanics.dynamics.generation.emitters.numbers import evaluate
 from kindsl.mechanics.dynamics.generation.function import Function, Inputs, inputs_of
-from kindsl.mechanics.dynamics.generation.jacobians import body_poses as recorded_poses
-from kindsl.mechanics.dynamics.generation.jacobians import feet, jacobian_relative_to_base
+from kindsl.mechanics.dynamics.generation.jacobians import feet
 from kindsl.mechanics.dynamics.generation.relative_frames import (
     between,
+    relative_columns,
     relative_jacobians,
     relative_poses,
 )
 from kindsl.mechanics.dynamics.generation.robot import PlacedFrame, Robot, robot_of
 from kindsl.mechanics.dynamics.generation.terms import Term, needed
+from kindsl.mechanics.dynamics.generation.vectors import EYE, ZERO
 from kindsl.mechanics.spatial.arrays import Array
 
 STEP = 1e-6
@@ -125,9 +126,10 @@ def test_a_foot_is_what_carries_nothing(seed: int) -> None:
     assert feet(chosen) == tuple(frame for frame in robot.frames if frame.body in ends)
     numbers = {x.index: value for x, value in zip(inputs.q, q, strict=True)}  # type: ignore[union-attr]
     poses = mechanics.forward_kinematics(q)
+    base = PlacedFrame(robot.base_name, 0, EYE, ZERO)
     for foot in feet(robot):
-        J = jacobian_relative_to_base(robot, recorded_poses(robot.tree, inputs.q), foot)
-        found = np.array([evaluate(robot.graph, numbers, row) for row in J])
+        columns_of_foot = relative_columns(robot, inputs.q, base, foot)
+        found = np.array([evaluate(robot.graph, numbers, x) for x in columns_of_foot]).T
         R = poses[foot.name][:3, :3]
         own = mechanics.jacobian(q, foot.name)[:, -mechanics.n_joints :]
         expected = np.concatenate((R @ own[:3], R @ own[3:]))
@@ -137,7 +139,5 @@ def test_a_foot_is_what_carries_nothing(seed: int) -> None:
 
 def test_a_frame_on_the_base_has_a_jacobian_without_columns() -> None:
     robot, inputs, _, _ = _recorded(4)
-    on_base = robot.targets[0]
-    on_base = PlacedFrame("mark", 0, on_base.R, on_base.r)
-    J = jacobian_relative_to_base(robot, recorded_poses(robot.tree, inputs.q), on_base)
-    assert J == [[], [], [], [], [], []]
+    here, there = (PlacedFrame(name, 0, EYE, [x, 0.0, 0.0]) for name, x in (("a", 0.1), ("b", 0.2)))
+    assert relative_columns(robot, inputs.q, here, there) == []

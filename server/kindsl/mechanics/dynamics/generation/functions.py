@@ -28,11 +28,11 @@ from kindsl.mechanics.dynamics.generation.jacobians import (
     feet,
     frame_pose,
     jacobian,
-    jacobian_relative_to_base,
 )
-from kindsl.mechanics.dynamics.generation.robot import Robot
+from kindsl.mechanics.dynamics.generation.relative_frames import relative_columns
+from kindsl.mechanics.dynamics.generation.robot import PlacedFrame, Robot
 from kindsl.mechanics.dynamics.generation.terms import Scalar
-from kindsl.mechanics.dynamics.generation.vectors import EYE, Vector
+from kindsl.mechanics.dynamics.generation.vectors import EYE, ZERO, Vector, transpose
 
 Builder = Callable[[Robot, Inputs], list[Function]]
 
@@ -91,12 +91,12 @@ def jacobians(robot: Robot, inputs: Inputs) -> list[Function]:
 
 def foot_jacobians(robot: Robot, inputs: Inputs) -> list[Function]:
     """Record the feet's Jacobians together."""
-    found = body_poses(robot.tree, inputs.q)
-    results = []
+    base = PlacedFrame(robot.base_name, 0, EYE, ZERO)
     about = tuple(foot.name for foot in feet(robot))
-    for foot in feet(robot):
-        J = jacobian_relative_to_base(robot, found, foot)
-        results.append(matrix(f"J_{foot.name}", J))
+    results = [
+        matrix(f"J_{foot.name}", transpose(relative_columns(robot, inputs.q, base, foot)))
+        for foot in feet(robot)
+    ]
     summary = (
         "the feet's Jacobians relative to the base, in base coordinates, each with the columns "
         "of the joints that carry it"

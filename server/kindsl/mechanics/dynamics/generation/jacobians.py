@@ -124,15 +124,6 @@ def jacobian(robot: Robot, poses: BodyPoses, frame: PlacedFrame, seen_from: Matr
     return transpose(rotated)
 
 
-def jacobian_relative_to_base(robot: Robot, poses: BodyPoses, frame: PlacedFrame) -> Matrix:
-    """Return `J` (6, k) of a frame's velocity relative to the base, in base coordinates.
-
-    It has the columns of the k joints that carry the frame only, nearest to the base first.
-    """
-    columns = joint_columns(robot.tree, poses, frame.body, lever_of(poses, frame)).values()
-    return transpose([[*w, *v] for w, v in columns]) if columns else [[] for _ in range(6)]
-
-
 def feet(robot: Robot) -> tuple[PlacedFrame, ...]:
     """Return the outermost frame on each link that carries no other link; the link if it has none.
 

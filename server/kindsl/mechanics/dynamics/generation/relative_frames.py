@@ -54,23 +54,10 @@ def relative_pose(
 
 
 def relative_jacobians(robot: Robot, inputs: Inputs, pairs: Sequence[FramePair]) -> list[Function]:
-    """Record the velocity of targets relative to bases, in the bases' coordinates.
-
-    The columns are those of the joints between both frames, in the order of the links.
-    """
+    """Record the Jacobians of pairs between which there is a joint."""
     functions = []
     for base, target in pairs:
-        found = poses_in_nearest(robot.tree, inputs.q, base.body, target.body)
-        _, r = frame_pose(found, target)
-        E = transpose(frame_pose(found, base)[0])
-        forth = joint_columns(robot.tree, found, target.body, lever_of(found, target))
-        lever = subtract(r, found.positions[base.body])
-        back = joint_columns(robot.tree, found, base.body, lever)
-        columns: list[Vector] = []
-        for joint in between(robot, base, target):
-            sign, (w, v) = (1.0, forth[joint]) if joint in forth else (-1.0, back[joint])
-            columns.append([*scale(sign, transform(E, w)), *scale(sign, transform(E, v))])
-        if columns:
+        if columns := relative_columns(robot, inputs.q, base, target):
             functions.append(
                 Function(
                     f"jacobian_{target.name}_in_{base.name}",
@@ -81,6 +68,26 @@ def relative_jacobians(robot: Robot, inputs: Inputs, pairs: Sequence[FramePair])
                 )
             )
     return functions
+
+
+def relative_columns(
+    robot: Robot, q: Vector, base: PlacedFrame, target: PlacedFrame
+) -> list[Vector]:
+    """Return the velocity of a frame relative to another, in its coordinates, by joint.
+
+    The joints are those between both frames, in the order of the links.
+    """
+    found = poses_in_nearest(robot.tree, q, base.body, target.body)
+    _, r = frame_pose(found, target)
+    E = transpose(frame_pose(found, base)[0])
+    forth = joint_columns(robot.tree, found, target.body, lever_of(found, target))
+    lever = subtract(r, found.positions[base.body])
+    back = joint_columns(robot.tree, found, base.body, lever)
+    columns: list[Vector] = []
+    for joint in between(robot, base, target):
+        sign, (w, v) = (1.0, forth[joint]) if joint in forth else (-1.0, back[joint])
+        columns.append([*scale(sign, transform(E, w)), *scale(sign, transform(E, v))])
+    return columns
 
 
 def between(robot: Robot, base: PlacedFrame, target: PlacedFrame) -> list[int]:
