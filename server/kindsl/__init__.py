@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
     from kindsl.judgement.analysis.analysis import Analysis as Document
     from kindsl.judgement.analysis.settings import Settings
-    from kindsl.mechanics.dynamics.evaluation.compiler import CompileError
+    from kindsl.mechanics.dynamics.evaluation.compiling import CompileError
     from kindsl.mechanics.spatial.exponential import pose_error
     from kindsl.robots.cad.properties import MassProperties
     from kindsl.robots.cad.report import ReportError
@@ -42,7 +42,7 @@ __all__ = [
 __version__ = "0.1.0"
 
 _PLACES = {
-    "CompileError": ("kindsl.mechanics.dynamics.evaluation.compiler", "CompileError"),
+    "CompileError": ("kindsl.mechanics.dynamics.evaluation.compiling", "CompileError"),
     "Document": ("kindsl.judgement.analysis.analysis", "Analysis"),
     "MassProperties": ("kindsl.robots.cad.properties", "MassProperties"),
     "Mechanism": ("kindsl.robots.mechanism.build", "Mechanism"),

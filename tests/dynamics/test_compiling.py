@@ -15,11 +15,11 @@ from tests.codegen.compiling import needs_compiler
 
 import kindsl
 from kindsl.mechanics.dynamics.evaluation import compiling
-from kindsl.mechanics.dynamics.evaluation.compiler import require_compiler
 from kindsl.mechanics.dynamics.evaluation.compiling import (
     CompileError,
     cache_folder,
     compiled_module,
+    require_compiler,
 )
 
 SOURCE = """

@@ -7,6 +7,8 @@ import importlib.util
 import io
 import os
 import platform
+import shlex
+import shutil
 import sys
 import sysconfig
 import tempfile
@@ -16,7 +18,6 @@ from types import ModuleType
 import numpy as np
 
 from kindsl.mechanics.dynamics.evaluation.compiled_files import digest_of, kept_file
-from kindsl.mechanics.dynamics.evaluation.compiler import CompileError, require_compiler
 
 # With -O3 short loops are unrolled, which derivatives of long chains gain 6 to 15 % from. Fused
 # multiplication and addition rounds once instead of twice; straight lines packed into vector
@@ -26,6 +27,15 @@ OPTIONS = (
     "-O3", "-g0", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=fast",
     "-fno-tree-slp-vectorize", "-march=native",
 )  # fmt: skip
+_COMPILERS = {
+    "darwin": "xcode-select --install",
+    "linux": "apt install gcc (Debian, Ubuntu), dnf install gcc (Fedora)",
+}
+_HEADERS = "apt install python3-dev (Debian, Ubuntu), dnf install python3-devel (Fedora)"
+
+
+class CompileError(RuntimeError):
+    """A mechanism cannot be compiled here."""
 
 
 def cache_folder() -> Path:
@@ -88,6 +98,25 @@ def _made(name: str, source: str, folder: Path, pattern: str) -> Path:
         _compile(name, source, made)
         made.chmod(0o600)
         return made.replace(folder / pattern.format(f"-{digest_of(made)}"))
+
+
+def require_compiler() -> None:
+    """Check that there is a C compiler, and what it needs of Python.
+
+    Raises:
+        CompileError: One of them is not there; tells what to install.
+    """
+    # On Windows setuptools looks for it, and tells what to install.
+    if sys.platform == "win32":
+        return
+    given = os.environ.get("CC") or sysconfig.get_config_var("CC") or "cc"
+    compiler = shlex.split(str(given))[0]
+    if shutil.which(compiler) is None:
+        how = _COMPILERS.get(sys.platform, "install one")
+        message = f"compiling needs a C compiler, and '{compiler}' is not installed: {how}"
+        raise CompileError(message)
+    if not Path(sysconfig.get_path("include"), "Python.h").is_file():
+        raise CompileError(f"compiling needs the C headers of Python: {_HEADERS}")
 
 
 def _compile(name: str, source: str, path: Path) -> None:
