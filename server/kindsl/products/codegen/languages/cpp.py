@@ -1,7 +1,7 @@
 """A header in C++14 with Eigen's types, a template of the type of numbers."""
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from kindsl.mechanics.dynamics.generation.emitters.c import CBody, Dialect, c_definition
 from kindsl.mechanics.dynamics.generation.emitters.loops import loop_call, loops_text
@@ -79,16 +79,14 @@ def _functions(library: Library) -> str:
     for function in library.all_functions:
         name = library.function_names[function.name]
         if function.is_loop:
-            texts += _loops(function, name)
+            texts.append(_loop(function, name))
             continue
         takes: dict[str, Sequence[Scalar]] = {CONSTANTS: constants}
         takes |= {argument.name: argument.components for argument in function.arguments}
-        gives = {result.name: result.entries for result in function.results}
-        texts.append(_of_pointers(graph, name, takes, gives))
         if function.loaded is not None:
-            takes = {**takes, EXTERNAL: library.external}
-            gives = {result.name: result.entries for result in function.loaded}
-            texts.append(_of_pointers(graph, f"{name}_loaded", takes, gives))
+            takes[EXTERNAL] = library.external
+        gives = {r.name: r.entries for r in function.loaded or function.results}
+        texts.append(_of_pointers(graph, name, takes, gives))
     return "\n".join(texts)
 
 
@@ -104,34 +102,29 @@ def _of_pointers(
     return c_definition(graph, body, DIALECT)
 
 
-def _loops(function: Function, name: str) -> Iterator[str]:
-    """Yield a function of pointers that loops compute, and the one with external forces."""
-    free = function._replace(loaded=None)
-    for called, end, load in ((free, "", ()), (function, "_loaded", (EXTERNAL,))):
-        takes = [CONSTANTS, *(argument.name for argument in function.arguments), *load]
-        declared = [*(f"const S* {n}" for n in takes), *(f"S* {r.name}" for r in function.results)]
-        statements = loop_call(called, DIALECT, "", CONSTANTS)
-        if not load or function.loaded is not None:
-            head = f"{DIALECT.template}void {name}{end}({', '.join(declared)})"
-            yield f"{head}\n{{\n{statements}}}\n"
+def _loop(function: Function, name: str) -> str:
+    """Return a function of pointers that loops compute."""
+    takes = [CONSTANTS, *(argument.name for argument in function.arguments), *_load(function)]
+    declared = [*(f"const S* {n}" for n in takes), *(f"S* {r.name}" for r in function.results)]
+    statements = loop_call(function, DIALECT, "", CONSTANTS)
+    return f"{DIALECT.template}void {name}({', '.join(declared)})\n{{\n{statements}}}\n"
+
+
+def _load(function: Function) -> list[str]:
+    """Return the name of the external forces where these matter."""
+    return [EXTERNAL] if function.loaded is not None else []
 
 
 def _methods(library: Library, function: Function) -> str:
     """Return a function of pointers, and one of Eigen's vectors."""
-    name = library.function_names[function.name]
+    name, load = library.function_names[function.name], _load(function)
     names = [argument.name for argument in function.arguments]
     results = [result.name for result in function.results]
-    load = [EXTERNAL] if function.loaded is not None else []
     declared = [f"const S* {n}" for n in names + load] + [f"S* {n}" for n in results]
-    free = f"detail::{name}({', '.join(['c_', *names, *results])});"
-    body = f"        {free}\n"
-    if load:
-        loaded = f"detail::{name}_loaded({', '.join(['c_', *names, *load, *results])});"
-        body = (
-            f"        if ({EXTERNAL} != nullptr) {{\n            {loaded}\n"
-            f"        }} else {{\n            {free}\n        }}\n"
-        )
-    raw = f"    void {name}({', '.join(declared)}) const\n    {{\n{body}    }}\n"
+    zeros = f"        static const S none[{len(library.external)}] = {{}};\n" if load else ""
+    given = [f"{n} != nullptr ? {n} : none" for n in load]
+    call = f"detail::{name}({', '.join(['c_', *names, *given, *results])});"
+    raw = f"    void {name}({', '.join(declared)}) const\n    {{\n{zeros}        {call}\n    }}\n"
     return f"{raw}{_of_vectors(function, name)}"
 
 
