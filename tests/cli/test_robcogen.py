@@ -143,11 +143,16 @@ def test_a_transforms_document_is_not_overwritten(kindsl: Runner, document: Path
 
 
 def test_frames_of_joints_are_frames(kindsl: Runner, document: Path) -> None:
-    text = "Robot Arm\nFrames { fr_lift, tool }\nTransforms { base=fr_lift, target=tool }\n"
-    Path("arm.dtdsl").write_text(f"{text}Jacobians {{ }}\n")
+    text = "Robot Arm\nFrames { fr_lift, fr_slider, tool }\nTransforms { fr_lift <- tool }\n"
+    Path("arm.dtdsl").write_text(f"{text}Jacobians {{ fr_slider <- fr_lift }}\n")
     assert kindsl(*GENERATE).status == 0
     assert "Type_fr_lift_X_tool fr_lift_X_tool;" in Path("out/transforms.h").read_text()
     assert kindsl("lint", "arm.dtdsl").status == 0
+    assert kindsl(*GENERATE, "--frames", "fr_lift").status == 0
+    assert "Type_fr_lift_X_tool fr_lift_X_tool;" in Path("out/transforms.h").read_text()
+    given = ("--language", "python", "--frames", "fr_slider", "-o", "module")
+    assert kindsl("generate", "arm.kindsl", *given).status == 0
+    assert "jacobian_slider" in Path("module/arm.py").read_text()
 
 
 @pytest.mark.parametrize("language", ["robcogen", "python"])

@@ -48,16 +48,17 @@ def restricted(robot: Robot, wanted: Wanted, names: Sequence[str]) -> tuple[Robo
     Args:
         robot: The robot.
         wanted: Pairs of frames.
-        names: Links and frames, a link's own frame also as `fr_` and its name.
+        names: Links and frames, a link's own frame also as `fr_` and its name, and frames of pairs.
 
     Raises:
         GenerationError: The robot has not one of them.
     """
     links = {f"{LINK_PREFIX}{name}": name for name in robot.link_names}
     known = {target.name for target in robot.targets}
+    of_pairs = {frame.name for pairs in wanted for pair in pairs for frame in pair}
     chosen = {name if name in known else links.get(name, name) for name in names}
-    for name in sorted(chosen - known):
-        close = hint(nearest_name(name, [*known, *links]))
+    for name in sorted(chosen - known - of_pairs):
+        close = hint(nearest_name(name, [*known, *links, *of_pairs]))
         raise GenerationError(f"--frames: the robot has no frame '{name}'{close}")
     listed = {*chosen, *(f"{LINK_PREFIX}{name}" for name in chosen & {*robot.link_names})}
     frames = tuple(target for target in robot.targets if target.name in chosen)
