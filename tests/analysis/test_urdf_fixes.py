@@ -89,3 +89,17 @@ def test_numbers_of_an_sdf_are_fixed_in_their_elements() -> None:
     done = fixed(analyse(bad), is_fixable)
     assert done.analysis.text in (bad, SDF)
     assert bool(done.n_findings) == any(each.fix for each in announced(analyse(bad)))
+
+
+@pytest.mark.parametrize(
+    ("turn", "iyy", "izz"),
+    [("0 0 0", "46.023457", "8.69608"), ("1.5707963 0 0", "8.69608", "46.023457")],
+)
+def test_a_cause_is_weighed_by_where_the_link_ends(turn: str, iyy: str, izz: str) -> None:
+    tensor = f'ixx="44.459086" ixy="0" ixz="0" iyy="{iyy}" iyz="0" izz="{izz}"'
+    thigh = link("thigh", tensor, "1.152", f'<origin xyz="0 0 -0.1" rpy="{turn}"/>')
+    shank = link("shank", THIGH, "0.9", '<origin xyz="0 0 -0.1"/>')
+    knee = joint("knee", "thigh", "shank").replace("<parent", '<origin xyz="0 0 -0.2"/><parent')
+    (found,) = announced(analyse(robot(thigh, shank, joint("hip", "base", "thigh"), knee)))
+    assert found.message.endswith("in kg·cm² (density 1110 kg/m³, long towards its next joint)")
+    assert found.probability and 0.9 < found.probability < 0.95 and found.fix is None

@@ -123,6 +123,25 @@ def test_an_inertia_that_three_legs_have_otherwise_is_restored(old: str, new: st
     assert found.code == "KD509" and apply_edits(spoilt, found.fix.edits) == text
 
 
+@pytest.mark.parametrize(("part", "is_offered"), [("shank", True), ("foot", False)])
+def test_an_inertia_with_something_fixed_to_it_is_restored(part: str, is_offered: bool) -> None:
+    """What is wrong in a foot is no fault of the shank that it is fixed to."""
+    tensor = TENSOR.replace('ixz="0"', 'ixz="0.0004"')
+    feet = []
+    for leg in LEGS:
+        feet.append(link(f"{leg}_foot", tensor, "0.3", '<origin xyz="0.01 0 -0.1"/>'))
+        ankle = joint(f"{leg}_ankle", f"{leg}_shank", f"{leg}_foot", "fixed")
+        feet.append(ankle.replace("<parent", '<origin xyz="0 0 -0.2"/><parent'))
+    text = placed_legs().replace(TENSOR, tensor).replace("</robot>", f"{''.join(feet)}</robot>")
+    assert analyse(text).findings == ()
+    before, name, after = text.partition(f'<link name="RH_{part}"')
+    spoilt = before + name + after.replace("0.0004", "-0.0004", 1)
+    (found,) = (each for each in analyse(spoilt).findings if each.code == "KD509")
+    assert (found.fix is not None) == is_offered
+    if found.fix is not None:
+        assert apply_edits(spoilt, found.fix.edits) == text
+
+
 def test_a_side_in_another_unit_does_not_accuse_the_other() -> None:
     text = placed_legs()
     for name in ("LH", "RH"):

@@ -199,7 +199,7 @@ def weighed(h: Hypothesis, found: Judgement, around: LinkSurroundings) -> Cause 
     # A digit less of the mass makes next to every body thin within its digits.
     if h.slips == (Slip.MASS,) and not h.unit and shape.is_thin:
         return None
-    alone = of_matter(h.body, shape, around.end, around.mass)
+    alone = of_matter(around.placed(h.body), shape, around.end, around.mass)
     alone += TRUST * (h.log_change - of_anything(found.body.moments))
     twins = of_counterparts(h.body, around)
     reasons = (*reasons_of_end(h, shape, around.end), *twins.reasons)
@@ -232,8 +232,9 @@ def _without_meaning(
     the CoM that are written. Numbers that may be right are no more likely to be so.
     """
     body, others = found.body, (around.end, around.mass)
-    alone = [c.log_alone - of_place(c.hypothesis.body, *others) for c in causes]
-    as_tried = max(alone, default=0.0) + of_place(body, *others)
+    placed = [around.placed(c.hypothesis.body) for c in causes]
+    alone = [c.log_alone - of_place(b, *others) for c, b in zip(causes, placed, strict=True)]
+    as_tried = max(alone, default=0.0) + of_place(around.placed(body), *others)
     log_weight = max(as_tried, weight_of_rest(found, around))
     slips: list[tuple[Slip, tuple[str, ...]]] = []
     if found.is_impossible:

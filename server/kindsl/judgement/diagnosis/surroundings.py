@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from math import dist, hypot, log
+from operator import add
 from typing import NamedTuple
 
 from kindsl.judgement.diagnosis.body_verdicts import GREATEST_LENGTH
@@ -23,10 +24,10 @@ from kindsl.judgement.diagnosis.slips import Hypothesis, Slip
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.numbers import mass_distribution, written_pose
+from kindsl.language.semantics.numbers import frame_of_com, mass_distribution, written_pose
 from kindsl.language.text.facts import Fact, kept
 from kindsl.mechanics.rigid.body import MassDistribution
-from kindsl.mechanics.rigid.pose import Rotation, Vector3, dot, transposed
+from kindsl.mechanics.rigid.pose import RigidPose, Rotation, Vector3, dot, transposed, turned
 from kindsl.robots.limbs.names import label_of, other_sides
 from kindsl.robots.limbs.twin_frames import twin_frames
 from kindsl.robots.limbs.weighing import seen_by
@@ -59,12 +60,14 @@ class LinkSurroundings(NamedTuple):
     """The known facts of a link besides its inertia.
 
     Attributes:
-        points: Origins of its frames and of its children's joints, in the link frame, m.
+        points: Origins of its frames and of its children's joints, from the link's origin and
+            along the axes of its inertia, m.
         twins: Links of the same part whose mirror image it may be but for a mistake, the one on
             the other side first.
         share: How many of the links of the same part are possible, if there are twins.
         mass: The middle one of the robot's links, kg; zero if there are few.
         copies: Unlike links that have the same moments, or CoM, and which of these.
+        origin: Where the frame of its inertia is, likewise.
     """
 
     points: tuple[Vector3, ...]
@@ -72,6 +75,12 @@ class LinkSurroundings(NamedTuple):
     share: float
     mass: float = 0.0
     copies: tuple[tuple[str, str], ...] = ()
+    origin: Vector3 = (0.0, 0.0, 0.0)
+
+    def placed(self, body: MassDistribution) -> MassDistribution:
+        """Return a body with its CoM from the link's origin, its moments as they are."""
+        x, y, z = map(add, body.com, self.origin)
+        return body._replace(com=(x, y, z))
 
     @property
     def end(self) -> Vector3 | None:
@@ -116,7 +125,10 @@ def _surroundings(
     model: Model, values: Mapping[str, float], found: Judgement, named: Sequence[Link]
 ) -> LinkSurroundings:
     link = found.link
+    T = _inertia_pose(link, values)
     points = _points(model, values, link)
+    if T is not None:
+        points = tuple(turned(transposed(T.rotation), point) for point in points)
     alike = list(_with_inertia(counterparts(model, link), values))
     possible = [each for each in alike if not is_impossible(each[0], values)]
     twins = _twins(model, values, found, possible, named)
@@ -127,19 +139,38 @@ def _surroundings(
         len(possible) / len(alike) if twins else 0.0,
         middle_mass(model),
         tuple(each for each in copies(model, values, link) if each[0] not in names),
+        turned(transposed(T.rotation), T.translation) if T is not None else (0.0, 0.0, 0.0),
     )
 
 
 def _points(model: Model, values: Mapping[str, float], link: Link) -> tuple[Vector3, ...]:
     """Return where a link's frames and its children's joints are, none beside its origin."""
-    if link.inertia is None or link.inertia.frame is not None:
+    if link.inertia is None or (link.inertia.frame is not None and not model.document.is_xml):
         return ()
-    poses = [frame.pose for frame in link.frames]
+    poses = [frame.pose for frame in link.frames if frame.name]
     edges = model.tree.successor_edges(link)
     poses += [edge.joint.pose for edge in edges if edge.joint is not None]
     placed = (written_pose(pose, values) for pose in poses)
-    points = (place.translation for place in placed if place is not None)
+    points = [place.translation for place in placed if place is not None]
+    if model.document.is_xml:
+        points += _carried(model).get(str(link.name), ())
     return tuple(point for point in points if _NEAR < hypot(*point) < GREATEST_LENGTH)
+
+
+@kept
+def _carried(model: Model) -> dict[str, list[Vector3]]:
+    """Return where the joints of a robot in XML are in the links that carry them."""
+    found: dict[str, list[Vector3]] = {}
+    for each in getattr(model.document, "connections", ()):
+        joint = each.parent_T_child.then(each.child_T_joint)
+        found.setdefault(each.parent, []).append(joint.translation)
+    return found
+
+
+def _inertia_pose(link: Link, values: Mapping[str, float]) -> RigidPose | None:
+    """Return the pose of the frame that an inertia is given in, in its link's frame."""
+    frame = frame_of_com(link)
+    return None if frame is None else written_pose(frame.pose, values)
 
 
 def farthest_end(model: Model, values: Mapping[str, float], link: Link) -> Vector3 | None:

@@ -4,11 +4,17 @@ from collections.abc import Iterator, Mapping, Sequence, Set
 from itertools import chain
 
 from kindsl.judgement.rules.limb_places import OF_A_LINK, PARTS, numbers_at, place_at
-from kindsl.judgement.rules.xml_bodies import XmlBody, odd_links, pose_of_com, xml_bodies
+from kindsl.judgement.rules.xml_bodies import XmlBody, XmlPart, odd_links, pose_of_com, xml_bodies
 from kindsl.language.semantics.declarations import FixedAxes
 from kindsl.language.semantics.model import Model
 from kindsl.language.text.facts import kept
-from kindsl.mechanics.rigid.body import MassDistribution, seen_from, shifted
+from kindsl.mechanics.rigid.body import (
+    MassDistribution,
+    Symmetric,
+    lumped,
+    seen_from,
+    shifted,
+)
 from kindsl.mechanics.rigid.pose import (
     RigidPose,
     Vector3,
@@ -116,7 +122,11 @@ class _LimbsAsWritten:
         twins = (place_at(self._model, name, place.what) for name in self._named)
         near = [*own, *(v.literal or 0.0 for t in twins for v in numbers_at(self._model, t))]
         size = 1.0 if place.what == "angles" else max(map(abs, (*found, *own)))
-        return MeantNumbers(place, (tuple(_rounded(x, near, _ROUNDED * size) for x in found),))
+        meant = tuple(_rounded(x, near, _ROUNDED * size) for x in found)
+        # What is fixed to a link may be wrong instead: its own numbers stand at a twin then.
+        is_alone = place.what not in OF_A_LINK or len(_heavy(self._named[place.link])) == 1
+        is_known = is_alone or {*map(abs, meant)} <= {*map(abs, near)}
+        return MeantNumbers(place, (meant,)) if is_known else None
 
     def _of_joint(self, repair: MeantNumbers) -> Vector3 | None:
         (link, _, what), (meant, *_) = repair
@@ -143,18 +153,29 @@ class _LimbsAsWritten:
         (link, _, what), (meant, *_) = repair
         body = self._named[link]
         pose = pose_of_com(body.link)
-        heavy = [part for part in body.parts if part.mass is not None and part.mass.mass]
-        if pose is None or [part.link for part in heavy] != [body.link]:
+        own, *others = _heavy(body) or body.parts
+        if pose is None or own.link is not body.link:
             return None
         seen = self._masses[link]
         ten = [seen.mass, *seen.com, *seen.moments]
         ten[PARTS[what]] = meant
         mass, x, y, z, *moments = ten
         limb = shifted(MassDistribution(mass, (x, y, z), tuple(moments)))  # type: ignore[arg-type]
-        in_link = seen_from(limb, heavy[0].pose.inverse().then(body.axis_pose))
+        rest = (seen_from(p.mass, p.pose) for p in others if p.mass is not None)
+        taken = (r._replace(mass=-r.mass, moments=_negated(r.moments)) for r in rest)
+        in_link = seen_from(lumped([seen_from(limb, body.axis_pose), *taken]), own.pose.inverse())
         turned = RigidPose(pose.rotation, in_link.com)
         there = seen_from(in_link, turned.inverse())
         return [mass, *in_link.com, *there.moments][PARTS[what]]
+
+
+def _heavy(body: XmlBody) -> list[XmlPart]:
+    return [part for part in body.parts if part.mass is not None and part.mass.mass]
+
+
+def _negated(moments: Symmetric) -> Symmetric:
+    xx, yy, zz, xy, xz, yz = moments
+    return -xx, -yy, -zz, -xy, -xz, -yz
 
 
 def _rounded(value: float, near: Sequence[float], within: float) -> float:
