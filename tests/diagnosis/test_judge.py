@@ -21,7 +21,7 @@ from kindsl.mechanics.rigid.body import (
     shifted,
 )
 
-NOWHERE = LinkSurroundings(points=(), twins=(), share=0.0)
+NOWHERE = LinkSurroundings(points=(), twins=())
 EXACT = MassDistribution(0.0, (0.0, 0.0, 0.0), (0.0,) * 6)  # type: ignore[arg-type]
 BALL = MassDistribution(1.0, (0.0, 0.0, 0.0), (0.02, 0.02, 0.02, 0.0, 0.0, 0.0))
 SHAPE = MassShape((0.01, 0.01, 0.01, 0.0, 0.0, 0.0), EXACT.moments, eigensystem((0.01,) * 6))
@@ -147,7 +147,7 @@ def is_found(found: list[Hypothesis], *slips: Slip, names: int = 3, power: int =
 def test_a_slip_is_told_without_which_a_body_is_its_twin_however_light_that_is() -> None:
     light = ball(2.0)
     wrong = light._replace(mass=0.1 * light.mass)
-    around = NOWHERE._replace(twins=(Twin("twin", light, light),), share=1.0)
+    around = NOWHERE._replace(twins=(Twin("twin", light, light),))
     found = ranked(candidates(judgement(wrong, Verdict.IMPLAUSIBLE), around), {}, UNKNOWN)
     assert found[0].hypothesis.slips == (Slip.MASS,)
 
@@ -175,7 +175,7 @@ def test_two_mistakes_that_mean_the_same_numbers_are_the_common_one() -> None:
     found = found_slips(body._replace(moments=(ix, iy, iz, ixz, ixy, iyz)))
     same = [h for h in found if h.body.moments == pytest.approx(body.moments)]
     assert len(same) == 1
-    assert same[0].slips == (Slip.SIGNS,)
+    assert same[0].slips == (Slip.SWAP,)
 
 
 def test_products_may_have_been_negated_before_they_were_shifted_to_the_origin() -> None:

@@ -58,7 +58,7 @@ _SURELY = 700.0
 _SHARED, _UNLIKELY = 0.8, 0.01
 # In kg·m²: six of them are multiplied.
 _BEYOND_COUNTING = 1e40
-# What may make a possible body likelier; other slips show where a counterpart has the numbers.
+# What may make a possible body likelier; where a counterpart has the numbers `misfits` looks.
 _OF_SIZE = frozenset((Slip.SCALE, Slip.MASS, Slip.TWICE, Slip.MOMENT, Slip.COM_UNIT))
 # Of ten numbers those that are compared with each other: the mass, the CoM, the moments.
 _LEAST = 1e-12
@@ -162,8 +162,8 @@ def _likely(
 
 def candidates(found: Judgement, around: LinkSurroundings) -> list[Cause]:
     """Return all mistakes that explain an inertia, in no order."""
-    is_open = found.is_impossible or around.twins
-    tried = hypotheses(found.body, found.half, frozenset(Slip) if is_open else _OF_SIZE)
+    slips = frozenset(Slip) if found.is_impossible else _OF_SIZE
+    tried = hypotheses(found.body, found.half, slips)
     kept = merged([cause for h in tried if (cause := weighed(h, found, around)) is not None])
     for h in _typed_anew(found, around):
         is_known = any(is_same_body(h.body, cause.hypothesis.body) for cause in kept)
