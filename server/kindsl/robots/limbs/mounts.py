@@ -23,7 +23,7 @@ SAME_PLACE = 1e-3
 # The cosine of no angle between the axis of a turn and another, as far as numbers are rounded.
 _ALONG = 1.0 - 1e-6
 # The plainest explanation first: what costs more must explain a slip more.
-_TURNED, _MOVED, _LIKE = 0.1, 0.1, 0.3
+_TURNED, _LIKE = 0.1, 0.3
 
 # What pairs of one robot share: a map of directions, and whether limbs are copies.
 Way = tuple[Rotation, bool]
@@ -115,8 +115,6 @@ def mounts(how: str, one: Body, other: Body) -> Iterator[Mount]:
                 place = turned(turn, here)
                 if turn[axis][axis] > _ALONG and dist(place, there) > SAME_PLACE:
                     yield Mount(turn, place, 0.0)
-        if how == "TURN" and apart[axis]:
-            yield Mount(_SAME, along, _MOVED, axis)
 
 
 def moved(here: Vector3, there: Vector3, axis: int) -> Vector3:

@@ -12,7 +12,6 @@ from kindsl.robots.limbs.mounts import Mount, diagonal, moved
 
 _DEEPEST = 16
 _NEAR = Tolerance(1e-9, 0.02, 0.02)
-_OF_CHANGE, _OF_MOVING = 0.01, 1.0
 
 
 def twin_frames(tree: KinematicTree, one: Link, other: Link, values: Values) -> list[Rotation]:
@@ -39,7 +38,7 @@ def twin_frames(tree: KinematicTree, one: Link, other: Link, values: Values) -> 
     rows = [Match(i - 1, a, b) for i, (a, b) in enumerate(bodies[:n_here][::-1]) if a and b]
     if n_here != n_there or len(rows) < n_here:
         return []
-    ways = sorted(_mounts(rows[0].one, rows[0].other), key=lambda mount: mount.extra)
+    ways = list(_mounts(rows[0].one, rows[0].other))
     found = LimbComparison(rows, "", ways, _NEAR).readings() if ways else ()
     return [r.conventions[n_here - 1] for r in found if r.slip is None]
 
@@ -55,11 +54,11 @@ def _way_up(tree: KinematicTree, link: Link) -> list[Edge]:
 
 
 def _mounts(one: Body, other: Body) -> Iterator[Mount]:
+    """Yield what may take a head to its twin: what moves nothing first, then what changes least."""
     here, there = one.translation, other.translation
-    for signs in combinations((1.0, -1.0), repeat=3) if not _NEAR.is_same(there, here) else ():
-        turn, change = diagonal(*signs), _OF_CHANGE * (3.0 - sum(signs))
-        yield Mount(turn, turned(turn, here), change)
-        for axis in range(3):
-            if signs[axis] > 0.0:
-                place = moved(turned(turn, here), there, axis)
-                yield Mount(turn, place, _OF_MOVING + change)
+    signs = sorted(combinations((1.0, -1.0), repeat=3), key=sum, reverse=True)
+    turns = [diagonal(*each) for each in signs] if not _NEAR.is_same(there, here) else []
+    yield from (Mount(turn, turned(turn, here), 0.0) for turn in turns)
+    for turn, axis in combinations(turns, range(3)):
+        if turn[axis][axis] > 0.0:
+            yield Mount(turn, moved(turned(turn, here), there, axis), 0.0)
