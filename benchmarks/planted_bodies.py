@@ -170,9 +170,9 @@ KINDS: dict[str, Kind] = {
     "sign of the CoM": Kind(com(negated), r"of the CoM|CoM is|CoM of"),
     "CoM exchanged": Kind(com(swapped), r"of the CoM|CoM is|CoM of"),
     "minus on one moment": Kind(stray_minus, r"sign of I[xyz]\b|minus"),
-    "a moment ten times": Kind(one_scaled(10.0), r"I[xyz]+ (were|was|is)"),
-    "a moment a tenth": Kind(one_scaled(0.1), r"I[xyz]+ (were|was|is)"),
-    "a digit lost": Kind(digit_lost, r"I[xyz]+ (were|was|is)|mass (were|was|of|is)|CoM"),
+    "a moment ten times": Kind(one_scaled(10.0), r"I[xyz]+ (were|was|is|of)"),
+    "a moment a tenth": Kind(one_scaled(0.1), r"I[xyz]+ (were|was|is|of)"),
+    "a digit lost": Kind(digit_lost, r"I[xyz]+ (were|was|is|of)|mass (were|was|of|is)|CoM"),
     "placeholder 0.001": Kind(
         with_moments(lambda _: [0.001, 0.001, 0.001, 0.0, 0.0, 0.0]), r"placeholder"
     ),
