@@ -33,7 +33,7 @@ _SURE, _ZERO = 2.0, 1e-3
 # What is less apart than this share of the greatest second moment is taken to be so far apart.
 _LEAST_APART = 0.02
 # From here on a body has a long axis.
-_ELONGATED = 2.5
+ELONGATED = 2.5
 # In kg/m³: of plastic and light metal, hollow as links are.
 _USUAL_DENSITY = 1500.0
 # In m: a CoM within it is at the origin.
@@ -130,7 +130,7 @@ def quantities_of(
     yield from quantities_of_place(body, end, other_mass)
     if end is not None:
         yield "size", log(gyration / hypot(*end))
-        if c > _ELONGATED * b:
+        if c > ELONGATED * b:
             yield "direction", abs(dot(shape.pairs[2].axis, end)) / hypot(*end)
     elif distance:
         yield "place", log(max(distance / gyration, _NOTHING))

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
-from math import dist, hypot, log
+from math import dist, hypot
 from operator import add
 from typing import NamedTuple
 
@@ -17,7 +17,7 @@ from kindsl.judgement.diagnosis.counterparts import (
     namesakes,
     telling_numbers,
 )
-from kindsl.judgement.diagnosis.evidence import MassShape
+from kindsl.judgement.diagnosis.evidence import ELONGATED, MassShape
 from kindsl.judgement.diagnosis.fitted import EXPECTED, MIRRORED
 from kindsl.judgement.diagnosis.judgements import Judgement, is_impossible, is_moving
 from kindsl.judgement.diagnosis.slips import Hypothesis, Slip
@@ -28,7 +28,7 @@ from kindsl.language.semantics.numbers import frame_of_com, mass_distribution, w
 from kindsl.language.text.facts import Fact, kept
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import RigidPose, Rotation, Vector3, dot, transposed, turned
-from kindsl.robots.limbs.names import label_of, other_sides
+from kindsl.robots.limbs.names import label_of
 from kindsl.robots.limbs.twin_frames import twin_frames
 from kindsl.robots.limbs.weighing import seen_by
 
@@ -37,7 +37,6 @@ _FRAMES = Fact[tuple[object, dict[tuple[str, str], list[Rotation]]]]("frames of 
 _PLACED = Aspect.STRUCTURE | Aspect.PLACES
 _FEWEST_MASSES = 3
 _NEAR = 0.02
-_ELONGATED = 2.5
 _ALONG = 0.85
 _ACROSS = 0.2
 
@@ -62,9 +61,7 @@ class LinkSurroundings(NamedTuple):
     Attributes:
         points: Origins of its frames and of its children's joints, from the link's origin and
             along the axes of its inertia, m.
-        twins: Links of the same part whose mirror image it may be but for a mistake, the one on
-            the other side first.
-        share: How many of the links of the same part are possible, if there are twins.
+        twins: Links of the same part whose mirror image it may be but for a mistake.
         mass: The middle one of the robot's links, kg; zero if there are few.
         copies: Unlike links that have the same moments, or CoM, and which of these.
         origin: Where the frame of its inertia is, likewise.
@@ -72,7 +69,6 @@ class LinkSurroundings(NamedTuple):
 
     points: tuple[Vector3, ...]
     twins: tuple[Twin, ...]
-    share: float
     mass: float = 0.0
     copies: tuple[tuple[str, str], ...] = ()
     origin: Vector3 = (0.0, 0.0, 0.0)
@@ -129,14 +125,13 @@ def _surroundings(
     points = _points(model, values, link)
     if T is not None:
         points = tuple(turned(transposed(T.rotation), point) for point in points)
-    alike = list(_with_inertia(counterparts(model, link), values))
+    alike = _with_inertia(counterparts(model, link), values)
     possible = [each for each in alike if not is_impossible(each[0], values)]
     twins = _twins(model, values, found, possible, named)
     names = {twin.name for twin in twins}
     return LinkSurroundings(
         points,
         twins,
-        len(possible) / len(alike) if twins else 0.0,
         middle_mass(model),
         tuple(each for each in copies(model, values, link) if each[0] not in names),
         turned(transposed(T.rotation), T.translation) if T is not None else (0.0, 0.0, 0.0),
@@ -175,7 +170,7 @@ def _inertia_pose(link: Link, values: Mapping[str, float]) -> RigidPose | None:
 
 def farthest_end(model: Model, values: Mapping[str, float], link: Link) -> Vector3 | None:
     """Return the farthest of a link's frames and children's joints, None where none is known."""
-    return LinkSurroundings(_points(model, values, link), (), 0.0).end
+    return LinkSurroundings(_points(model, values, link), ()).end
 
 
 def reasons_of_end(h: Hypothesis, shape: MassShape, end: Vector3 | None) -> Iterator[str]:
@@ -183,7 +178,7 @@ def reasons_of_end(h: Hypothesis, shape: MassShape, end: Vector3 | None) -> Iter
     if end is None:
         return
     _, middle, long = shape.pairs
-    if long.value > _ELONGATED * max(middle.value, 0.0):
+    if long.value > ELONGATED * max(middle.value, 0.0):
         along = abs(dot(long.axis, end)) / hypot(*end)
         if along > _ALONG:
             yield "long towards its next joint"
@@ -196,16 +191,16 @@ def reasons_of_end(h: Hypothesis, shape: MassShape, end: Vector3 | None) -> Iter
 def of_counterparts(body: MassDistribution, around: LinkSurroundings) -> Evidence:
     """Return what the counterpart that says most says of a body."""
     images = [twin for twin in around.twins if is_mirror_image(body, twin.body)]
-    said = [_of_image(body, twin, around.share) for twin in images]
+    said = [_of_image(body, twin) for twin in images]
     return max(said, key=lambda each: each.log_weight, default=Evidence(0.0))
 
 
-def _of_image(body: MassDistribution, twin: Twin, share: float) -> Evidence:
+def _of_image(body: MassDistribution, twin: Twin) -> Evidence:
     """Return what a mirror image says: most where the body is as it expects it."""
     is_equal = is_same_body(body, twin.body)
     is_expected = twin.expected is not None and is_same_body(body, twin.expected)
     return Evidence(
-        EXPECTED + log(share) if is_expected else MIRRORED,
+        EXPECTED if is_expected else MIRRORED,
         (f"{'equal to' if is_equal else 'mirror image of'} '{twin.name}'",),
         2 if is_expected else 1,
     )
@@ -277,9 +272,7 @@ def _twins(
     twins = [each for each in possible if may_be_image(found.body, each[1])]
     named = [each for each in possible if each[0] in namesakes] if twins else ()
     expected = _expected(model, values, found.link, named)
-    mirrors = tuple(other_sides(str(found.link.name))) if len(twins) > 1 else ()
-    nearest_first = sorted(twins, key=lambda twin: str(twin[0].name) not in mirrors)
-    return tuple(Twin(str(other.name), body, expected) for other, body in nearest_first)
+    return tuple(Twin(str(other.name), body, expected) for other, body in twins)
 
 
 def _expected(

@@ -1,7 +1,6 @@
 """Inertias that need an explanation: impossible or implausible ones."""
 
 from collections.abc import Iterable, Mapping
-from math import inf
 
 from kindsl.judgement.diagnosis.judgements import (
     Judgement,
@@ -14,7 +13,6 @@ from kindsl.language.semantics.declarations import Inertia
 from kindsl.language.semantics.expressions import Expression, ParameterUse, symbols
 from kindsl.language.semantics.model import Model, ModelPart
 from kindsl.language.text.facts import Fact
-from kindsl.mechanics.rigid.matter import GREATEST_DENSITY, LEAST_DENSITY, density_of
 
 _SUSPECTS = Fact[list[Judgement]]("suspects")
 
@@ -52,15 +50,5 @@ def _is_parametric(values: Iterable[Expression]) -> bool:
 
 def _is_suspect(found: Judgement) -> bool:
     return (
-        found.is_impossible
-        or found.verdict is Verdict.IMPLAUSIBLE
-        or is_round(found.body.moments)
-        or _is_of_no_size(found)
+        found.is_impossible or found.verdict is Verdict.IMPLAUSIBLE or is_round(found.body.moments)
     )
-
-
-def _is_of_no_size(found: Judgement) -> bool:
-    """Return whether a body that is thin within its digits is beyond all material besides."""
-    is_thin = found.verdict in (Verdict.WITHIN_ROUNDING, Verdict.SINGULAR)
-    density = density_of(found.body.mass, found.second_moments)
-    return is_thin and density < inf and not LEAST_DENSITY <= density <= GREATEST_DENSITY
