@@ -62,7 +62,7 @@ def bounds_by_digits(inertia: Inertia, known: Mapping[str, Interval]) -> Bounds 
         inertia: Complete.
         known: Bounds of parameters by name, and of constants by `<name>`.
     """
-    found = [bounds_of(value, known, all_written_as) for value in _ten_values(inertia)]
+    found = [bounds_of(value, known, all_written_as) for value in ten_values(inertia)]
     bounds = [each for each in found if each is not None]
     if len(bounds) < len(found):
         return None
@@ -89,7 +89,7 @@ def likely_half_widths(numbers: Sequence[WrittenDigits]) -> MassDistribution:
 
 def numbers_written(inertia: Inertia, values: Mapping[str, float]) -> list[WrittenDigits]:
     """Return the ten numbers of a complete inertia: mass, centre of mass, moments."""
-    return [_digits_of(value, values) for value in _ten_values(inertia)]
+    return [_digits_of(value, values) for value in ten_values(inertia)]
 
 
 def rewritten_number(text: str) -> WrittenDigits:
@@ -97,7 +97,8 @@ def rewritten_number(text: str) -> WrittenDigits:
     return WrittenDigits(text, float(text), half_unit(text))
 
 
-def _ten_values(inertia: Inertia) -> list[Expression]:
+def ten_values(inertia: Inertia) -> list[Expression]:
+    """Return the ten values of a complete inertia in the order of `MassDistribution`."""
     assert inertia.mass is not None and inertia.com is not None
     moments = (inertia.moments[name] for name in MOMENTS)
     return [inertia.mass, *inertia.com.components, *moments]

@@ -14,7 +14,7 @@ from enum import Enum
 from itertools import product
 from typing import NamedTuple
 
-from kindsl.judgement.diagnosis.digits import likely_half_widths, numbers_written
+from kindsl.judgement.diagnosis.digits import likely_half_widths, numbers_written, ten_values
 from kindsl.judgement.diagnosis.judgements import IMPOSSIBLE, verdict_of
 from kindsl.language.semantics.declarations import Inertia
 from kindsl.language.semantics.numbers import mass_distribution
@@ -27,7 +27,6 @@ from kindsl.language.semantics.ranges import (
     product_of,
     sum_of,
 )
-from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.rigid.body import eigensystem, second_moments_about_com
 
 _MOST_AT_CORNERS = 12
@@ -89,15 +88,13 @@ def _corners(ranges: Ranges) -> Iterator[Values]:
 
 def _is_affine(inertia: Inertia, names: frozenset[str]) -> bool:
     """Return whether mass, first and second moments are affine in each parameter alone."""
-    assert inertia.mass is not None and inertia.com is not None
-    mass = degrees_of(inertia.mass, names)
-    com = [degrees_of(component, names) for component in inertia.com.components]
-    moments = [degrees_of(inertia.moments[name], names) for name in MOMENTS]
-    if mass is None:
+    found = [degrees_of(value, names) for value in ten_values(inertia)]
+    written = [degrees for degrees in found if degrees is not None]
+    if len(written) < len(found):
         return False
-    first = [product_degrees(mass, degrees) for degrees in com if degrees is not None]
-    known = [mass, *first, *(degrees for degrees in moments if degrees is not None)]
-    return len(known) == 10 and all(d <= 1 for degrees in known for d in degrees.values())
+    mass, *others = written
+    known = [mass, *(product_degrees(mass, degrees) for degrees in others[:3]), *others[3:]]
+    return all(d <= 1 for degrees in known for d in degrees.values())
 
 
 def _by_halving(inertia: Inertia, ranges: Ranges, values: Values) -> Proof:
@@ -127,10 +124,8 @@ def _halves(part: dict[str, Interval], ranges: Ranges) -> list[dict[str, Interva
 
 def _is_proved(inertia: Inertia, part: Ranges, values: Values) -> bool:
     """Return whether interval bounds prove an inertia possible in a part of the ranges."""
-    assert inertia.mass is not None and inertia.com is not None
     known = {**{name: (value, value) for name, value in values.items()}, **part}
-    expressions = (inertia.mass, *inertia.com.components, *(inertia.moments[n] for n in MOMENTS))
-    bounds = [bounds_of(expression, known) for expression in expressions]
+    bounds = [bounds_of(value, known) for value in ten_values(inertia)]
     found = [bound for bound in bounds if bound is not None]
     if len(found) < 10 or found[0][0] <= 0.0:
         return False

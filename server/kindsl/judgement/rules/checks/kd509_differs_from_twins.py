@@ -175,7 +175,8 @@ def _copied(model: Model, verdict: LimbVerdict) -> str:
 def _why(model: Model, context: Context, verdict: LimbVerdict) -> str:
     """Return what was done to the moments of a body, if its twins and other links tell."""
     # Imported for a misfit only, since it delays the linter's start.
-    from kindsl.judgement.rules.inertia.unlike_twins import copied_from, slips_of, without
+    from kindsl.judgement.rules.inertia.told import clause
+    from kindsl.judgement.rules.inertia.unlike_twins import copied_from, slip_of
 
     place, body = verdict.places[0], model.body_named[verdict.places[0].link]
     said = f"{'they' if place.what == 'moments' else 'it'} {_THEIRS}"
@@ -189,8 +190,8 @@ def _why(model: Model, context: Context, verdict: LimbVerdict) -> str:
         ten[PARTS[place.what]] = verdict.repairs[0].meant[0]
         mass, x, y, z, *moments = ten
         meant = MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
-        slips = slips_of(written, [_as_written(body, meant, context)])
-        why = next(iter(without(slips, said)), "")
+        slip = slip_of(written, _as_written(body, meant, context))
+        why = f"{said} if {clause(slip)}" if slip is not None else ""
     return why and f": {why}"
 
 

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from math import isclose
 
-from kindsl.judgement.diagnosis.counterparts import is_mirror_image
+from kindsl.judgement.diagnosis.counterparts import images, is_mirror_image
 from kindsl.judgement.diagnosis.judgements import TEN, keyword
 from kindsl.judgement.rules.base import Finding, Related
 from kindsl.language.semantics.declarations import Link
@@ -14,9 +14,7 @@ from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.language.text.facts import Fact, kept
 from kindsl.language.text.phrases import alternatives
 from kindsl.mechanics.rigid.body import MassDistribution
-from kindsl.robots.limbs.mounts import REFLECTIONS
 from kindsl.robots.limbs.names import label_of, other_sides
-from kindsl.robots.limbs.weighing import seen_by
 
 _DIFFERENCES = Fact[tuple[object, tuple[str, bool]]]("differences of pairs")
 _SIGNIFICANT = 0.05
@@ -46,9 +44,14 @@ def unlike_pairs(
         numbers, are_images = left.facts.made_of(_DIFFERENCES, (right, values), compare)
         if are_images or is_told(left) or is_told(right):
             continue
-        found = _copied(model, left, right)
+        # Imported for twins that are unlike only, since it delays the linter's start.
+        from kindsl.judgement.rules.inertia.unlike_twins import copied_from
+
+        pair = (left, right), (right, left)
+        found = [(own, twin, copy) for own, twin in pair if (copy := copied_from(model, own, ()))]
         if len(found) == 1:
-            own, twin, message = found[0]
+            own, twin, copy = found[0]
+            message = f"'{own.name}' is not the mirror image of '{twin.name}': {copy}"
             yield _finding(own, twin, message)
         elif numbers:
             yield _finding(right, left, numbers)
@@ -61,22 +64,6 @@ def _difference(left: Link, right: Link, values: Values, body_of: _BodyOf) -> tu
         return "", True
     numbers = mirror_difference((str(left.name), str(right.name)), here, there)
     return numbers, not numbers and is_mirror_image(here, there, _SIGNIFICANT)
-
-
-def _copied(model: Model, *pair: Link) -> list[tuple[Link, Link, str]]:
-    """Return each side that has another part's moments, with its twin and what is said of it."""
-    # Imported for twins that are unlike only, since it delays the linter's start.
-    from kindsl.judgement.diagnosis.surroundings import same_moments
-
-    found = []
-    for own, twin in (pair, pair[::-1]):
-        copy = next(same_moments(model, own), None)
-        said = f"its moments are those of '{copy}', which is another part"
-        if copy:
-            found.append(
-                (own, twin, f"'{own.name}' is not the mirror image of '{twin.name}': {said}")
-            )
-    return found
 
 
 def _finding(own: Link, twin: Link, message: str) -> Finding:
@@ -120,8 +107,8 @@ def mirror_difference(names: tuple[str, str], *both: MassDistribution) -> str:
         return f"'{right}' is not the mirror image of '{left}': {', '.join(told)}"
     if exact != len(TEN):
         return ""
-    images = (seen_by(both[0], C) for C in REFLECTIONS)
-    as_images = (zip(TEN, (b.mass, *b.com, *b.moments), there, sizes, strict=True) for b in images)
+    ten = ((image.mass, *image.com, *image.moments) for image in images(both[0]))
+    as_images = (zip(TEN, numbers, there, sizes, strict=True) for numbers in ten)
     unlike = [[name for name, a, b, size in each if abs(a - b) > size] for each in as_images]
     if [] in unlike:
         return ""

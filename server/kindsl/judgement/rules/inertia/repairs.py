@@ -1,12 +1,13 @@
 """Findings of the rules that tell a cause of an inertia, and the fix that they offer."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from kindsl.judgement.diagnosis.digits import (
     WrittenDigits,
     likely_half_widths,
     numbers_written,
     rewritten_number,
+    ten_values,
 )
 from kindsl.judgement.diagnosis.judge import Cause, Diagnosis, diagnoses
 from kindsl.judgement.diagnosis.judgements import (
@@ -36,7 +37,6 @@ from kindsl.judgement.rules.inertia.told import (
 )
 from kindsl.judgement.rules.number_writing import rescaled, rewritten
 from kindsl.judgement.rules.tiny_values import is_negligible, is_tiny
-from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.model import Model
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.language.text.facts import Fact
@@ -181,7 +181,7 @@ def _fix(found: Judgement, cause: Cause, context: Context) -> Fix | None:
 
 def _changes(found: Judgement, cause: Cause) -> list[Replacement] | None:
     """Return the changes that write the numbers as they were meant."""
-    h, (mass, *others) = cause.hypothesis, _ten_values(found)
+    h, (mass, *others) = cause.hypothesis, ten_values(found.inertia)
     if h.body.mass != found.body.mass:
         return rescaled([mass], [h.body.mass])
     if h.body.com != found.body.com:
@@ -201,7 +201,7 @@ def _holds(found: Judgement, changes: Sequence[Replacement], context: Context) -
     written = numbers_written(found.inertia, context.values)
     numbers = [
         rewritten_number(texts[value.start]) if value.start in texts else number
-        for value, number in zip(_ten_values(found), written, strict=True)
+        for value, number in zip(ten_values(found.inertia), written, strict=True)
     ]
     plain = _literals(numbers)
     if len(plain) < len(numbers):
@@ -229,12 +229,3 @@ def _has_tiny(moments: Sequence[float]) -> bool:
     plain, products = moments[:3], moments[3:]
     lost = (p for p in products if is_tiny(p) and not is_negligible(p, plain))
     return any(map(is_tiny, plain)) or any(lost)
-
-
-def _ten_values(found: Judgement) -> Iterator[Expression]:
-    """Yield the ten values in the order of `MassDistribution`."""
-    inertia = found.inertia
-    assert inertia.mass is not None and inertia.com is not None
-    yield inertia.mass
-    yield from inertia.com.components
-    yield from (inertia.moments[name] for name in MOMENTS)

@@ -1,18 +1,16 @@
 """The slip, or the other link, that explains a possible inertia which is not that of its twins."""
 
-from collections.abc import Container, Iterable, Sequence
+from collections.abc import Container
 
 from kindsl.judgement.diagnosis.counterparts import may_be_image
 from kindsl.judgement.diagnosis.slips import Hypothesis, Slip, hypotheses
 from kindsl.judgement.diagnosis.surroundings import same_moments
-from kindsl.judgement.rules.inertia.told import clause
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.robots.limbs.comparison import Tolerance
 from kindsl.robots.limbs.weighing import differing
 
-_MOST = 3
 # Of numbers that are equal but for the arithmetic that brought them into one frame.
 _EXACTLY = Tolerance(1e-9, 1e-9, 1e-9)
 
@@ -23,23 +21,18 @@ def copied_from(model: Model, link: Link, twins: Container[str]) -> str:
     return f"its moments are those of '{other}', which is another part" if other else ""
 
 
-def without(slips: Sequence[Hypothesis], said: str) -> list[str]:
-    """Return what an inertia would be without each slip."""
-    return [f"{said} if {clause(slip)}" for slip in slips]
-
-
-def slips_of(own: MassDistribution, meant: Iterable[MassDistribution]) -> list[Hypothesis]:
-    """Return the slips without which a body is one of those meant, the commonest first.
+def slip_of(own: MassDistribution, meant: MassDistribution) -> Hypothesis | None:
+    """Return the commonest slip without which a body is the one that is meant, None if none is.
 
     A unit beside a shift would leave nothing of the moments as they are written. Where some slips
     leave exactly what is meant, others that come near it are none.
     """
-    likely = [each for each in set(meant) if each.mass * own.mass > 0.0 and may_be_image(own, each)]
+    is_likely = meant.mass * own.mass > 0.0 and may_be_image(own, meant)
     fitting = [
         h
-        for h in (hypotheses(own, own) if likely else ())
+        for h in (hypotheses(own, own) if is_likely else ())
         if (Slip.SCALE not in h.slips or (h.unit and len(h.slips) == 1))
-        and any(not differing(h.body, m) for m in likely)
+        and not differing(h.body, meant)
     ]
-    exact = [h for h in fitting if any(not differing(h.body, m, _EXACTLY) for m in likely)]
-    return sorted(exact or fitting, key=lambda h: -h.weight)[:_MOST]
+    exact = [h for h in fitting if not differing(h.body, meant, _EXACTLY)]
+    return max(exact or fitting, key=lambda h: h.weight, default=None)
