@@ -330,7 +330,7 @@ TABLE = {
     Slip.MASS: SlipRow("KD314", _RARE, _other_mass),
     Slip.NUMBER: SlipRow("KD308", _RARE, _unknown),
     Slip.MINUS: SlipRow("KD307", _SELDOM, _other_moment_sign),
-    Slip.COM_SIGN: SlipRow("KD307", _RARE, _other_com_sign),
+    Slip.COM_SIGN: SlipRow("KD307", _SELDOM, _other_com_sign),
     Slip.SWAP: SlipRow("KD307", _RARE, _swapped),
     Slip.ROWS: SlipRow("KD307", _RARE, _by_rows),
     Slip.TWICE: SlipRow("KD306", _RARE, _shifted_once),
