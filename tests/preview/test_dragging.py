@@ -173,6 +173,15 @@ async def test_a_urdf_is_shown_with_its_lines_and_not_edited(page):
     assert URDF[span.start : span.end] == "lift"
 
 
+def test_a_link_whose_name_the_language_has_not_is_found_in_its_file():
+    text = URDF.replace('"upper"', '"upper-arm"').replace('"lift"', '"link"')
+    analysis = analysed_robot("arm.urdf", text, Settings())
+    (link,), (joint,) = analysis.model.links, analysis.model.joints
+    assert (str(link.name), str(joint.name)) == ("upper_arm", "link_")
+    spans = [analysis.resolver.span(each) for each in (link, joint)]
+    assert [text[slice(*span)] for span in spans] == ["upper-arm", "link"]
+
+
 async def test_what_cannot_be_written_stays_as_it_was():
     page = Page(ARM, "permission denied")
     await page.ask(**drag())

@@ -15,6 +15,7 @@ from kindsl.language.semantics.places import Located
 from kindsl.language.syntax.document import SyntaxDocument, parse
 from kindsl.robots.interchange.format import AS_WRITTEN, Format, FormatError, ReadingChoices
 from kindsl.robots.interchange.kindsl_writing import described_kindsl
+from kindsl.robots.interchange.portable_names import valid_name
 from kindsl.robots.interchange.syntaxes import (
     XACRO_SUFFIX,
     other_format,
@@ -101,7 +102,10 @@ class _NamedPlaces(Resolver):
     def __init__(self, written: SyntaxDocument, model: Model) -> None:
         super().__init__(written)
         named = (*reversed(model.joints), *reversed(model.links))
-        self._named: Mapping[str, Located] = {str(thing.name): thing.name for thing in named}
+        names = [(valid_name(str(thing.name)), thing.name) for thing in named]
+        # Of two that become alike the one that has the name keeps it.
+        names.sort(key=lambda each: each[0] == str(each[1]))
+        self._named: Mapping[str, Located] = dict(names)
 
     def span(self, at: Located) -> tuple[int, int]:
         name = getattr(at, "name", at)
