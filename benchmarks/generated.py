@@ -113,7 +113,9 @@ def calls_of(bodies: Bodies) -> Calls:
     (Q, QD, X), base_few, moving_few = moving(FEW)
     (Q_, QD_, X_), base_many, _ = moving(BATCH)
     base, both = ((v0,), (v0, a0)) if bodies.is_floating else ((), ())
-    ours.regressor(q, qd, x)  # compiles all derivatives: methods asked for before are slower
+    # Compiles inertia and all derivatives: methods asked for before are slower.
+    ours.joint_space_inertia(q)
+    ours.regressor(q, qd, x)
     return Calls(
         {
             "inverse dynamics": (
