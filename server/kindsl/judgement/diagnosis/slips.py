@@ -315,9 +315,9 @@ class SlipRow(NamedTuple):
 
 
 # How common a mistake is: what published histories correct and other formats have otherwise; what
-# comes of a unit or of mirroring by hand; what nobody's history shows. Where each
-# had a number of its own, 14 of 750 first causes fewer were right and 3 more; with their square
-# roots 4 and 7, with one weight for all these three are 13 worse.
+# comes of a unit or of mirroring by hand; what nobody's history shows. Where each had a number of
+# its own, of 3,000 planted slips 29 that have the right cause first now had not, 19 the other way
+# round, and 56 fixes fewer were right. Were a mass only seldom wrong, UR5 would get a wrong fix.
 _COMMON, _SELDOM, _RARE = 1.0, 0.3, 0.1
 
 TABLE = {
