@@ -34,7 +34,9 @@ from tests.codegen.robots import ALL, bodies_of_seed, library
 
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.mechanics.dynamics.bodies import Bodies
+from kindsl.mechanics.dynamics.evaluation import book
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanics.dynamics.evaluation.request import Request
 from kindsl.mechanics.dynamics.generation.function import Function
 from kindsl.mechanics.spatial.arrays import Array
 from kindsl.products.codegen.c_test_program import parameter_values
@@ -60,6 +62,16 @@ class Answers(NamedTuple):
     function: Function
     found: list[Array]
     expected: list[Array]
+
+
+class _Book:
+    """Evaluates by the book's algorithms, always."""
+
+    def __init__(self, bodies: Bodies) -> None:
+        self._bodies = bodies
+
+    def evaluate(self, request: Request) -> Array:
+        return book.evaluate(self._bodies, request)
 
 
 def main() -> None:
@@ -175,7 +187,9 @@ def _own_documents() -> list[Path]:
 
 
 def _book(bodies: Bodies, values: Mapping[str, Array] | None = None) -> Reference:
-    return Reference(Mechanics(bodies), values or sample(bodies))
+    mechanics = Mechanics(bodies)
+    mechanics._forms = _Book(bodies)
+    return Reference(mechanics, values or sample(bodies))
 
 
 def _files(made: Library, expected: Reference) -> dict[str, str]:

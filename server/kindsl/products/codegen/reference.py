@@ -1,4 +1,4 @@
-"""Expected results of generated functions, by the book's algorithms: these share no code."""
+"""Expected results of generated functions, from the mechanics that this program itself uses."""
 
 import random
 from collections.abc import Mapping, Sequence
@@ -12,6 +12,7 @@ from kindsl.language.semantics.transforms import LINK_PREFIX
 from kindsl.mechanics.dynamics.bodies import Bodies, BodyFrame
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanics.dynamics.generation.function import Function
+from kindsl.mechanics.dynamics.joints import solve
 from kindsl.mechanics.spatial.arrays import Array
 
 Values = Mapping[str, Array]
@@ -44,7 +45,7 @@ class Reference:
     """Answers for one configuration of a mechanism.
 
     Attributes:
-        mechanics: The mechanism, without code of its own.
+        mechanics: The mechanism.
         values: Of all arguments, by their names in code.
         parameters: Values of the parameters that the mechanism has.
     """
@@ -52,7 +53,7 @@ class Reference:
     def __init__(
         self, mechanics: Mechanics, values: Values, parameters: Mapping[str, float] = NOTHING
     ) -> None:
-        self.mechanics = Mechanics(mechanics.bodies, generates_code=False)
+        self.mechanics = mechanics
         self.values = values
         self.parameters = parameters
         self._base = values["v0"] if mechanics.bodies.is_floating else None
@@ -61,18 +62,22 @@ class Reference:
 
     def results(self, function: Function) -> list[Array]:
         """Return what a function gives without external forces, one array a result."""
-        return self._answer(function, None)
+        return self._answer(function, np.zeros(self._first + self.mechanics.bodies.n_links))
 
     def loaded_results(self, function: Function) -> list[Array]:
         """Return what a function gives under external forces."""
-        return self._answer(function, self.values["fext"].reshape(-1, 6))
+        q, bodies = self.values["q"], self.mechanics.bodies
+        forces = self.values["fext"].reshape(-1, 6)
+        load = np.zeros(bodies.n_velocities)
+        load[: self._first] = forces[0][: self._first]
+        for name, force in zip(bodies.link_names, forces[1:], strict=True):
+            load += self.mechanics.jacobian(q, name).T @ force
+        return self._answer(function, load)
 
-    def _answer(self, function: Function, forces: Array | None) -> list[Array]:
-        name, bodies = function.name, self.mechanics.bodies
+    def _answer(self, function: Function, load: Array) -> list[Array]:
+        name = function.name
         if name == "foot_jacobians":
-            links, base = bodies.link_names, f"{LINK_PREFIX}{bodies.base_name}"
-            feet = [f"{LINK_PREFIX}{foot}" if foot in links else foot for foot in function.about]
-            return [self._relative_jacobian(foot, base) for foot in feet]
+            return [self._foot_jacobian(foot) for foot in function.about]
         if name == "contact_dynamics":
             return self._contact_dynamics(function.about)
         if name.startswith("pose_"):
@@ -85,7 +90,7 @@ class Reference:
             is_own = name == f"jacobian_{function.about[0]}"
             return [self._jacobian(function.about[0], is_own)]
         if name in ("inverse_dynamics", "inverse_dynamics_actuated", "forward_dynamics"):
-            return self._dynamics(name, forces)
+            return self._dynamics(name, load)
         return self._by_name(name)
 
     def _jacobian(self, name: str, is_own: bool) -> Array:
@@ -117,6 +122,12 @@ class Reference:
         Lambda[np.ix_(rows, rows)] = found.Lambda
         base = [found.base_acceleration] if self._first else []
         return [found.qdd, *base, forces, Lambda]
+
+    def _foot_jacobian(self, name: str) -> Array:
+        is_link = name in self.mechanics.bodies.link_names
+        support = self._support(f"{LINK_PREFIX}{name}" if is_link else name)
+        columns = [self._first + joint - 1 for joint in support[::-1]]
+        return self._jacobian(name, is_own=False)[:, columns]
 
     def _relative_jacobian(self, target: str, base: str) -> Array:
         """Return the columns of the joints between both."""
@@ -153,20 +164,24 @@ class Reference:
         framed = replace(
             bodies, base_name=base, link_names=tuple(links), frames=tuple(frames.values())
         )
-        return Mechanics(framed, generates_code=False)
+        return Mechanics(framed)
 
-    def _dynamics(self, name: str, forces: Array | None) -> list[Array]:
-        given = (self._base, self.values["g"])
+    def _dynamics(self, name: str, load: Array) -> list[Array]:
+        """Return forces or accelerations, from `M a + bias = forces + load`."""
+        q, qd, g = (self.values[key] for key in ("q", "qd", "g"))
+        M = self.mechanics.joint_space_inertia(q)
+        rest = self.mechanics.bias_torque(q, qd, self._base, g) - load
+        k = self._first
         if name == "forward_dynamics":
-            q, qd, _ = self._joints
-            tau = self.values["tau"]
-            found = self.mechanics.forward_dynamics(q, qd, tau, *given, external_forces=forces)
-            return [found] if isinstance(found, np.ndarray) else [*found]
-        a0 = self.values["a0"] if name.endswith("_actuated") else None
-        answer = self.mechanics.inverse_dynamics(
-            *self._joints, *given, external_forces=forces, base_acceleration=a0
-        )
-        return [answer] if isinstance(answer, np.ndarray) else [*answer]
+            a = solve(M, np.concatenate((np.zeros(k), self.values["tau"])) - rest)
+            return [a[k:], a[:k]] if k else [a]
+        a0 = self.values["a0"][:k]
+        if name == "inverse_dynamics" and k:
+            a0 = solve(M[:k, :k], -rest[:k] - M[:k, k:] @ self.values["qdd"])
+        forces = M @ np.concatenate((a0, self.values["qdd"])) + rest
+        if not k:
+            return [forces]
+        return [forces[k:], a0 if name == "inverse_dynamics" else forces[:k]]
 
     def _by_name(self, name: str) -> list[Array]:
         m, base = self.mechanics, self._base
