@@ -22,6 +22,7 @@ EXCEPTIONS: dict[str, str] = {
     "frontends/features/completion/completion.py": _PLACE,
     "frontends/features/completion/keywords.py": _PLACE,
     "frontends/features/hover/keyword.py": _MEANING,
+    "frontends/features/manipulation/new_blocks.py": "adds to the sections that it asks for",
     "frontends/features/manipulation/things.py": _MEANING,
     "frontends/features/signature_help.py": _MEANING,
     "language/formatting.py": "robot, constants and signs have a layout of their own",
