@@ -12,7 +12,7 @@ from kindsl.judgement.diagnosis.fitted import AS_WRITTEN, TRUST, UNKNOWN
 from kindsl.judgement.diagnosis.judge import Cause, candidates, ranked, said_by, weight_of_rest
 from kindsl.judgement.diagnosis.judgements import Judgement, Verdict
 from kindsl.judgement.diagnosis.slips import Hypothesis, Slip, hypotheses
-from kindsl.judgement.diagnosis.surroundings import LinkSurroundings, Twin, surroundings
+from kindsl.judgement.diagnosis.surroundings import LinkSurroundings, Peer, surroundings
 from kindsl.judgement.diagnosis.suspects import suspects_of
 from kindsl.mechanics.rigid.body import (
     MassDistribution,
@@ -21,7 +21,7 @@ from kindsl.mechanics.rigid.body import (
     shifted,
 )
 
-NOWHERE = LinkSurroundings(points=(), twins=())
+NOWHERE = LinkSurroundings(points=(), peers=())
 EXACT = MassDistribution(0.0, (0.0, 0.0, 0.0), (0.0,) * 6)  # type: ignore[arg-type]
 BALL = MassDistribution(1.0, (0.0, 0.0, 0.0), (0.02, 0.02, 0.02, 0.0, 0.0, 0.0))
 SHAPE = MassShape((0.01, 0.01, 0.01, 0.0, 0.0, 0.0), EXACT.moments, eigensystem((0.01,) * 6))
@@ -144,10 +144,10 @@ def is_found(found: list[Hypothesis], *slips: Slip, names: int = 3, power: int =
     )
 
 
-def test_a_slip_is_told_without_which_a_body_is_its_twin_however_light_that_is() -> None:
+def test_a_slip_is_told_without_which_a_body_is_its_peer_however_light_that_is() -> None:
     light = ball(2.0)
     wrong = light._replace(mass=0.1 * light.mass)
-    around = NOWHERE._replace(twins=(Twin("twin", light, light),))
+    around = NOWHERE._replace(peers=(Peer("twin", light, light),))
     found = ranked(candidates(judgement(wrong, Verdict.IMPLAUSIBLE), around), {}, UNKNOWN)
     assert found[0].hypothesis.slips == (Slip.MASS,)
 

@@ -36,7 +36,7 @@ def said(
     matrix = (*second_moments, 0.0, 0.0, 0.0)
     shape = MassShape(matrix, EXACT, eigensystem(matrix))
     h = Hypothesis((slip,), BODY._replace(com=com), BODY, 1.0)
-    return tuple(reasons_of_end(h, shape, LinkSurroundings(points, twins=()).end))
+    return tuple(reasons_of_end(h, shape, LinkSurroundings(points, peers=()).end))
 
 
 LONG = "long towards its next joint"
@@ -190,14 +190,14 @@ def legs(**sections: str) -> str:
 
 
 @pytest.mark.parametrize(
-    ("sections", "twins"),
+    ("sections", "peers"),
     [
         ({"left_leg": WRONG, "right_leg": RIGHT}, ["right_leg"]),
         ({"right_leg": WRONG, "left_leg": RIGHT}, ["left_leg"]),
         ({"LF_leg": WRONG, "LH_leg": RIGHT, "RF_leg": RIGHT}, ["LH_leg", "RF_leg"]),
         ({"left_leg": WRONG, "right_arm": RIGHT}, []),
         ({"left_leg": WRONG, "right_leg": WRONG}, []),
-        # Links of the same part are twins if they are possible, and of the same mass but for tens.
+        # Links of the same part are peers if they are possible, and of the same mass but for tens.
         (
             {"LF_leg": WRONG, "RF_leg": WRONG, "LH_leg": RIGHT, "RH_leg": RIGHT},
             ["LH_leg", "RH_leg"],
@@ -217,37 +217,37 @@ def legs(**sections: str) -> str:
         ),
     ],
 )
-def test_twins_are_possible_links_of_the_same_part_and_mass(
-    sections: dict[str, str], twins: list[str]
+def test_peers_are_possible_links_of_the_same_part_and_mass(
+    sections: dict[str, str], peers: list[str]
 ) -> None:
     found = around(legs(**sections))
-    assert [twin.name for twin in found.twins] == twins
+    assert [peer.name for peer in found.peers] == peers
 
 
 @pytest.mark.parametrize(
     ("mine", "others", "is_expected"),
     [("", "", True), ("ref_frame = f ", "", False), ("", "ref_frame = f ", False)],
 )
-def test_a_twin_expects_nothing_in_another_frame(mine: str, others: str, is_expected: bool) -> None:
+def test_a_peer_expects_nothing_in_another_frame(mine: str, others: str, is_expected: bool) -> None:
     """The joints are one above the other, so that one leg is a copy of the other."""
     one, other = (
         text.replace("Iyz=0.0 }", f"Iyz=0.0 {frame}}}")
         for text, frame in ((WRONG, mine), (RIGHT, others))
     )
-    (twin,) = around(legs(leg1=one, leg2=other)).twins
-    assert twin.expected == (twin.body if is_expected else None)
+    (peer,) = around(legs(leg1=one, leg2=other)).peers
+    assert peer.expected == (peer.body if is_expected else None)
 
 
-def test_a_twin_that_nothing_is_known_of_is_none() -> None:
+def test_a_peer_that_nothing_is_known_of_is_none() -> None:
     text = legs(left_leg=WRONG, right_leg=RIGHT, L_leg="")
-    assert [twin.name for twin in around(text).twins] == ["right_leg"]
+    assert [peer.name for peer in around(text).peers] == ["right_leg"]
 
 
 def test_nameless_links_are_of_no_part() -> None:
-    assert around(legs(left=WRONG, right=RIGHT)).twins == ()
+    assert around(legs(left=WRONG, right=RIGHT)).peers == ()
 
 
-def test_the_part_of_the_same_number_is_the_twin_in_a_chain() -> None:
+def test_the_part_of_the_same_number_is_the_peer_in_a_chain() -> None:
     """Of an arm of many numbered links not the first eight, but the one on the other side."""
     names = " ".join(f"{side}_arm_{n}" for side in ("left", "right") for n in range(1, 8))
     numbers = [SECTION % (f"{2.0 + 0.1 * n:.1f}", "0.10") for n in range(1, 8)]
@@ -255,7 +255,7 @@ def test_the_part_of_the_same_number_is_the_twin_in_a_chain() -> None:
     analysis = analyse(row(*sections, names=names))
     (found,) = suspects_of(analysis.model, analysis.context.values)
     around = surroundings(analysis.model, analysis.context.values, found)
-    assert [twin.name for twin in around.twins] == ["right_arm_7"]
+    assert [peer.name for peer in around.peers] == ["right_arm_7"]
 
 
 @pytest.mark.parametrize("moment", ["1.0e999", "1.7e308"])  # robcogen2 reads the first as inf

@@ -51,7 +51,7 @@ def misplaced(*attachments: Attachment) -> tuple[list[object], list[object]]:
         ([(f"{leg}_shank", "LF_thigh", f"{leg}_KFE") for leg in LEGS], [], []),
     ],
 )
-def test_links_that_are_not_attached_as_their_twins(
+def test_links_that_are_not_attached_as_their_peers(
     changes: list[tuple[str, str, str]], elsewhere: list[object], crossed: list[object]
 ) -> None:
     assert misplaced(*legs(*changes)) == (elsewhere, crossed)

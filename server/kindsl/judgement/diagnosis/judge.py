@@ -175,8 +175,8 @@ def candidates(found: Judgement, around: LinkSurroundings) -> list[Cause]:
 def _typed_anew(found: Judgement, around: LinkSurroundings) -> Iterator[Hypothesis]:
     """Yield the numbers with the mass or the moment in which alone a counterpart differs."""
     written = (found.body.mass, *found.body.com, *found.body.moments)
-    for twin in around.twins:
-        for image in images(twin.body):
+    for peer in around.peers:
+        for image in images(peer.body):
             meant: Sequence[float] = (image.mass, *image.com, *image.moments)
             sizes = (max([_LEAST, *map(abs, meant[kind])]) for kind in _KINDS for _ in meant[kind])
             apart = (abs(a - b) / size for a, b, size in zip(written, meant, sizes, strict=True))
@@ -201,9 +201,9 @@ def weighed(h: Hypothesis, found: Judgement, around: LinkSurroundings) -> Cause 
         return None
     alone = of_matter(around.placed(h.body), shape, around.end, around.mass)
     alone += TRUST * (h.log_change - of_anything(found.body.moments))
-    twins = of_counterparts(h.body, around)
-    reasons = (*reasons_of_end(h, shape, around.end), *twins.reasons)
-    return Cause(h, shape, reasons, alone + twins.log_weight, alone)
+    peers = of_counterparts(h.body, around)
+    reasons = (*reasons_of_end(h, shape, around.end), *peers.reasons)
+    return Cause(h, shape, reasons, alone + peers.log_weight, alone)
 
 
 def weighed_as_written(found: Judgement, around: LinkSurroundings) -> Cause | None:

@@ -29,24 +29,24 @@ class Misfit(NamedTuple):
 
     Attributes:
         found: The link that has it.
-        twins: The names of those that it would be the image of.
+        peers: The names of those that it would be the image of.
         cause: The mistake.
     """
 
     found: Judgement
-    twins: tuple[str, ...]
+    peers: tuple[str, ...]
     cause: Cause
 
 
 def misfits(unlike: Unlike, model: Model, values: Mapping[str, float]) -> list[Misfit]:
     """Return what may keep a link from being like its counterparts, the most likely first."""
-    (twin, meant), *_ = unlike.twins
-    names = tuple(str(each.name) for each, _ in unlike.twins)
+    (peer, meant), *_ = unlike.peers
+    names = tuple(str(each.name) for each, _ in unlike.peers)
     looked_at = model, values, unlike.within
     tried = [*_tried(unlike.link, unlike.body, meant, names, *looked_at)]
     if not unlike.is_outvoted:
         own = (str(unlike.link.name),)
-        tried += _tried(twin, meant, unlike.body, own, *looked_at)
+        tried += _tried(peer, meant, unlike.body, own, *looked_at)
     as_meant = AS_WRITTEN - (EXPECTED if unlike.is_outvoted else MIRRORED)
     misfit_of = {misfit.cause.hypothesis: misfit for misfit in tried}
     likely = ranked([misfit.cause for misfit in tried], {}, as_meant)
@@ -57,7 +57,7 @@ def _tried(
     link: Link,
     body: MassDistribution,
     meant: MassDistribution,
-    twins: tuple[str, ...],
+    peers: tuple[str, ...],
     model: Model,
     values: Mapping[str, float],
     within: float,
@@ -76,15 +76,15 @@ def _tried(
     for cause in merged(causes):
         # By half of it: slips of either link, as common, then differ by what the two shapes do.
         likely = 0.5 * (cause.log_alone - written.log_alone)
-        yield Misfit(found, twins, cause._replace(reasons=(), log_likelihood=likely))
+        yield Misfit(found, peers, cause._replace(reasons=(), log_likelihood=likely))
     # Where two others agree, their numbers are what was meant.
-    for h in _traceless(found, twins, model) if len(twins) == 1 else ():
+    for h in _traceless(found, peers, model) if len(peers) == 1 else ():
         shape = MassShape(second_moments_about_com(body), body.moments, found.second_moments)
-        yield Misfit(found, twins, Cause(h, shape, (), 0.0, 0.0))
+        yield Misfit(found, peers, Cause(h, shape, (), 0.0, 0.0))
 
 
-def _traceless(found: Judgement, twins: tuple[str, ...], model: Model) -> Iterator[Hypothesis]:
-    copy = next((name for name in same_moments(model, found.link) if name not in twins), None)
+def _traceless(found: Judgement, peers: tuple[str, ...], model: Model) -> Iterator[Hypothesis]:
+    copy = next((name for name in same_moments(model, found.link) if name not in peers), None)
     slips: list[tuple[Slip, tuple[str, ...]]] = [(Slip.COPY, (copy, "moments"))] if copy else []
     if is_round(found.body.moments):
         slips.append((Slip.PLACEHOLDER, (f"{found.body.moments[0]:.1g}",)))

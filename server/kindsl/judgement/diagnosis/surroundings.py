@@ -1,4 +1,4 @@
-"""Evidence from the rest of the robot on a link's inertia: its children's joints, its twins."""
+"""Evidence from the rest of the robot on a link's inertia: its children's joints, its peers."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
@@ -29,11 +29,11 @@ from kindsl.language.text.facts import Fact, kept
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import RigidPose, Rotation, Vector3, dot, transposed, turned
 from kindsl.robots.limbs.names import label_of
-from kindsl.robots.limbs.twin_frames import twin_frames
+from kindsl.robots.limbs.peer_frames import peer_frames
 from kindsl.robots.limbs.weighing import seen_by
 
 _Inertia = tuple[Link, MassDistribution]
-_FRAMES = Fact[tuple[object, dict[tuple[str, str], list[Rotation]]]]("frames of twins, by names")
+_FRAMES = Fact[tuple[object, dict[tuple[str, str], list[Rotation]]]]("frames of peers, by names")
 _PLACED = Aspect.STRUCTURE | Aspect.PLACES
 _FEWEST_MASSES = 3
 _NEAR = 0.02
@@ -41,7 +41,7 @@ _ALONG = 0.85
 _ACROSS = 0.2
 
 
-class Twin(NamedTuple):
+class Peer(NamedTuple):
     """A link of the same part whose inertia is possible.
 
     Attributes:
@@ -61,14 +61,14 @@ class LinkSurroundings(NamedTuple):
     Attributes:
         points: Origins of its frames and of its children's joints, from the link's origin and
             along the axes of its inertia, m.
-        twins: Links of the same part whose mirror image it may be but for a mistake.
+        peers: Links of the same part whose mirror image it may be but for a mistake.
         mass: The middle one of the robot's links, kg; zero if there are few.
         copies: Unlike links that have the same moments, or CoM, and which of these.
         origin: Where the frame of its inertia is, likewise.
     """
 
     points: tuple[Vector3, ...]
-    twins: tuple[Twin, ...]
+    peers: tuple[Peer, ...]
     mass: float = 0.0
     copies: tuple[tuple[str, str], ...] = ()
     origin: Vector3 = (0.0, 0.0, 0.0)
@@ -127,11 +127,11 @@ def _surroundings(
         points = tuple(turned(transposed(T.rotation), point) for point in points)
     alike = _with_inertia(counterparts(model, link), values)
     possible = [each for each in alike if not is_impossible(each[0], values)]
-    twins = _twins(model, values, found, possible, named)
-    names = {twin.name for twin in twins}
+    peers = _peers(model, values, found, possible, named)
+    names = {peer.name for peer in peers}
     return LinkSurroundings(
         points,
-        twins,
+        peers,
         middle_mass(model),
         tuple(each for each in copies(model, values, link) if each[0] not in names),
         turned(transposed(T.rotation), T.translation) if T is not None else (0.0, 0.0, 0.0),
@@ -190,18 +190,18 @@ def reasons_of_end(h: Hypothesis, shape: MassShape, end: Vector3 | None) -> Iter
 
 def of_counterparts(body: MassDistribution, around: LinkSurroundings) -> Evidence:
     """Return what the counterpart that says most says of a body."""
-    images = [twin for twin in around.twins if is_mirror_image(body, twin.body)]
-    said = [_of_image(body, twin) for twin in images]
+    images = [peer for peer in around.peers if is_mirror_image(body, peer.body)]
+    said = [_of_image(body, peer) for peer in images]
     return max(said, key=lambda each: each.log_weight, default=Evidence(0.0))
 
 
-def _of_image(body: MassDistribution, twin: Twin) -> Evidence:
+def _of_image(body: MassDistribution, peer: Peer) -> Evidence:
     """Return what a mirror image says: most where the body is as it expects it."""
-    is_equal = is_same_body(body, twin.body)
-    is_expected = twin.expected is not None and is_same_body(body, twin.expected)
+    is_equal = is_same_body(body, peer.body)
+    is_expected = peer.expected is not None and is_same_body(body, peer.expected)
     return Evidence(
         EXPECTED if is_expected else MIRRORED,
-        (f"{'equal to' if is_equal else 'mirror image of'} '{twin.name}'",),
+        (f"{'equal to' if is_equal else 'mirror image of'} '{peer.name}'",),
         2 if is_expected else 1,
     )
 
@@ -218,9 +218,9 @@ def middle_mass(model: Model) -> float:
 def copies(model: Model, values: Mapping[str, float], link: Link) -> Iterator[tuple[str, str]]:
     """Yield the possible links of other parts that have the moments, or the CoM, of a link.
 
-    What a twin of the link has besides, but for signs, is their own.
+    What a peer of the link has besides, but for signs, is their own.
     """
-    owned = [numbers for twin in namesakes(model, link) for numbers in telling_numbers(twin)]
+    owned = [numbers for peer in namesakes(model, link) for numbers in telling_numbers(peer)]
     part = label_of(str(link.name)).part
     for telling in telling_numbers(link):
         if not any(telling.is_as(each, abs) for each in owned):
@@ -231,9 +231,9 @@ def copies(model: Model, values: Mapping[str, float], link: Link) -> Iterator[tu
 
 
 def same_moments(model: Model, link: Link) -> Iterator[str]:
-    """Yield the names of links that a link may have its moments from, not its twins by name.
+    """Yield the names of links that a link may have its moments from, not its peers by name.
 
-    Of two that share them, the one that is less like its own twins has those of the other.
+    Of two that share them, the one that is less like its own peers has those of the other.
     """
     words = label_of(str(link.name)).words
     for telling in telling_numbers(link)[:1]:
@@ -261,36 +261,36 @@ def _with_inertia(links: Iterable[Link], values: Mapping[str, float]) -> Iterato
                 yield other, body
 
 
-def _twins(
+def _peers(
     model: Model,
     values: Mapping[str, float],
     found: Judgement,
     possible: Sequence[_Inertia],
     namesakes: Sequence[Link],
-) -> tuple[Twin, ...]:
+) -> tuple[Peer, ...]:
     """Return those that may be images, and what all possible namesakes let expect of this one."""
-    twins = [each for each in possible if may_be_image(found.body, each[1])]
-    named = [each for each in possible if each[0] in namesakes] if twins else ()
+    peers = [each for each in possible if may_be_image(found.body, each[1])]
+    named = [each for each in possible if each[0] in namesakes] if peers else ()
     expected = _expected(model, values, found.link, named)
-    return tuple(Twin(str(other.name), body, expected) for other, body in twins)
+    return tuple(Peer(str(other.name), body, expected) for other, body in peers)
 
 
 def _expected(
-    model: Model, values: Mapping[str, float], link: Link, twins: Sequence[_Inertia]
+    model: Model, values: Mapping[str, float], link: Link, peers: Sequence[_Inertia]
 ) -> MassDistribution | None:
-    """Return the inertia that all twins let expect, None where they do not agree.
+    """Return the inertia that all peers let expect, None where they do not agree.
 
     Where those of both sides are written alike, limbs are copies however they are mounted.
     """
-    others = [other for other, _ in twins]
+    others = [other for other, _ in peers]
     is_plain = all(o.inertia is None or o.inertia.frame is None for o in (link, *others))
     side = label_of(str(link.name)).side
     is_of_side = is_plain and any(label_of(str(other.name)).side == side for other in others)
-    if len(twins) > 1 and is_of_side and all(is_same_body(b, twins[0][1]) for _, b in twins):
-        return twins[0][1]
-    masses = [body.mass for _, body in twins]
+    if len(peers) > 1 and is_of_side and all(is_same_body(b, peers[0][1]) for _, b in peers):
+        return peers[0][1]
+    masses = [body.mass for _, body in peers]
     agreed: list[MassDistribution] | None = None
-    for other, body in twins if are_near(masses, masses[:1] * len(masses)) else ():
+    for other, body in peers if are_near(masses, masses[:1] * len(masses)) else ():
         seen = [seen_by(body, transposed(C)) for C in _frames(model, values, link, other)]
         if agreed is None:
             agreed = seen
@@ -301,7 +301,7 @@ def _expected(
 
 
 def _frames(model: Model, values: Mapping[str, float], link: Link, other: Link) -> list[Rotation]:
-    """Return `twin_frames`, none where an inertia is given in a frame that is not the link's."""
+    """Return `peer_frames`, none where an inertia is given in a frame that is not the link's."""
     inertias = [body.inertia for body in (link, other) if body.inertia is not None]
     if any(inertia.frame is not None for inertia in inertias):
         return []
@@ -309,5 +309,5 @@ def _frames(model: Model, values: Mapping[str, float], link: Link, other: Link) 
     known = places.made_of(_FRAMES, values, dict)
     names = str(link.name), str(other.name)
     if names not in known:
-        known[names] = twin_frames(model.tree, link, other, values)
+        known[names] = peer_frames(model.tree, link, other, values)
     return known[names]

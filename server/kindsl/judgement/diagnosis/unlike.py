@@ -38,19 +38,19 @@ class Unlike(NamedTuple):
     Attributes:
         link: The link.
         body: Its numbers.
-        twins: Links that are images of one another, and nearly of it, with their numbers.
+        peers: Links that are images of one another, and nearly of it, with their numbers.
         within: How near they are, as a share of the greatest number of a kind.
     """
 
     link: Link
     body: MassDistribution
-    twins: tuple[tuple[Link, MassDistribution], ...]
+    peers: tuple[tuple[Link, MassDistribution], ...]
     within: float
 
     @property
     def is_outvoted(self) -> bool:
         """Whether there are two of them or more; of a pair either may be wrong."""
-        return len(self.twins) > 1
+        return len(self.peers) > 1
 
 
 @kept
@@ -76,7 +76,7 @@ def unlike_among(model: Model, body_of: Callable[[Link], MassDistribution | None
         compared = partial(_compared, link, near, body_of)
         is_alike, unlike = link.facts.made_of(_COMPARED, (body_of, near), compared)
         n_alike += is_alike
-        if unlike is not None and (unlike.is_outvoted or unlike.twins[0][0] not in found):
+        if unlike is not None and (unlike.is_outvoted or unlike.peers[0][0] not in found):
             found[link] = unlike
     n_pairs = sum(not each.is_outvoted for each in found.values())
     is_usual = n_pairs > max(1, n_alike // 2)
@@ -118,7 +118,7 @@ def _unlike(
         all(is_mirror_image(first, each, within) for _, each in near[1:])
         and not is_turned_image(body, first, apart)
         and _n_digits_shared(body, first, within) >= (_OF_NAMESAKES if are_named else FEWEST_DIGITS)
-        and not any(is_impossible(each, {}) for each in (link, *(twin for twin, _ in near)))
+        and not any(is_impossible(each, {}) for each in (link, *(peer for peer, _ in near)))
     ):
         return False, Unlike(link, body, tuple(near), within)
     return False, None

@@ -1,4 +1,4 @@
-"""Findings on links that hang on another body, or move by another joint, than their twins."""
+"""Findings on links that hang on another body, or move by another joint, than their peers."""
 
 from collections.abc import Callable, Iterable, Iterator
 
@@ -12,14 +12,14 @@ _Found = Iterator[tuple[Finding, list[Misplaced]]]
 
 
 def elsewhere_findings(names: LimbNames, place_of: _PlaceOf) -> _Found:
-    """Yield what is said of links that another body carries than their twins let expect.
+    """Yield what is said of links that another body carries than their peers let expect.
 
     Args:
         names: Of the robot's links and joints.
         place_of: Returns where it is written what carries a link.
     """
     found = names.elsewhere
-    if len(found) == 2 and found[1].attachment in found[0].twins:
+    if len(found) == 2 and found[1].attachment in found[0].peers:
         # Of a left and a right link alone either may be the wrong one.
         one, other = (each.attachment for each in found)
         message = f"link '{one.link}' is a child of '{one.parent}', '{other.link}' of "
@@ -27,16 +27,16 @@ def elsewhere_findings(names: LimbNames, place_of: _PlaceOf) -> _Found:
         yield Finding(place_of(one.link), message, _carried([other], place_of)), found
         return
     for each in found:
-        (name, parent, _), meant, twins = each
-        by_twins = f"by its twins of '{meant}'" if meant else "unlike its twin"
+        (name, parent, _), meant, peers = each
+        by_peers = f"by its twins of '{meant}'" if meant else "unlike its twin"
         others = [other.attachment for other in found if other is not each]
-        related = _carried((*others, *twins), place_of)
-        message = f"link '{name}' is a child of '{parent}', {by_twins}"
+        related = _carried((*others, *peers), place_of)
+        message = f"link '{name}' is a child of '{parent}', {by_peers}"
         yield Finding(place_of(name), message, related), [each]
 
 
 def crossed_findings(names: LimbNames, place_of: _PlaceOf) -> _Found:
-    """Yield what is said of links that move by another joint than their twins let expect.
+    """Yield what is said of links that move by another joint than their peers let expect.
 
     Two that have each other's joints are told of once.
 
@@ -47,12 +47,12 @@ def crossed_findings(names: LimbNames, place_of: _PlaceOf) -> _Found:
     told: list[Misplaced] = []
     for each in names.crossed:
         if each not in told:
-            (name, _, joint), meant, twins = each
+            (name, _, joint), meant, peers = each
             partners = [other for other in names.crossed if _are_exchanged(other, each)][:1]
             told += partners
-            by = f"by its {'twins' if twins else 'name'} by '{meant}'" if meant else ""
-            message = f"link '{name}' moves by joint '{joint}', {by or 'unlike its twin'}"
-            others = (*(partner.attachment for partner in partners), *twins)
+            by = f"by its {'twins' if peers else 'name'} by '{meant}'" if meant else ""
+            message = f"link '{name}' moves by joint '{joint}', {by or 'unlike its peer'}"
+            others = (*(partner.attachment for partner in partners), *peers)
             moved = ((place_of(a.link), f"'{a.link}' moves by '{a.joint}'") for a in others)
             related = tuple(Related(*other) for other in moved)
             yield Finding(place_of(name), message, related), [each, *partners]

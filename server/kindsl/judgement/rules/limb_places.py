@@ -27,7 +27,7 @@ def phrase(place: Suspect) -> str:
 
 
 def place_at(model: Model, link: str, what: str) -> Suspect:
-    """Return the same place of a twin."""
+    """Return the same place of a peer."""
     joint = joint_of(model, link)
     return Suspect(link, str(joint.name) if joint is not None else "", what)
 

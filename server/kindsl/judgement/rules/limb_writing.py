@@ -1,4 +1,4 @@
-"""The values of twins at a place, in the author's hand: in his words where they say it."""
+"""The values of peers at a place, in the author's hand: in his words where they say it."""
 
 from collections.abc import Iterator, Mapping, Sequence
 
@@ -15,7 +15,7 @@ _MOST_DECIMALS = 6
 
 def retyped(
     own: Sequence[Expression],
-    twins: Sequence[Sequence[Expression]],
+    peers: Sequence[Sequence[Expression]],
     meant: Sequence[Sequence[float]],
     assignments: Sequence[Mapping[str, float]],
     kinds: Sequence[slice] = (),
@@ -25,7 +25,7 @@ def retyped(
 
     Args:
         own: The written values.
-        twins: Values of its twins at this place, with whatever signs and in whatever order.
+        peers: Values of its peers at this place, with whatever signs and in whatever order.
         meant: The values at each assignment.
         assignments: Of the parameters.
         kinds: Those of a kind, where the author's own may differ a little to be kept.
@@ -34,7 +34,7 @@ def retyped(
     texts = []
     for index, expression in enumerate(own):
         kind = next((each for each in kinds if index in range(10)[each]), slice(len(own)))
-        words = [e for twin in twins for e in twin[kind]]
+        words = [e for peer in peers for e in peer[kind]]
         wanted = [numbers[index] for numbers in meant]
         size = max(abs(x) for numbers in meant for x in numbers[kind])
         little = max(share, _SAME) * size if kinds else _SAME

@@ -119,11 +119,11 @@ class _LimbsAsWritten:
         found = self._of_link(repair) if place.what in OF_A_LINK else self._of_joint(repair)
         if found is None or len(found) != len(own):
             return None
-        twins = (place_at(self._model, name, place.what) for name in self._named)
-        near = [*own, *(v.literal or 0.0 for t in twins for v in numbers_at(self._model, t))]
+        peers = (place_at(self._model, name, place.what) for name in self._named)
+        near = [*own, *(v.literal or 0.0 for t in peers for v in numbers_at(self._model, t))]
         size = 1.0 if place.what == "angles" else max(map(abs, (*found, *own)))
         meant = tuple(_rounded(x, near, _ROUNDED * size) for x in found)
-        # What is fixed to a link may be wrong instead: its own numbers stand at a twin then.
+        # What is fixed to a link may be wrong instead: its own numbers stand at a peer then.
         is_alone = place.what not in OF_A_LINK or len(_heavy(self._named[place.link])) == 1
         is_known = is_alone or {*map(abs, meant)} <= {*map(abs, near)}
         return MeantNumbers(place, (meant,)) if is_known else None

@@ -134,16 +134,16 @@ def _in_another_unit(vector: Vector, is_com: bool) -> Finding:
 
 def _unlike(model: Model, told_of: Container[Link]) -> Iterator[tuple[Link, Finding]]:
     """Yield the parts that differ in one way from two others or more, which are all alike."""
-    for link, body, twins, within in unlike_among(model, _as_written):
+    for link, body, peers, within in unlike_among(model, _as_written):
         inertia = link.inertia
-        if link in told_of or inertia is None or len(twins) < _ENOUGH:
+        if link in told_of or inertia is None or len(peers) < _ENOUGH:
             continue
-        odd = min(([*unlike_numbers(body, i, within)] for i in images(twins[0][1])), key=len)
-        others = [Related(t.inertia, f"inertia of '{t.name}'") for t, _ in twins if t.inertia]
+        odd = min(([*unlike_numbers(body, i, within)] for i in images(peers[0][1])), key=len)
+        others = [Related(t.inertia, f"inertia of '{t.name}'") for t, _ in peers if t.inertia]
         verb = "differ" if odd[-1] == "moments" else "differs"
         name = f"{' and '.join(odd)} of '{link.name}'"
         what, fix = f"{name} {verb} from its twins", None
-        if len(odd) == 1 and (like := _of_same_side(model, link, odd[0], twins)):
+        if len(odd) == 1 and (like := _of_same_side(model, link, odd[0], peers)):
             own, theirs = like
             fix = rewriting(f"Set {name} to that of its twins", own, [e.text for e in theirs])
             if odd[0] != "moments":
@@ -152,15 +152,15 @@ def _unlike(model: Model, told_of: Container[Link]) -> Iterator[tuple[Link, Find
 
 
 def _of_same_side(
-    model: Model, link: Link, odd: str, twins: Sequence[tuple[Link, MassDistribution]]
+    model: Model, link: Link, odd: str, peers: Sequence[tuple[Link, MassDistribution]]
 ) -> tuple[Sequence[Expression], Sequence[Expression]] | None:
-    """Return numbers of a part and those of its twins of the same side, None if these differ.
+    """Return numbers of a part and those of its peers of the same side, None if these differ.
 
     On the other side, or in other rows, frames may lie in other ways.
     """
     place = Suspect(str(link.name), "", odd.lower())
     side = label_of(place.link).side
-    same = [str(t.name) for t, _ in twins if label_of(str(t.name)).side == side]
+    same = [str(t.name) for t, _ in peers if label_of(str(t.name)).side == side]
     own, *like = (numbers_at(model, place._replace(link=each)) for each in (place.link, *same))
     as_read = {tuple(e.literal for e in numbers) for numbers in like}
     return (own, like[0]) if len(like) >= _ENOUGH and len(as_read) == 1 and own else None

@@ -26,21 +26,21 @@ class Attachment(NamedTuple):
 
 
 class Misplaced(NamedTuple):
-    """A link that is not attached as its twins are, or as other links by their names.
+    """A link that is not attached as its peers are, or as other links by their names.
 
     Attributes:
         attachment: Its names.
         meant: The name of the parent, or of the joint, that is expected, if there is one.
-        twins: The attachments of its twins; none where its own name tells.
+        peers: The attachments of its peers; none where its own name tells.
     """
 
     attachment: Attachment
     meant: str | None
-    twins: tuple[Attachment, ...]
+    peers: tuple[Attachment, ...]
 
 
 class _View(NamedTuple):
-    """The carrier of a link, as its twins see it: its words, and whether it is of the same side."""
+    """The carrier of a link, as its peers see it: its words, and whether it is of the same side."""
 
     words: _Words
     side: str
@@ -64,7 +64,7 @@ class LimbNames:
             label, words = self._read(attachment.link)
             if any(label):
                 by_part.setdefault(words, {}).setdefault(label, []).append(attachment)
-        self._twins = [
+        self._peers = [
             [found[0] for found in by_label.values()]
             for by_label in by_part.values()
             if len(by_label) > 1 and all(len(found) == 1 for found in by_label.values())
@@ -90,20 +90,20 @@ class LimbNames:
 
     @cached_property
     def elsewhere(self) -> list[Misplaced]:
-        """The links that another body carries than their twins let expect."""
+        """The links that another body carries than their peers let expect."""
         return self._misplaced(self._links, "parent")
 
     @cached_property
     def crossed(self) -> list[Misplaced]:
-        """The links whose joint is another than their twins, or names, let expect."""
+        """The links whose joint is another than their peers, or names, let expect."""
         return self._misplaced(self._joints, "joint") or self._crossed_by_name()
 
     def _misplaced(self, sided: _Sided, what: str) -> list[Misplaced]:
-        """Return what is not attached as its twins; nothing where that is not a slip or two."""
+        """Return what is not attached as its peers; nothing where that is not a slip or two."""
         across: list[Misplaced] = []
         odd: list[tuple[set[_View], list[Misplaced]]] = []
-        for twins in self._twins:
-            views = {a: self._view(a, getattr(a, what), sided) for a in twins}
+        for peers in self._peers:
+            views = {a: self._view(a, getattr(a, what), sided) for a in peers}
             count = Counter(views.values())
             crossed = [a for a, view in views.items() if view.side == "other"]
             accused = crossed or [a for a, view in views.items() if count[view] == 1]
@@ -113,7 +113,7 @@ class LimbNames:
             if crossed:
                 across += found
             elif len(count) > 1:
-                is_told = len(found) == 1 if len(twins) > 2 else _is_sided(twins, what, sided)
+                is_told = len(found) == 1 if len(peers) > 2 else _is_sided(peers, what, sided)
                 if len(count) > 2 or not is_told:
                     return []
                 odd.append((set(count), found))
@@ -131,17 +131,17 @@ class LimbNames:
     def _of_two(self, told: Sequence[Misplaced], sided: _Sided) -> list[Misplaced]:
         """Return a left and a right link, of which either may be misplaced, each with the other.
 
-        Either could hang on what its twin's carrier is on its own side.
+        Either could hang on what its peer's carrier is on its own side.
         """
         here, there = (each.attachment for each in told)
         found = []
-        for own, twin in ((here, there), (there, here)):
-            (side, row), (other_side, other_row) = (self._read(a.link)[0] for a in (own, twin))
+        for own, peer in ((here, there), (there, here)):
+            (side, row), (other_side, other_row) = (self._read(a.link)[0] for a in (own, peer))
             is_pair = row == other_row and side and other_side
-            meant = self._counterpart((side, row), twin.parent, sided) if is_pair else None
+            meant = self._counterpart((side, row), peer.parent, sided) if is_pair else None
             if meant is None:
                 return []
-            found.append(Misplaced(own, meant, (twin,)))
+            found.append(Misplaced(own, meant, (peer,)))
         return found
 
     def _counterpart(self, label: _Side, carrier: str, sided: _Sided) -> str | None:
@@ -154,17 +154,17 @@ class LimbNames:
         self,
         accused: Attachment,
         views: Mapping[Attachment, _View],
-        twins: tuple[Attachment, ...],
+        peers: tuple[Attachment, ...],
         sided: _Sided,
     ) -> Misplaced:
-        """Return an attachment with what its twins, which are not accused, let expect."""
+        """Return an attachment with what its peers, which are not accused, let expect."""
         meant = None
-        if len({views[a] for a in twins}) == 1:
-            words, side = views[twins[0]]
+        if len({views[a] for a in peers}) == 1:
+            words, side = views[peers[0]]
             label = self._read(accused.link)[0]
             alike = (n for n, own in sided.items() if own == label and self._read(n)[1] == words)
             meant = words[0] if side == "none" else next(alike, None)
-        return Misplaced(accused, meant, twins)
+        return Misplaced(accused, meant, peers)
 
     def _crossed_by_name(self) -> list[Misplaced]:
         """Return two links that have each other's joints, as the names of all others go."""
@@ -192,7 +192,7 @@ class LimbNames:
         return (side, row), words
 
     def _sided(self, names: Iterable[str]) -> _Sided:
-        """Return side and row of the names that have a twin: `torso_l3` has none."""
+        """Return side and row of the names that have a peer: `torso_l3` has none."""
         found: dict[_Words, list[tuple[str, _Side]]] = {}
         for name in names:
             label, words = self._read(name)
@@ -218,9 +218,9 @@ def _above(name: str, parents: Mapping[str, str]) -> set[str]:
     return found
 
 
-def _is_sided(twins: Sequence[Attachment], what: str, sided: _Sided) -> bool:
-    """Return whether names can tell of two twins that one differs."""
-    known = [getattr(a, what) in sided for a in twins]
+def _is_sided(peers: Sequence[Attachment], what: str, sided: _Sided) -> bool:
+    """Return whether names can tell of two peers that one differs."""
+    known = [getattr(a, what) in sided for a in peers]
     return any(known) if what == "parent" else all(known)
 
 

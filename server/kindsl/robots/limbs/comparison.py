@@ -1,6 +1,6 @@
-"""The ways to read a limb as its twin, and the single triple of numbers that prevents it.
+"""The ways to read a limb as its peer, and the single triple of numbers that prevents it.
 
-Frames of twins differ by a convention C, `x_one = C x_other`: a signed permutation that keeps the
+Frames of peers differ by a convention C, `x_one = C x_other`: a signed permutation that keeps the
 joint's axis z up to its sign. Conventions are hidden, poses are seen. At the head a mount tells the
 convention; below, a rotation hands the parent's on to the link, `C = R_one' C_parent R_other`, and
 a translation agrees where it is `C_parent' p_one`. One triple may break this: behind a rotation
@@ -40,7 +40,7 @@ _OF_PLACES = Tolerance(5e-4, 0.003, 0.01)
 
 
 class Reading(NamedTuple):
-    """A way to read a limb as its twin.
+    """A way to read a limb as its peer.
 
     Attributes:
         mount: What takes head to head.

@@ -159,7 +159,7 @@ class Match(NamedTuple):
     Attributes:
         up: The index of the row of their parents, -1 for the heads.
         one: The body of the first limb.
-        other: The body of its twin.
+        other: The body of its peer.
     """
 
     up: int

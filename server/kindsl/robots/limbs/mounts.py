@@ -1,4 +1,4 @@
-"""Mounts of a limb's head and its twin's, at the body that carries both."""
+"""Mounts of a limb's head and its peer's, at the body that carries both."""
 
 from collections.abc import Iterable, Iterator
 from itertools import product as combinations
@@ -30,13 +30,13 @@ Way = tuple[Rotation, bool]
 
 
 class Mount(NamedTuple):
-    """A map from the head of a limb to that of its twin.
+    """A map from the head of a limb to that of its peer.
 
     Attributes:
         map: Of directions at the carrier.
-        place: The twin's place that follows, in the carrier's frame.
+        place: The peer's place that follows, in the carrier's frame.
         extra: Cost beforehand; the plainer the less.
-        free_axis: Along which the twin may be moved, if any.
+        free_axis: Along which the peer may be moved, if any.
         is_copy: Whether the limb itself is not mirrored though its mount is.
     """
 
@@ -65,7 +65,7 @@ def is_proper(matrix: Rotation) -> bool:
 _SAME = diagonal(1.0, 1.0, 1.0)
 _MIRRORS = (diagonal(-1.0, 1.0, 1.0), diagonal(1.0, -1.0, 1.0), diagonal(1.0, 1.0, -1.0))
 _HALF_TURNS = (diagonal(1.0, -1.0, -1.0), diagonal(-1.0, 1.0, -1.0), diagonal(-1.0, -1.0, 1.0))
-# How frames of twins may differ: signed permutations that keep the joint's axis up to its sign.
+# How frames of peers may differ: signed permutations that keep the joint's axis up to its sign.
 CONVENTIONS: list[Rotation] = []
 for _x, _y, _z in combinations((1.0, -1.0), repeat=3):
     CONVENTIONS += [diagonal(_x, _y, _z), ((0.0, _x, 0.0), (_y, 0.0, 0.0), (0.0, 0.0, _z))]
@@ -74,13 +74,13 @@ _PROPER = [C for C in CONVENTIONS if is_proper(C)]
 
 
 def mounts(how: str, one: Body, other: Body) -> Iterator[Mount]:
-    """Yield what may take a head to its twin.
+    """Yield what may take a head to its peer.
 
     Args:
         how: `LR` for a left and a right limb, `ROW` for two of one side, `TURN` for numbered ones,
             `HELD` for what limbs hold: it is mounted in any way, mirrored or alike.
         one: The first head.
-        other: Its twin.
+        other: Its peer.
     """
     here, there = one.translation, other.translation
     if how == "HELD":
@@ -124,7 +124,7 @@ def moved(here: Vector3, there: Vector3, axis: int) -> Vector3:
 
 
 def _turns_of(one: Body, other: Body, conventions: Iterable[Rotation]) -> Iterator[Rotation]:
-    """Yield the maps of a head's axes to its twin's, one for each convention."""
+    """Yield the maps of a head's axes to its peer's, one for each convention."""
     for C in conventions:
         yield product(product(other.rotation, transposed(C)), transposed(one.rotation))
 

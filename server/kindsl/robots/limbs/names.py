@@ -92,7 +92,7 @@ def is_held(*names: str) -> bool:
 
 
 def other_side(name: str) -> str | None:
-    """Return the name of the twin of a left or a right part, None where no word tells a side.
+    """Return the name of the peer of a left or a right part, None where no word tells a side.
 
     Only a whole word of the name can: `LF_hip`, `left_arm`, `armLeft`, `wheel_l`.
     """
@@ -100,13 +100,13 @@ def other_side(name: str) -> str | None:
 
 
 def other_sides(name: str) -> Iterator[str]:
-    """Yield all names that the twin of a left or a right part may have, the likeliest first."""
+    """Yield all names that the peer of a left or a right part may have, the likeliest first."""
     marks = _marks(name)
     for others in product(*(_opposites(mark[0]) for mark in marks)) if marks else ():
-        twin = name
+        peer = name
         for mark, other in zip(reversed(marks), reversed(others), strict=True):
-            twin = twin[: mark.start()] + other + twin[mark.end() :]
-        yield twin
+            peer = peer[: mark.start()] + other + peer[mark.end() :]
+        yield peer
 
 
 def _marks(name: str) -> list[re.Match[str]]:

@@ -7,10 +7,10 @@ from math import cos, degrees, pi, remainder
 from kindsl.mechanics.rigid.pose import Rotation, Vector3, angles
 
 _FACTORS = (1000.0, 100.0, 10.0, 0.1, 0.01, 0.001, degrees(1.0))
-# Differences of an angle from the author's own and from a twin's, radians, and of other numbers, in
+# Differences of an angle from the author's own and from a peer's, radians, and of other numbers, in
 # themselves and as a share. With half of all four two of 278 planted slips less are found, with
 # twice one more.
-_OWN, _TWIN = 1e-5, 1e-3
+_OWN, _PEER = 1e-5, 1e-3
 _NEAR, _SHARE = 1e-4, 0.003
 
 
@@ -38,47 +38,47 @@ def n_slips(written: Vector3, meant: Vector3, *, are_angles: bool) -> int:
         if not _is_near(meant[i], meant[j]) and all(map(_is_near, written, swapped)):
             return 1
     odd = [(x, y) for x, y in zip(written, meant, strict=True) if not _is_near(x, y)]
-    if are_angles and all(abs(remainder(x - y, pi / 2)) < _TWIN for x, y in odd):
+    if are_angles and all(abs(remainder(x - y, pi / 2)) < _PEER for x, y in odd):
         return len(odd)
     return len(odd) + n_retyped(written, meant)
 
 
-def angles_near(rotation: Rotation, own: Vector3, twin: Vector3) -> Vector3:
+def angles_near(rotation: Rotation, own: Vector3, peer: Vector3) -> Vector3:
     """Return angles that make a rotation, in as few changes of those written as can be, radians.
 
     Args:
         rotation: To be made.
         own: The angles as written.
-        twin: Those of the twin.
+        peer: Those of the peer.
     """
 
     def n_changed(option: Vector3) -> int:
         return sum(x != y for x, y in zip(option, own, strict=True))
 
     return min(
-        (_worded(option, own, twin) for option in _triples(rotation, own, twin)), key=n_changed
+        (_worded(option, own, peer) for option in _triples(rotation, own, peer)), key=n_changed
     )
 
 
-def _triples(rotation: Rotation, own: Vector3, twin: Vector3) -> Iterator[Vector3]:
+def _triples(rotation: Rotation, own: Vector3, peer: Vector3) -> Iterator[Vector3]:
     """Yield the angles that make a rotation; where only a sum counts, some that may be meant."""
-    a, b, c = angles(rotation, _TWIN)
-    if abs(cos(b)) > _TWIN:
+    a, b, c = angles(rotation, _PEER)
+    if abs(cos(b)) > _PEER:
         yield a, b, c
         yield a + pi, pi - b, c + pi
         return
     sign = 1.0 if b > 0.0 else -1.0
-    for x in (own[0], twin[0], -twin[0], 0.0):
+    for x in (own[0], peer[0], -peer[0], 0.0):
         yield x, b, sign * (a - x)
-    for z in (own[2], twin[2], -twin[2], 0.0):
+    for z in (own[2], peer[2], -peer[2], 0.0):
         yield a - sign * z, b, z
 
 
-def _worded(option: Vector3, own: Vector3, twin: Vector3) -> Vector3:
+def _worded(option: Vector3, own: Vector3, peer: Vector3) -> Vector3:
     """Return the same angles as they are written, if they are, else within half a turn."""
     found = []
-    for angle, mine, his in zip(option, own, twin, strict=True):
-        words = [(mine, _OWN), *((sign * x, _TWIN) for x in (his, *twin) for sign in (1.0, -1.0))]
+    for angle, mine, his in zip(option, own, peer, strict=True):
+        words = [(mine, _OWN), *((sign * x, _PEER) for x in (his, *peer) for sign in (1.0, -1.0))]
         wound = (angle + pi) % (2 * pi) - pi
         near = (w for w, within in words if abs((w - angle + pi) % (2 * pi) - pi) <= within)
         found.append(0.0 + next(near, wound))

@@ -1,7 +1,7 @@
-"""Numbers of a robot's limbs that do not fit their twins, and the numbers that were meant.
+"""Numbers of a robot's limbs that do not fit their peers, and the numbers that were meant.
 
 Limbs of a group are read in pairs. Where three are alike but for one, and one place of it would
-make it alike, its twins convict that place; of two limbs either may be wrong. Where all joints
+make it alike, its peers convict that place; of two limbs either may be wrong. Where all joints
 agree, each mass, CoM and moments that one limb only has so is convicted.
 """
 
@@ -24,13 +24,13 @@ _SMALLEST = {"LR": 3, "HELD": 2}
 # Of the numbers of a turn that two limbs let expect.
 _SAME_TURN = 0.02
 _Pair = tuple[Side, Side]
-_ByTwin = Sequence[Sequence[Accusation]]
+_ByPeer = Sequence[Sequence[Accusation]]
 _Weighed = Mapping[_Pair, WeighedComparison]
 _Way = Mapping[_Pair, Rotation]
 
 
 class MeantNumbers(NamedTuple):
-    """A place with the numbers that its twins have there, at each assignment of parameters.
+    """A place with the numbers that its peers have there, at each assignment of parameters.
 
     Without numbers where these cannot be written by themselves.
     """
@@ -45,13 +45,13 @@ class LimbVerdict(NamedTuple):
     Attributes:
         places: Where: the one that is odd, or those among which nobody can choose.
         repairs: What to write, one for each way to put it right; none where that is not known.
-        twins: Names of links that agree with each other; none for a pair.
-        is_convicted: Whether the twins outvote one limb; of a pair either may be wrong.
+        peers: Names of links that agree with each other; none for a pair.
+        is_convicted: Whether the peers outvote one limb; of a pair either may be wrong.
     """
 
     places: tuple[Suspect, ...]
     repairs: tuple[MeantNumbers, ...]
-    twins: tuple[str, ...]
+    peers: tuple[str, ...]
     is_convicted: bool
 
 
@@ -134,7 +134,7 @@ def _connected(pairs: _Weighed) -> Iterator[_Weighed]:
 
 
 def _convicted(pairs: _Weighed) -> list[LimbVerdict]:
-    """Return the verdict of two twins or more, which agree themselves, on the limb they accuse.
+    """Return the verdict of two peers or more, which agree themselves, on the limb they accuse.
 
     It names one place where that is the cheapest alone.
     """
@@ -143,25 +143,25 @@ def _convicted(pairs: _Weighed) -> list[LimbVerdict]:
         for both in c.accusations if len(c.limbs.rows) > 1 or c.limbs.other_kinds else ():
             for label, said in zip(pair, both, strict=True):
                 cases.setdefault((label, said.place), {}).setdefault(pair, []).append(said)
-    ranked: list[tuple[tuple[float, ...], Accusation, _ByTwin]] = []
-    by_twin: _ByTwin
+    ranked: list[tuple[tuple[float, ...], Accusation, _ByPeer]] = []
+    by_peer: _ByPeer
     for (label, _), by_pair in cases.items():
         others = [c for pair, c in pairs.items() if label not in pair]
-        by_twin = list(by_pair.values())
-        meant = _agreed(by_twin)
+        by_peer = list(by_pair.values())
+        meant = _agreed(by_peer)
         if meant is not None and others and all(c.n_slips == 0 for c in others):
-            cost = sum(min(said.cost for said in each) for each in by_twin) / len(by_twin)
+            cost = sum(min(said.cost for said in each) for each in by_peer) / len(by_peer)
             is_there = _is_at_another(pairs, label, meant)
-            likelihood = -len(by_twin), is_there, round(cost, 2), meant.n_slips
-            ranked.append((likelihood, meant, by_twin))
+            likelihood = -len(by_peer), is_there, round(cost, 2), meant.n_slips
+            ranked.append((likelihood, meant, by_peer))
     ranked.sort(key=lambda each: each[0])
     likeliest = [each for each in ranked if each[0] == ranked[0][0]]
     if not likeliest:
         return []
-    _, meant, by_twin = likeliest[0]
+    _, meant, by_peer = likeliest[0]
     places = tuple(said.place for _, said, _ in likeliest)
     repairs = (MeantNumbers(meant.place, (meant.meant,)),) if len(likeliest) == 1 else ()
-    return [LimbVerdict(places, repairs, tuple(each[0].twin for each in by_twin), True)]
+    return [LimbVerdict(places, repairs, tuple(each[0].peer for each in by_peer), True)]
 
 
 def _is_at_another(pairs: _Weighed, label: Side, said: Accusation) -> bool:
@@ -178,11 +178,11 @@ def _is_at_another(pairs: _Weighed, label: Side, said: Accusation) -> bool:
     )
 
 
-def _agreed(by_twin: _ByTwin) -> Accusation | None:
-    """Return that on which the most twins agree, two at least; None where they do not."""
+def _agreed(by_peer: _ByPeer) -> Accusation | None:
+    """Return that on which the most peers agree, two at least; None where they do not."""
     ranked = []
-    for order, each in enumerate(said for options in by_twin for said in options):
-        n_agreeing = sum(any(_agree(each, other) for other in options) for options in by_twin)
+    for order, each in enumerate(said for options in by_peer for said in options):
+        n_agreeing = sum(any(_agree(each, other) for other in options) for options in by_peer)
         likelihood = each.free_axis is not None, round(each.cost, 3), each.n_retyped, each.change
         ranked.append(((-n_agreeing, *likelihood, order), each))
     (n_agreeing, *_), meant = min(ranked)
@@ -225,12 +225,12 @@ def _of_pair(c: WeighedComparison) -> Iterator[LimbVerdict]:
         tied.sort(key=lambda both: (both[0].n_slips + both[1].n_slips, both[1].change))
         places = dict.fromkeys(said.place for both in tied for said in both)
         # Each as the reading has it in which it has the fewest slips, and mirrored rather than
-        # where its twin is.
+        # where its peer is.
         at = {body.name: body.translation for _, *both in limbs.rows for body in both}
         repairs = []
         for i, first in enumerate(tied[0]):
             own = (both[i] for both in tied if both[i].place == first.place)
-            meant = min(own, key=lambda said: (said.n_slips, said.meant == at[said.twin]))
+            meant = min(own, key=lambda said: (said.n_slips, said.meant == at[said.peer]))
             repairs.append(MeantNumbers(meant.place, (meant.meant,)))
         yield LimbVerdict(tuple(places), tuple(repairs[::-1]), (), False)
 
@@ -244,10 +244,10 @@ def _is_base_at_one(limbs: LimbComparison, said: Accusation) -> bool:
     heads = one.joint, other.joint
     if said.place.what != "translation" or said.place.joint not in heads:
         return False
-    twin = other if said.place.joint == one.joint else one
+    peer = other if said.place.joint == one.joint else one
     is_sliding = one.kind == other.kind == "prismatic"
     is_there = not (is_sliding or is_held(one.name, other.name)) and all(
-        abs(x - y) < SAME_PLACE for x, y in zip(said.meant, twin.translation, strict=True)
+        abs(x - y) < SAME_PLACE for x, y in zip(said.meant, peer.translation, strict=True)
     )
     return is_there or not any(one.translation) or not any(other.translation)
 
@@ -282,8 +282,8 @@ def _chosen(likeliest: Sequence[Sequence[LimbVerdict]]) -> Iterator[LimbVerdict]
         every = list(chain.from_iterable(likeliest))
         places = dict.fromkeys(place for verdict in every for place in verdict.places)
         suspects = {place.link for place in places}
-        twins = dict.fromkeys(t for v in every for t in v.twins if t not in suspects)
-        yield LimbVerdict(tuple(places), (), tuple(twins), True)
+        peers = dict.fromkeys(t for v in every for t in v.peers if t not in suspects)
+        yield LimbVerdict(tuple(places), (), tuple(peers), True)
 
 
 def _accused(differing: Mapping[_Pair, set[str]]) -> Iterator[tuple[Side, list[str]]]:
@@ -301,7 +301,7 @@ def _n_words(differing: Mapping[_Pair, set[str]]) -> int:
 
 
 def _ways(pairs: _Weighed, mirrored: _Way, index: int) -> Iterator[_Way]:
-    """Yield how twins may lie: as the limbs do, all alike, or mirrored in one row.
+    """Yield how peers may lie: as the limbs do, all alike, or mirrored in one row.
 
     Hips often are where the rest is copied; what they carry stays where it is.
     """
@@ -341,13 +341,13 @@ def _odd_com(
 def _odd_mass(
     label: Side, index: int, words: Sequence[str], pairs: _Weighed, way: _Way
 ) -> LimbVerdict:
-    """Return the verdict on numbers of a body, and the first twin's in their place."""
+    """Return the verdict on numbers of a body, and the first peer's in their place."""
     mine = [pair for pair in pairs if label in pair]
     rows = [pairs[pair].limbs.rows[index][1:][:: 1 if pair[0] == label else -1] for pair in mine]
-    (body, twin), C = rows[0], way[mine[0]]
+    (body, peer), C = rows[0], way[mine[0]]
     what = words[0] if len(words) == 1 else "inertia"
-    meant = seen_by(pairs[mine[0]].masses[twin.name], C if mine[0][1] == label else transposed(C))
+    meant = seen_by(pairs[mine[0]].masses[peer.name], C if mine[0][1] == label else transposed(C))
     numbers = {"mass": (meant.mass,), "com": meant.com, "moments": meant.moments}
     place = Suspect(body.name, body.joint, what)
     repair = MeantNumbers(place, (numbers.get(what, (meant.mass, *meant.com, *meant.moments)),))
-    return LimbVerdict((place,), (repair,), tuple(twin.name for _, twin in rows), True)
+    return LimbVerdict((place,), (repair,), tuple(peer.name for _, peer in rows), True)

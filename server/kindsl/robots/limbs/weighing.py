@@ -1,4 +1,4 @@
-"""The ways to read a limb as its twin with the masses of both, the likeliest first."""
+"""The ways to read a limb as its peer with the masses of both, the likeliest first."""
 
 from collections.abc import Mapping
 from functools import cached_property
@@ -37,21 +37,21 @@ class Suspect(NamedTuple):
 
 
 class Accusation(NamedTuple):
-    """A place that, written otherwise, makes a limb like its twin.
+    """A place that, written otherwise, makes a limb like its peer.
 
     Attributes:
         place: Where it stands.
-        twin: The link that says so.
+        peer: The link that says so.
         meant: The numbers that should be written; none of a kind of joint.
         cost: Of what is odd besides.
         n_retyped: How many of the numbers no sign, order or unit explains.
         n_slips: How many slips make the written numbers of those meant.
         change: The greatest difference of a number.
-        free_axis: Along which the twin can say nothing, if any.
+        free_axis: Along which the peer can say nothing, if any.
     """
 
     place: Suspect
-    twin: str
+    peer: str
     meant: tuple[float, ...] = ()
     cost: float = 0.0
     n_retyped: int = 0
@@ -141,14 +141,14 @@ class WeighedComparison:
         backward = product(product(back, other.rotation), transposed(conventions[index]))
         free_axis = mount.free_axis if index == 0 and what == "translation" else None
 
-        def accusation(body: Body, twin: Body, place: Vector3, rotation: Rotation) -> Accusation:
+        def accusation(body: Body, peer: Body, place: Vector3, rotation: Rotation) -> Accusation:
             own, meant = body.translation, place
             if what == "angles":
-                own, meant = body.angles, angles_near(rotation, body.angles, twin.angles)
+                own, meant = body.angles, angles_near(rotation, body.angles, peer.angles)
             change = max(abs(x - y) for x, y in zip(own, meant, strict=True))
             n_new, n_all = n_retyped(own, meant), n_slips(own, meant, are_angles=what == "angles")
             suspect = Suspect(body.name, body.joint, what)
-            return Accusation(suspect, twin.name, meant, cost, n_new, n_all, change, free_axis)
+            return Accusation(suspect, peer.name, meant, cost, n_new, n_all, change, free_axis)
 
         return accusation(one, other, turned(back, (x, y, z)), backward), accusation(
             other, one, there, forward
@@ -172,7 +172,7 @@ def differing(
 
 
 def seen_by(body: MassDistribution, C: Rotation) -> MassDistribution:
-    """Return a body as it is in the frame of its twin."""
+    """Return a body as it is in the frame of its peer."""
     (a, b, _), (c, d, _), (_, _, e) = C
     xx, yy, zz, xy, xz, yz = body.moments
     moments = (xx, yy, zz, a * d * xy, a * e * xz, d * e * yz)

@@ -39,7 +39,7 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each joint, or pair of joints, whose kinds differ."""
     for verdict in limb_slips(model, context).verdicts:
         if verdict.places[0].what == "kind":
-            names = [place.link for place in verdict.places] + list(verdict.twins)
+            names = [place.link for place in verdict.places] + list(verdict.peers)
             odd, *others = [j for j in (joint_of(model, name) for name in names) if j is not None]
             related = tuple(Related(j.name, f"joint '{j.name}' is {j.kind}") for j in others)
             message = f"joint '{odd.name}' is {odd.kind}, "
@@ -52,14 +52,14 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
                 yield Finding(odd.name, message, related, choices=choices)
 
 
-def _as_other(joint: Joint, twin: Joint) -> Fix:
-    written = _type(twin)
+def _as_other(joint: Joint, peer: Joint) -> Fix:
+    written = _type(peer)
     word = next(joint.node.tokens())
     place = _type(joint) or Place(joint.island, word.start, word.end)
-    kind = f"{twin.kind[0]}_joint"
+    kind = f"{peer.kind[0]}_joint"
     if written is not None:
-        kind = twin.island.text[written.start : written.end]
-    return Fix(f"Make joint '{joint.name}' {twin.kind}", (Replacement(place, kind),))
+        kind = peer.island.text[written.start : written.end]
+    return Fix(f"Make joint '{joint.name}' {peer.kind}", (Replacement(place, kind),))
 
 
 def _type(joint: Joint) -> Place | None:

@@ -61,13 +61,13 @@ from kindsl.robots.limbs.verdicts import LimbVerdict
 from kindsl.robots.mechanism.link_inertia import link_inertia, written_inertia
 
 _MOST_NAMED = 2
-# Of where a CoM lies, which the twins tell with the number that is meant.
+# Of where a CoM lies, which the peers tell with the number that is meant.
 _OF_A_COM = frozenset(("KD309", "KD511"))
 _THEIRS = "would be theirs"
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each limb that its twins outvote."""
+    """Yield a finding for each limb that its peers outvote."""
     verdicts = limb_slips(model, context).verdicts
     accused = [model.body_named[v.places[0].link].inertia for v in verdicts if v.is_convicted]
     places = {keyword(inertia) for inertia in accused if inertia is not None}
@@ -86,8 +86,8 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
             if fix is None and has_cause(model, context, model.body_named[place.link]):
                 continue
             others = [Related(located(model, p), f"or {phrase(p)}") for p in verdict.places[1:]]
-            twins = [place_at(model, twin, place.what) for twin in verdict.twins]
-            others += [Related(located(model, p), phrase(p)) for p in twins]
+            peers = [place_at(model, peer, place.what) for peer in verdict.peers]
+            others += [Related(located(model, p), phrase(p)) for p in peers]
             explains = _OF_A_COM if place.what == "com" else frozenset()
             yield Finding(located(model, place), message, tuple(others), fix, explains=explains)
 
@@ -107,7 +107,7 @@ def _message(model: Model, context: Context, verdict: LimbVerdict) -> tuple[str,
     if not changed:
         why = _why(model, context, verdict) if is_of_many and verdict.repairs else ""
         return f"{' or '.join(map(phrase, verdict.places))} {verb} from its twins{why}", None
-    may_be_right = place.what in OF_A_LINK and _are_impossible(model, context, verdict.twins)
+    may_be_right = place.what in OF_A_LINK and _are_impossible(model, context, verdict.peers)
     if place.what == "inertia" and all(
         x.text.lstrip("-") == y.lstrip("-") for x, y in zip(own, texts, strict=True)
     ):
@@ -148,39 +148,39 @@ def _taken_over(
 
 
 def _texts(model: Model, context: Context, verdict: LimbVerdict, share: float) -> tuple[str, ...]:
-    """Return the numbers of the twins as they should be written, none where that is not known.
+    """Return the numbers of the peers as they should be written, none where that is not known.
 
-    Inertias are compared loosely, and so the twin's last digits are not those meant: the author's
+    Inertias are compared loosely, and so the peer's last digits are not those meant: the author's
     own are kept that differ by no more than a share of the greatest.
     """
     place = verdict.places[0]
     own = numbers_at(model, place)
     if not own or not verdict.repairs:
         return ()
-    places = [place_at(model, twin, place.what) for twin in verdict.twins]
-    twins = [numbers for p in places if (numbers := numbers_at(model, p))]
+    places = [place_at(model, peer, place.what) for peer in verdict.peers]
+    peers = [numbers for p in places if (numbers := numbers_at(model, p))]
     assignments = limb_slips(model, context).assignments
     kinds = list(PARTS.values())[:3] if place.what == "inertia" else [slice(len(own))]
     kinds = kinds if place.what in OF_A_LINK else []
-    return retyped(own, twins, verdict.repairs[0].meant, assignments, kinds, share) or ()
+    return retyped(own, peers, verdict.repairs[0].meant, assignments, kinds, share) or ()
 
 
 def _copied(model: Model, verdict: LimbVerdict) -> str:
     # Imported for a misfit only, since it delays the linter's start.
-    from kindsl.judgement.rules.inertia.unlike_twins import copied_from
+    from kindsl.judgement.rules.inertia.unlike_peers import copied_from
 
-    return copied_from(model, model.body_named[verdict.places[0].link], verdict.twins)
+    return copied_from(model, model.body_named[verdict.places[0].link], verdict.peers)
 
 
 def _why(model: Model, context: Context, verdict: LimbVerdict) -> str:
-    """Return what was done to the moments of a body, if its twins and other links tell."""
+    """Return what was done to the moments of a body, if its peers and other links tell."""
     # Imported for a misfit only, since it delays the linter's start.
     from kindsl.judgement.rules.inertia.told import clause
-    from kindsl.judgement.rules.inertia.unlike_twins import copied_from, slip_of
+    from kindsl.judgement.rules.inertia.unlike_peers import copied_from, slip_of
 
     place, body = verdict.places[0], model.body_named[verdict.places[0].link]
     said = f"{'they' if place.what == 'moments' else 'it'} {_THEIRS}"
-    why = copied_from(model, body, verdict.twins)
+    why = copied_from(model, body, verdict.peers)
     seen, own = link_inertia(body, context.values), body.inertia
     written = written_inertia(own, context.values) if own is not None else None
     if not why and isinstance(seen, MassDistribution) and isinstance(written, MassDistribution):
@@ -211,11 +211,11 @@ def _is_told_better(model: Model, context: Context, verdict: LimbVerdict) -> boo
         if finding.fix is not None and at in (finding.at, *(each.at for each in finding.related)):
             return True
     is_told = is_impossible(body, context.values)
-    return is_told and not _are_impossible(model, context, verdict.twins)
+    return is_told and not _are_impossible(model, context, verdict.peers)
 
 
-def _are_impossible(model: Model, context: Context, twins: tuple[str, ...]) -> bool:
-    return any(is_impossible(model.body_named[name], context.values) for name in twins)
+def _are_impossible(model: Model, context: Context, peers: tuple[str, ...]) -> bool:
+    return any(is_impossible(model.body_named[name], context.values) for name in peers)
 
 
 RULE = Rule(

@@ -47,13 +47,13 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
             bodies = [model.body_named[p.link] for p in verdict.places if p.what in OF_A_LINK]
             if any(is_told_of(body, model, context) for body in bodies):
                 continue
-            own, twin = numbers_at(model, here), numbers_at(model, there)
-            if own and twin:
-                like_twin = _texts(model, context, *verdict.repairs)
+            own, peer = numbers_at(model, here), numbers_at(model, there)
+            if own and peer:
+                like_peer = _texts(model, context, *verdict.repairs)
                 message = f"{phrase(here)} is {as_numbers(own)}, " + (
-                    f"by {phrase(there)} it would be {as_numbers(like_twin)}"
-                    if like_twin
-                    else f"and {phrase(there)} {as_numbers(twin)}"
+                    f"by {phrase(there)} it would be {as_numbers(like_peer)}"
+                    if like_peer
+                    else f"and {phrase(there)} {as_numbers(peer)}"
                 )
                 if not meant:
                     message = f"{phrase(here)} and {phrase(there)} differ"
@@ -103,8 +103,8 @@ def _texts(
     """Return the numbers at a place as the other side has them, None where none can be written."""
     if not repair.meant:
         return None
-    own, twin = numbers_at(model, repair.place), numbers_at(model, other.place)
-    return retyped(own, [twin], repair.meant, limb_slips(model, context).assignments)
+    own, peer = numbers_at(model, repair.place), numbers_at(model, other.place)
+    return retyped(own, [peer], repair.meant, limb_slips(model, context).assignments)
 
 
 RULE = Rule(

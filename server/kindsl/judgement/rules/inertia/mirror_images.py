@@ -44,15 +44,15 @@ def unlike_pairs(
         numbers, are_images = left.facts.made_of(_DIFFERENCES, (right, values), compare)
         if are_images or is_told(left) or is_told(right):
             continue
-        # Imported for twins that are unlike only, since it delays the linter's start.
-        from kindsl.judgement.rules.inertia.unlike_twins import copied_from
+        # Imported for peers that are unlike only, since it delays the linter's start.
+        from kindsl.judgement.rules.inertia.unlike_peers import copied_from
 
         pair = (left, right), (right, left)
-        found = [(own, twin, copy) for own, twin in pair if (copy := copied_from(model, own, ()))]
+        found = [(own, peer, copy) for own, peer in pair if (copy := copied_from(model, own, ()))]
         if len(found) == 1:
-            own, twin, copy = found[0]
-            message = f"'{own.name}' is not the mirror image of '{twin.name}': {copy}"
-            yield _finding(own, twin, message)
+            own, peer, copy = found[0]
+            message = f"'{own.name}' is not the mirror image of '{peer.name}': {copy}"
+            yield _finding(own, peer, message)
         elif numbers:
             yield _finding(right, left, numbers)
 
@@ -66,27 +66,27 @@ def _difference(left: Link, right: Link, values: Values, body_of: _BodyOf) -> tu
     return numbers, not numbers and is_mirror_image(here, there, _SIGNIFICANT)
 
 
-def _finding(own: Link, twin: Link, message: str) -> Finding:
-    assert own.inertia is not None and twin.inertia is not None
-    related = Related(keyword(twin.inertia), f"inertia of '{twin.name}'")
+def _finding(own: Link, peer: Link, message: str) -> Finding:
+    assert own.inertia is not None and peer.inertia is not None
+    related = Related(keyword(peer.inertia), f"inertia of '{peer.name}'")
     return Finding(keyword(own.inertia), message, (related,))
 
 
 def sided_pairs(model: Model) -> Iterator[tuple[Link, Link]]:
     """Yield the parts of the left side with those of the right one, where both have an inertia."""
-    for left, name in (pair for chunk in model.document.chunks for pair in _twins(chunk)):
+    for left, name in (pair for chunk in model.document.chunks for pair in _peers(chunk)):
         right = model.body_named.get(name)
         if right is not None and left.inertia is not None and right.inertia is not None:
             yield left, right
 
 
 @kept
-def _twins(chunk: Chunk) -> list[tuple[Link, str]]:
-    """Return the left parts of a chunk with the names that their twins would have."""
+def _peers(chunk: Chunk) -> list[tuple[Link, str]]:
+    """Return the left parts of a chunk with the names that their peers would have."""
     part = model_part(chunk)
     named = ((body, str(body.name)) for body in (*part.bases, *part.links))
     left = ((body, name) for body, name in named if label_of(name).side == "L")
-    return [(body, twin) for body, name in left for twin in other_sides(name)]
+    return [(body, peer) for body, name in left for peer in other_sides(name)]
 
 
 def mirror_difference(names: tuple[str, str], *both: MassDistribution) -> str:

@@ -66,7 +66,7 @@ def findings(suspects: Sequence[Judgement], model: Model, context: Context) -> l
         return [shared]
     places = {finding.at for _, finding in told}
     known = {d.found.link for d in diagnosed if keyword(d.found.inertia) in places}
-    unlike = [u for u in unlike_links(model) if known.isdisjoint((u.link, *dict(u.twins)))]
+    unlike = [u for u in unlike_links(model) if known.isdisjoint((u.link, *dict(u.peers)))]
     return told + [each for u in unlike if (each := _of_unlike(u, model, context)) is not None]
 
 
@@ -107,8 +107,8 @@ def _of_unlike(unlike: Unlike, model: Model, context: Context) -> _Coded | None:
     first, *others = found
     at, sides = keyword(first.found.inertia), [keyword(m.found.inertia) for m in others]
     related = list(map(Related, sides, unlike_rivals(found)))
-    twins = [model.body_named[name] for name in first.twins[:_MOST_RELATED]]
-    related += [Related(keyword(t.inertia), f"inertia of '{t.name}'") for t in twins if t.inertia]
+    peers = [model.body_named[name] for name in first.peers[:_MOST_RELATED]]
+    related += [Related(keyword(t.inertia), f"inertia of '{t.name}'") for t in peers if t.inertia]
     fix = _fix(first.found, first.cause, context)
     code = _OF_MANY if unlike.is_outvoted else _OF_TWO
     probability = first.cause.probability

@@ -75,11 +75,11 @@ def unlike_cause(first: Misfit) -> str:
     """Return what the most likely explanation says of a link that is not as its counterparts."""
     own, said = first.found.link.name, clause(first.cause.hypothesis)
     if first.cause.hypothesis.slips[0] in _WITHOUT_MEANING:
-        return f"inertia of '{own}' {said}, unlike that of {_quoted(first.twins)}"
+        return f"inertia of '{own}' {said}, unlike that of {_quoted(first.peers)}"
     verb = _verb(first.cause.probability).removesuffix(" consistent")
-    if len(first.twins) == 1:
-        return f"'{own}' is not the mirror image of '{first.twins[0]}': it {verb} if {said}"
-    return f"inertia of '{own}' {verb} that of {_quoted(first.twins)} if {said}"
+    if len(first.peers) == 1:
+        return f"'{own}' is not the mirror image of '{first.peers[0]}': it {verb} if {said}"
+    return f"inertia of '{own}' {verb} that of {_quoted(first.peers)} if {said}"
 
 
 def unlike_rivals(misfits: Sequence[Misfit]) -> list[str]:

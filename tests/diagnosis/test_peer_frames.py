@@ -17,7 +17,7 @@ from kindsl.language.semantics.numbers import mass_distribution
 from kindsl.language.text.edits import apply_edits
 from kindsl.mechanics.rigid.body import MassDistribution, shifted
 from kindsl.mechanics.rigid.pose import Rotation, Vector3
-from kindsl.robots.limbs.twin_frames import twin_frames
+from kindsl.robots.limbs.peer_frames import peer_frames
 
 CAUSES = ("KD306", "KD307", "KD308")
 INERTIA = Settings(select=("KD301", "KD302", *CAUSES))
@@ -65,7 +65,7 @@ def model_of(walker: Walker) -> Model:
 
 @pytest.mark.parametrize("legs", [SIDES, REFLECTED])
 @pytest.mark.parametrize("seed", range(20))
-def test_joints_tell_which_axes_of_a_twin_are_reversed(legs: Legs, seed: int) -> None:
+def test_joints_tell_which_axes_of_a_peer_are_reversed(legs: Legs, seed: int) -> None:
     walker = Walker(random.Random(seed), legs)
     model = model_of(walker)
     for one, mine in walker.signs.items():
@@ -73,7 +73,7 @@ def test_joints_tell_which_axes_of_a_twin_are_reversed(legs: Legs, seed: int) ->
             if one != other and one.split("_")[1] == other.split("_")[1]:
                 links = model.body_named[one], model.body_named[other]
                 expected = tuple(a * b for a, b in zip(mine, others, strict=True))
-                assert diagonals(twin_frames(model.tree, *links, {}))[0] == expected
+                assert diagonals(peer_frames(model.tree, *links, {}))[0] == expected
 
 
 POSE = "ref_frame { translation = (%s) rotation = (%s) }"
@@ -94,7 +94,7 @@ STRAIGHT = "0.0, 0.0, 0.0"
 def signs_of(text: str, one: str, other: str, **values: float) -> list[Vector3]:
     model = analyse(text).model
     links = model.body_named[one], model.body_named[other]
-    return diagonals(twin_frames(model.tree, *links, values))
+    return diagonals(peer_frames(model.tree, *links, values))
 
 
 @pytest.mark.parametrize(
@@ -132,35 +132,35 @@ def test_joints_anywhere(
     assert found[:1] == [signs] * (signs is not None)
 
 
-def test_values_of_parameters_place_a_twin() -> None:
+def test_values_of_parameters_place_a_peer() -> None:
     text = HIPS % ("0.0, hip, 0.0", STRAIGHT, "0.0, -hip, 0.0", STRAIGHT)
     assert signs_of(text, "left", "right", hip=0.2)[0] == (1.0, -1.0, 1.0)
 
 
 @pytest.mark.parametrize(("one", "other"), [("left", "foot"), ("foot", "left"), ("foot", "right")])
-def test_a_link_is_no_twin_of_what_lies_deeper(one: str, other: str) -> None:
+def test_a_link_is_no_peer_of_what_lies_deeper(one: str, other: str) -> None:
     text = HIPS % ("0.0, 0.1, 0.0", STRAIGHT, "0.0, -0.1, 0.0", STRAIGHT)
     assert signs_of(text, one, other) == []
 
 
-def test_a_loop_has_no_twins() -> None:
+def test_a_loop_has_no_peers() -> None:
     text = HIPS % ("0.0, 0.1, 0.0", STRAIGHT, "0.0, -0.1, 0.0", STRAIGHT)
     text = text.replace("left via left_hip ", "")
     text = text.replace("id = 3 children { }", "id = 3 children { left via left_hip }")
     assert signs_of(text, "left", "right") == []
 
 
-@pytest.mark.parametrize(("height", "is_twin"), [("0.4", True), ("0.407", True), ("0.41", False)])
-def test_twins_lie_alike_in_all_that_carries_them(height: str, is_twin: bool) -> None:
+@pytest.mark.parametrize(("height", "is_peer"), [("0.4", True), ("0.407", True), ("0.41", False)])
+def test_peers_lie_alike_in_all_that_carries_them(height: str, is_peer: bool) -> None:
     text = HIPS % ("0.0, 0.1, 0.0", STRAIGHT, "0.0, -0.1, 0.0", STRAIGHT)
     text = text.replace("id = 2 children { }", "id = 2 children { toes via heel }")
     pose = POSE % (f"0.0, 0.0, {height}", STRAIGHT)
     more = f"link toes {{ id = 4 children {{ }} }}\nr_joint heel {{ {pose} }}\n}}\n"
     text = f"{text.rstrip().removesuffix('}')}{more}"
-    assert bool(signs_of(text, "foot", "toes")) == is_twin
+    assert bool(signs_of(text, "foot", "toes")) == is_peer
 
 
-def test_what_no_joint_places_has_no_twin() -> None:
+def test_what_no_joint_places_has_no_peer() -> None:
     text = HIPS % ("0.0, 0.1, 0.0", STRAIGHT, "0.0, -0.1, 0.0", STRAIGHT)
     assert signs_of(text.replace("via right_hip", "via hip"), "left", "right") == []
 
@@ -176,7 +176,7 @@ def fixed_bodies(text: str, victim: str) -> list[MassDistribution]:
 
 @pytest.mark.parametrize("slip", SLIPS)
 @pytest.mark.parametrize("legs", [SIDES, REFLECTED, COPIED])
-def test_a_fix_makes_a_link_its_twins_mirror_image(legs: Legs, slip: str) -> None:
+def test_a_fix_makes_a_link_its_peers_mirror_image(legs: Legs, slip: str) -> None:
     generator = random.Random(f"{slip} of one in {len(legs)}")
     n_told = n_fixed = 0
     for _ in range(N_WALKERS):
@@ -202,7 +202,7 @@ IN_A_FRAME = (
 
 @pytest.mark.parametrize("legs", [SIDES, REFLECTED, COPIED])
 @pytest.mark.parametrize("slip", ["sign of the CoM's y", "sign of Ixz", "signs of all products"])
-def test_twins_that_lie_anyhow_make_no_wrong_fix(legs: Legs, slip: str) -> None:
+def test_peers_that_lie_anyhow_make_no_wrong_fix(legs: Legs, slip: str) -> None:
     """An inertia in a frame of its own has axes of which the joints tell nothing."""
     generator = random.Random(f"{slip} in a frame")
     for _ in range(20):

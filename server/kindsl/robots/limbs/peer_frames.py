@@ -1,4 +1,4 @@
-"""Link frames of a part of a robot and of its twin, as the joint frames place them."""
+"""Link frames of a part of a robot and of its peer, as the joint frames place them."""
 
 from collections.abc import Iterator
 from itertools import product as combinations
@@ -14,17 +14,17 @@ _DEEPEST = 16
 _NEAR = Tolerance(1e-9, 0.02, 0.02)
 
 
-def twin_frames(tree: KinematicTree, one: Link, other: Link, values: Values) -> list[Rotation]:
-    """Return the C that may take coordinates in a twin's link frame to those in a part's.
+def peer_frames(tree: KinematicTree, one: Link, other: Link, values: Values) -> list[Rotation]:
+    """Return the C that may take coordinates in a peer's link frame to those in a part's.
 
     A reflection or a turn in the frame of the body that carries both takes the part's joints to
-    those of its twin. Along one axis that is not reversed the twin may be moved besides: hind legs
+    those of its peer. Along one axis that is not reversed the peer may be moved besides: hind legs
     are often copies of the fore legs. What moves nothing comes first, then what changes least.
 
     Args:
         tree: The robot.
         one: A part.
-        other: Its twin.
+        other: Its peer.
         values: Of the parameters.
 
     Returns:
@@ -54,7 +54,7 @@ def _way_up(tree: KinematicTree, link: Link) -> list[Edge]:
 
 
 def _mounts(one: Body, other: Body) -> Iterator[Mount]:
-    """Yield what may take a head to its twin: what moves nothing first, then what changes least."""
+    """Yield what may take a head to its peer: what moves nothing first, then what changes least."""
     here, there = one.translation, other.translation
     signs = sorted(combinations((1.0, -1.0), repeat=3), key=sum, reverse=True)
     turns = [diagonal(*each) for each in signs] if not _NEAR.is_same(there, here) else []

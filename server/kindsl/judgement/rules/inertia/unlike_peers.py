@@ -1,4 +1,4 @@
-"""The slip, or the other link, that explains a possible inertia which is not that of its twins."""
+"""The slip, or the other link, that explains a possible inertia which is not that of its peers."""
 
 from collections.abc import Container
 
@@ -15,9 +15,9 @@ from kindsl.robots.limbs.weighing import differing
 _EXACTLY = Tolerance(1e-9, 1e-9, 1e-9)
 
 
-def copied_from(model: Model, link: Link, twins: Container[str]) -> str:
-    """Return of which link that is no twin the moments are, empty where they are of none."""
-    other = next((name for name in same_moments(model, link) if name not in twins), None)
+def copied_from(model: Model, link: Link, peers: Container[str]) -> str:
+    """Return of which link that is no peer the moments are, empty where they are of none."""
+    other = next((name for name in same_moments(model, link) if name not in peers), None)
     return f"its moments are those of '{other}', which is another part" if other else ""
 
 
