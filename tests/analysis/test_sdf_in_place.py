@@ -111,9 +111,8 @@ def test_comments_silence_findings() -> None:
 
 def test_links_of_inner_models_have_their_names() -> None:
     text = ARM.replace("<izz>0.001", "<izz>0.01")
-    finding, cause = analyse(text).findings
+    (finding,) = analyse(text).findings
     assert finding.message.startswith("inertia of 'hand::palm' violates")
-    assert "if izz were divided by 10" in cause.message
 
 
 def test_default_moments_are_a_placeholder() -> None:

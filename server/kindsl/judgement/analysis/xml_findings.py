@@ -12,7 +12,7 @@ from kindsl.judgement.rules.xml_bodies import XmlBody, xml_bodies
 from kindsl.judgement.rules.xml_elements import A_FEW
 from kindsl.judgement.rules.xml_fixes import xml_choices, xml_fix
 from kindsl.judgement.rules.xml_reference import reference_findings
-from kindsl.judgement.rules.xml_shapes import body_findings
+from kindsl.judgement.rules.xml_shapes import LIKELY, body_findings
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.model import Model
@@ -27,8 +27,6 @@ _MISSING, _PLACEHOLDER, _COPIED, _DENSITY = "KD304", "KD310", "KD315", "KD311"
 # Of what twins convict, and of angles, 289 of 306 fixes are right, or one of two; in place 70 of 72
 # (`benchmarks/planted_slips.py` on three sets of robots, `planted_urdfs.py` on one).
 _SURE = frozenset(("KD208", "KD210", "KD501", "KD509", "KD510"))
-# Of causes at 90 to 95 % 6 of 9 restore the robot, of likelier ones 89 of 93.
-_LIKELY = 0.95
 _NO_MASS, _REFERENCE = "KD303", "KD306"
 # Who has numbers in another unit differs from all twins, and of a pair the other one as well.
 _UNITS, _SIDES, _OF_TWINS = ("KD501", "KD502"), "KD510", ("KD509", "KD510")
@@ -93,7 +91,7 @@ def xml_findings(
         is_light = is_of_part and island in light
         is_light = is_light or (rule.code == _DENSITY and has_joints and island in at_rest)
         fixes = is_sure and not is_light
-        is_likely = (finding.probability or 1.0) >= _LIKELY
+        is_likely = (finding.probability or 1.0) >= LIKELY
         fix = xml_fix(finding.fix) if fixes and is_likely else None
         choices = xml_choices(finding.choices) if fixes else ()
         severity = Severity.HINT if is_light else finding.severity

@@ -25,7 +25,7 @@ _IN_XML = """
 `Ix` is `ixx` there, `Iy` and `Iz` likewise; `Ixy` is `ixy` with the opposite sign. They are about
 the centre of mass, which is the `<origin>` of the `<inertial>`, and along its axes. A zero without
 a point is exact, that of a moment as the moments beside it are. Links that are fixed together are
-one body. A fix changes whole numbers or names, and is offered where a cause is told with 90 % or
+one body. A fix changes whole numbers or names, and is offered where a cause is told with 95 % or
 more, or where like limbs tell what one of them should have. A comment
 `<!-- kindsl: ignore[CODE] why -->` in an element, or before it, silences the rule there."""
 

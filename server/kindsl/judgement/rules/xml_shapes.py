@@ -29,8 +29,9 @@ _MOMENT = re.compile(r"\bI([xyz])([xyz]?)\b(?=(?:[^']*'[^']*')*[^']*$)")
 _OF_LIMBS = frozenset(("KD208", "KD209", "KD210", "KD509", "KD510"))
 _SHAPES = ("KD309", "KD313", "KD511")
 _CAUSES = ("KD307", "KD308", "KD314")
-# From which probability on a cause is told, signs of an impossible body apart: as a fix is.
-_SURE = 0.9
+# From which probability on a cause is told, signs of an impossible body apart, and fixed: of those
+# at 90 to 95 % 6 of 9 restore the robot, of likelier ones 89 of 93.
+LIKELY = 0.95
 # Of two parts either may be wrong.
 _ENOUGH = 2
 
@@ -52,7 +53,7 @@ def body_findings(model: Model, bodies: Sequence[XmlBody], context: Context) -> 
     yield from (("KD502", finding) for finding in far)
     for code, cause in told_causes(model, context):
         is_sign_of_impossible = code == "KD307" and cause.severity is Severity.INFORMATION
-        if code in _CAUSES and (is_sign_of_impossible or (cause.probability or 0.0) >= _SURE):
+        if code in _CAUSES and (is_sign_of_impossible or (cause.probability or 0.0) >= LIKELY):
             others = (
                 each._replace(message=in_words_of_xml(each.message)) for each in cause.related
             )
@@ -126,7 +127,7 @@ def _in_another_unit(vector: Vector, is_com: bool) -> Finding:
     unit, probability = likely[0]
     names = " or ".join(LENGTH_UNITS[unit][0] for unit, _ in likely)
     farthest = max(vector.components, key=lambda each: abs(each.literal or 0.0))
-    is_sure = probability >= _SURE
+    is_sure = probability >= LIKELY
     fix = converted(vector, LENGTH_UNITS[unit][1], is_com=is_com) if is_sure else None
     message = f"length {farthest.text} m is implausible; is it in {names}?"
     return Finding(farthest, message, fix=fix, probability=probability)
