@@ -45,6 +45,16 @@ def test_what_the_configuration_leaves_out_is_not_doubted():
     assert doubted(IMPOSSIBLE, Settings(ignore=("KD302",))) == {}
 
 
+def test_a_body_that_is_called_otherwise_in_a_picture_is_doubted_by_both_names():
+    text = """<?xml version="1.0"?>
+    <robot name="r"><link name="base"/><link name="upper-arm"><inertial><mass value="1"/>
+    <inertia ixx="0.1" iyy="0.1" izz="0.9" ixy="0" ixz="0" iyz="0"/></inertial></link>
+    <joint name="j" type="continuous"><parent link="base"/><child link="upper-arm"/></joint>
+    </robot>"""
+    found = body_doubts(analyse(text).findings)
+    assert found.keys() == {"upper-arm", "upper_arm"}
+
+
 def test_what_is_told_once_of_several_bodies_is_doubted_of_each():
     link = """<link name="l{0}"><inertial><mass value="1.{0}"/>
     <inertia ixx="0.0000001{0}" iyy="0.0000001{0}" izz="0.0000001{0}" ixy="0" ixz="0" iyz="0"/>

@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.rules.base import Severity
 from kindsl.judgement.rules.subject import SubjectKind
+from kindsl.robots.interchange.portable_names import valid_name
 from kindsl.robots.scene.solids import Doubt
 
 # The hundreds about inertia and geometry, but for what says that nothing was measured.
@@ -26,7 +27,9 @@ def body_doubts(findings: Iterable[Diagnostic]) -> dict[str, tuple[Doubt, ...]]:
         doubt = Doubt(finding.code, finding.message, finding.severity is Severity.ERROR)
         for kind, name in (finding.subject, *finding.also):
             if kind is SubjectKind.LINK:
-                doubts.setdefault(name, []).append(doubt)
+                # A picture calls a link as a document could.
+                for each in dict.fromkeys((name, valid_name(name))):
+                    doubts.setdefault(each, []).append(doubt)
     return {
         link: tuple(sorted(own, key=lambda doubt: not doubt.is_error))
         for link, own in doubts.items()
