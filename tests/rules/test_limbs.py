@@ -3,7 +3,8 @@
 from collections.abc import Iterator
 from itertools import product
 from math import cos, radians, sin
-from typing import Any
+from types import SimpleNamespace
+from typing import Any, cast
 
 import pytest
 from tests.support.examples import (
@@ -22,8 +23,11 @@ from kindsl.judgement.diagnosis.body_verdicts import BodyVerdict
 from kindsl.judgement.rules import limb_verdicts
 from kindsl.judgement.rules.inertia import shapes
 from kindsl.judgement.rules.inertia.shapes import shape_verdicts
+from kindsl.judgement.rules.limb_attachments import crossed_findings, elsewhere_findings
 from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.places import Located
 from kindsl.language.text.edits import TextEdit, apply_edits
+from kindsl.robots.limbs.attachments import Attachment, Misplaced
 from kindsl.robots.limbs.limb import Limbs
 from kindsl.robots.limbs.verdicts import ComparedLimbs, LimbVerdict, verdicts
 from kindsl.robots.limbs.weighing import Masses
@@ -723,3 +727,12 @@ def test_in_a_ring_place_or_rotation_of_an_arm_may_be_wrong(
     (finding,) = found("KD509", ring(bearings, **slip))
     assert finding.message == message
     assert (finding.fix is None) == (" or " in message)
+
+
+def test_a_link_with_no_expected_place_is_unlike_its_twin() -> None:
+    own, peer = Attachment("a", "base", "j"), Attachment("b", "base", "k")
+    names: Any = SimpleNamespace(crossed=[], elsewhere=[])
+    names.crossed = names.elsewhere = [Misplaced(own, None, (peer,))]
+    for findings in (crossed_findings, elsewhere_findings):
+        ((finding, _),) = findings(names, lambda _: cast(Located, None))
+        assert finding.message.endswith(", unlike its twin")

@@ -51,7 +51,7 @@ def crossed_findings(names: LimbNames, place_of: _PlaceOf) -> _Found:
             partners = [other for other in names.crossed if _are_exchanged(other, each)][:1]
             told += partners
             by = f"by its {'twins' if peers else 'name'} by '{meant}'" if meant else ""
-            message = f"link '{name}' moves by joint '{joint}', {by or 'unlike its peer'}"
+            message = f"link '{name}' moves by joint '{joint}', {by or 'unlike its twin'}"
             others = (*(partner.attachment for partner in partners), *peers)
             moved = ((place_of(a.link), f"'{a.link}' moves by '{a.joint}'") for a in others)
             related = tuple(Related(*other) for other in moved)
