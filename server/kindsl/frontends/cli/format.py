@@ -103,8 +103,7 @@ def _first_problem(document: SyntaxDocument) -> tuple[int, int]:
         (starts[id(island)] + problem.start for island, problem in all_problems(document)),
         default=0,
     )
-    line, column = LineIndex(document.text).position(first)
-    return line + 1, column + 1
+    return LineIndex(document.text).place(first)
 
 
 def _write_all(whole: list[Formatted]) -> list[Failure]:

@@ -72,8 +72,7 @@ class LintedFile:
 
     def place(self, offset: int) -> tuple[int, int]:
         """Return line and column of an offset, both from 1."""
-        line, column = self.lines.position(offset)
-        return line + 1, column + 1
+        return self.lines.place(offset)
 
     def with_all_known(self) -> "LintedFile":
         """Return the file with all its findings known."""

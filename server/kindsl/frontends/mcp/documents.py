@@ -44,7 +44,7 @@ def document(arguments: DocumentArguments, folder: Folder) -> tuple[str, Analysi
         return name, analysed_robot(arguments.path or "", text, settings)
     except UnreadableRobotError as error:
         first = next(iter(error.defects), None)
-        line = "" if first is None else f"line {LineIndex(text).position(first.start)[0] + 1}: "
+        line = "" if first is None else f"line {LineIndex(text).place(first.start)[0]}: "
         raise ToolError(line + (str(error) if first is None else first.message)) from None
 
 
@@ -77,7 +77,7 @@ def built(analysis: Analysis, build: Callable[[], _T]) -> _T:
     """
     for finding in analysis.findings:
         if finding.code.startswith("KD0") and finding.severity is Severity.ERROR:
-            line = LineIndex(analysis.text).position(finding.start)[0] + 1
+            line = LineIndex(analysis.text).place(finding.start)[0]
             raise ToolError(f"line {line} cannot be read ({finding.code}): {finding.message}")
     try:
         return build()

@@ -18,7 +18,7 @@ def compared_document(
     lines = LineIndex(analysis.text)
 
     def line_of(at: Located) -> int:
-        return lines.position(analysis.resolver.span(at)[0])[0] + 1
+        return lines.place(analysis.resolver.span(at)[0])[0]
 
     side = described_document(name, analysis.model, values, skeleton)
     return replace(side, properties=analysis.settings.joints, line_of=line_of)

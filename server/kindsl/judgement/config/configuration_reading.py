@@ -162,8 +162,7 @@ def _not_toml(path: str, text: str, message: str) -> ConfigurationError:
 
 
 def _place(lines: LineIndex, start: int, end: int) -> KeyPlace:
-    line, column = lines.position(start)
-    return KeyPlace(line + 1, column + 1, start, end)
+    return KeyPlace(*lines.place(start), start, end)
 
 
 def _error(path: str, place: KeyPlace, message: str) -> ConfigurationError:

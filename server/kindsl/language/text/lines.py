@@ -9,7 +9,7 @@ _LINE_END = r"\r\n|\n|\r"
 class LineIndex:
     """The starts of a text's lines; only CR LF, LF and CR end a line.
 
-    Lines and columns count from 0, columns in code points.
+    Lines and columns count from 0 unless it is said otherwise, columns in code points.
     """
 
     __slots__ = ("length", "starts")
@@ -23,6 +23,11 @@ class LineIndex:
         offset = min(max(offset, 0), self.length)
         line = bisect_right(self.starts, offset) - 1
         return line, offset - self.starts[line]
+
+    def place(self, offset: int) -> tuple[int, int]:
+        """Return `(line, column)` of an offset for people: both count from 1."""
+        line, column = self.position(offset)
+        return line + 1, column + 1
 
     def offset(self, line: int, column: int) -> int:
         """Return the offset of `(line, column)`, clamped to the text."""

@@ -21,8 +21,8 @@ def wanted_pairs(text: str, model: Model, robot: Robot) -> Wanted:
     """
     document = read_transforms(text)
     for wrong in (*document.defects, *unknown_frames(document, model)):
-        line, column = LineIndex(text).position(wrong.start)
-        raise GenerationError(f"--transforms, {line + 1}:{column + 1}: {wrong.message}")
+        line, column = LineIndex(text).place(wrong.start)
+        raise GenerationError(f"--transforms, {line}:{column}: {wrong.message}")
     base = PlacedFrame(robot.base_name, 0, EYE, [0.0, 0.0, 0.0])
     by_name = {target.name: target for target in (*robot.placed, base)}
     joint_frames = (robot.joint_frame(joint) for joint in robot.tree.links())

@@ -57,5 +57,5 @@ def _fix(lines: LineIndex, fix: TextFix) -> dict[str, Any]:
 
 def position_object(lines: LineIndex, offset: int) -> dict[str, int]:
     """Return line and column of an offset from 1, and the offset from 0."""
-    line, column = lines.position(offset)
-    return {"line": line + 1, "column": column + 1, "offset": offset}
+    line, column = lines.place(offset)
+    return {"line": line, "column": column, "offset": offset}

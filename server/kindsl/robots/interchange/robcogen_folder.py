@@ -146,7 +146,7 @@ def _numbers(
     """Yield the numbers of an assignment, written there or named constants."""
     for word in _WORD.finditer(match[2]):
         start, end = match.start(2) + word.start(), match.start(2) + word.end()
-        place = TextPlace(lines.position(start)[0] + 1, start, end, source.name)
+        place = TextPlace(lines.place(start)[0], start, end, source.name)
         if word["number"]:
             yield written_number("".join(word["number"].split()), place)
             continue

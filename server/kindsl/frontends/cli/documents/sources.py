@@ -41,8 +41,7 @@ def read_source(path: str, shown: str) -> str | Failure:
     text = read_text(path, shown)
     if not isinstance(text, NotText):
         return text
-    line, column = LineIndex(text.text).position(text.offset)
-    return Failure(shown, text.message, line + 1, column + 1)
+    return Failure(shown, text.message, *LineIndex(text.text).place(text.offset))
 
 
 def read_text(path: str, shown: str) -> str | NotText | Failure:

@@ -278,5 +278,5 @@ def _split(
 
 
 def _place(lines: LineIndex, finding: Diagnostic) -> str:
-    line, column = lines.position(finding.start)
-    return f"{line + 1}:{column + 1}"
+    line, column = lines.place(finding.start)
+    return f"{line}:{column}"
