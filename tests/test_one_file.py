@@ -106,7 +106,7 @@ def _write(name, skeleton, choices):
     return WrittenRobot(f"{name}: {', '.join(skeleton.joint_names)}", ("poses dropped",))
 
 
-FORMAT = Format("roster", "list of names", (".roster",), "", write=_write)
+FORMAT = Format("roster", "list of names", (".roster",), write=_write)
 '''
 
 

@@ -12,18 +12,10 @@ examples:
 
 import argparse
 
-from kindsl.frontends.cli.documents.choices import choices_of
-from kindsl.frontends.cli.documents.document_reading import (
-    CommandError,
-    note_errors,
-    read_document,
-    require_parameters,
-    shown_name,
-)
+from kindsl.frontends.cli.documents.document_reading import CommandError, note_errors, read_named
 from kindsl.frontends.cli.documents.sources import STDIN
 from kindsl.frontends.cli.documents.writing import write_output
 from kindsl.frontends.cli.options import add_robot_arguments
-from kindsl.frontends.cli.outcome import Failure
 
 SUMMARY = "write a page about a document: picture, tables, transforms"
 FORMATS = ("markdown", "html")
@@ -58,8 +50,7 @@ def run(args: argparse.Namespace) -> int:
     Raises:
         CommandError: The configuration has no such pose for this robot.
     """
-    analysis = read_document(args.file, choices_of(args))
-    require_parameters(args.file, analysis)
+    analysis = read_named(args)
     from kindsl.judgement.analysis.settings import PoseError
     from kindsl.products.reports.card import card_page
     from kindsl.products.reports.page.html import html_text
@@ -68,7 +59,7 @@ def run(args: argparse.Namespace) -> int:
     try:
         page = card_page(analysis, args.pose)
     except PoseError as error:
-        raise CommandError([Failure(shown_name(args.file), str(error))], status=2) from None
+        raise CommandError.about(args.file, str(error)) from None
     if args.output_format == "markdown" and args.output is not None:
         # What shows Markdown strips pictures that are in it.
         text, pictures = with_pictures(page, args.output)

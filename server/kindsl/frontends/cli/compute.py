@@ -16,22 +16,18 @@ import math
 import sys
 from typing import TYPE_CHECKING
 
-from kindsl.frontends.cli.console import is_terminal, write
-from kindsl.frontends.cli.documents.choices import choices_of
+from kindsl.frontends.cli.console import is_terminal
 from kindsl.frontends.cli.documents.document_reading import (
     CommandError,
     model_errors,
     note_errors,
     note_readings,
-    read_document,
-    require_parameters,
+    read_named,
     require_syntax,
-    shown_name,
 )
 from kindsl.frontends.cli.documents.sources import STDIN
 from kindsl.frontends.cli.documents.writing import write_output
 from kindsl.frontends.cli.options import add_robot_arguments
-from kindsl.frontends.cli.outcome import Failure
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.settings import PoseError, Settings, pose_named
 from kindsl.language.text.regular import content_of
@@ -48,7 +44,6 @@ if TYPE_CHECKING:
     from kindsl.robots.mechanism.build import Mechanism
 
 SUMMARY = "compute poses, inertia and forces"
-UNUSABLE = 2
 FORMATS = ("json", "text", "npz")
 
 
@@ -80,56 +75,42 @@ def run(args: argparse.Namespace) -> int:
     Returns:
         0; 1 if the document gives no mechanism; 2 for wrong usage or what cannot be read.
     """
+    analysis = read_named(args)
+    require_syntax(args.file, analysis)
+    with model_errors(args.file, analysis):
+        mechanism = analysis.mechanism()
+    note_readings(args.file, analysis)
+    note_errors(args.file, analysis)
+    robot = ConfigurationSpace(mechanism.bodies.joint_names, mechanism.bodies.is_floating)
     try:
-        analysis = read_document(args.file, choices_of(args))
-        require_syntax(args.file, analysis)
-        require_parameters(args.file, analysis)
-        with model_errors(args.file, analysis):
-            mechanism = analysis.mechanism()
-        note_readings(args.file, analysis)
-        note_errors(args.file, analysis)
-        robot = ConfigurationSpace(mechanism.bodies.joint_names, mechanism.bodies.is_floating)
-        return _show(args, analysis, mechanism, motions_of(args, robot, analysis.settings))
+        motions = motions_of(args, robot, analysis.settings)
     except MotionError as error:
-        write(sys.stderr, f"kindsl compute: error: {error}\n")
-        return UNUSABLE
-    except ModuleNotFoundError as error:
-        if error.name != "numpy":
-            raise
-        needs = "needs NumPy; install with: pip install 'kindsl[numpy]'"
-        write(sys.stderr, f"kindsl compute: error: {needs}\n")
-        return UNUSABLE
+        raise CommandError.about("kindsl compute", str(error)) from None
+    write_output(args.output or STDIN, _computed(args, analysis, mechanism, motions))
+    return 0
 
 
-def _show(
+def _computed(
     args: argparse.Namespace, analysis: Analysis, mechanism: "Mechanism", motions: list[Motion]
-) -> int:
+) -> str | bytes:
     from kindsl.products.reports.computation import ComputationRequest, compute
 
     request = ComputationRequest(tuple(motions), args.gravity, args.forward)
     try:
         results = compute(analysis, mechanism, request)
     except ValueError as error:
-        raise CommandError([Failure(shown_name(args.file), str(error))], status=1) from None
+        raise CommandError.about(args.file, str(error), status=1) from None
     is_read_at_once = args.output is None and is_terminal(sys.stdout)
     output_format = args.output_format or ("text" if is_read_at_once else "json")
-    if output_format == "npz":
-        return _write(args, results.as_npz())
     if output_format == "json":
-        text = json.dumps(results.as_json()) + "\n"
-    else:
-        from kindsl.products.reports.computed_text import computed_text
+        return json.dumps(results.as_json()) + "\n"
+    if output_format == "npz":
+        if is_read_at_once:
+            raise CommandError.about("kindsl compute", "npz is for a file: --output FILE")
+        return results.as_npz()
+    from kindsl.products.reports.computed_text import computed_text
 
-        text = computed_text(results)
-    return _write(args, text)
-
-
-def _write(args: argparse.Namespace, content: str | bytes) -> int:
-    if args.output is None and isinstance(content, bytes) and is_terminal(sys.stdout):
-        write(sys.stderr, "kindsl compute: error: npz is for a file: --output FILE\n")
-        return UNUSABLE
-    write_output(args.output or STDIN, content)
-    return 0
+    return computed_text(results)
 
 
 def _gravity(text: str) -> tuple[float, float, float]:

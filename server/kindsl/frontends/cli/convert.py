@@ -20,7 +20,6 @@ from kindsl.frontends.cli.console import write
 from kindsl.frontends.cli.documents.choices import choices_of
 from kindsl.frontends.cli.documents.document_reading import (
     CommandError,
-    missing_module,
     note_errors,
     note_readings,
     read_document,
@@ -31,7 +30,6 @@ from kindsl.frontends.cli.documents.document_reading import (
 from kindsl.frontends.cli.documents.sources import STDIN, reason
 from kindsl.frontends.cli.documents.writing import write_output
 from kindsl.frontends.cli.options import add_parameter_arguments
-from kindsl.frontends.cli.outcome import Failure
 from kindsl.frontends.cli.output.notes import rendered_notes
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.language.text.phrases import counted
@@ -53,7 +51,7 @@ if TYPE_CHECKING:
     from kindsl.robots.interchange.format import Joints
 
 SUMMARY = "convert from and to URDF, MJCF and SDF"
-_DOCUMENT = Format("kindsl", "Kinematics-DSL", (".kindsl",), "")
+_DOCUMENT = Format("kindsl", "Kinematics-DSL", (".kindsl",))
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -182,13 +180,13 @@ def _formats(args: argparse.Namespace) -> tuple[Format, Format]:
         target = _format(args.output, args.target, "--to")
     if source is target:
         message = f"input and output are both {source.title}"
-        raise CommandError([Failure(f"{args.input} {args.output}", message)])
+        raise CommandError.about(f"{args.input} {args.output}", message)
     for format, path, does, verb in (
         (source, args.input, source is _DOCUMENT or source.read, "read"),
         (target, args.output, target is _DOCUMENT or target.write, "written"),
     ):
         if not does:
-            raise CommandError([Failure(path, f"{format.title} cannot be {verb}")])
+            raise CommandError.about(path, f"{format.title} cannot be {verb}")
     return source, target
 
 
@@ -202,7 +200,7 @@ def _format(path: str, named: str | None, option: str) -> Format:
     if format is None:
         every = (suffix for f in (_DOCUMENT, *all_formats()) for suffix in f.suffixes)
         message = suffix_unknown(suffix, every, f", or {option} FORMAT")
-        raise CommandError([Failure(shown_name(path), message)])
+        raise CommandError.about(path, message)
     return format
 
 
@@ -218,12 +216,10 @@ def _document(args: argparse.Namespace, source: Format) -> WrittenRobot:
     try:
         require_regular(args.input)
         return written_kindsl(source.read(Path(args.input), _choices(args, source)))
-    except ModuleNotFoundError as error:
-        raise missing_module(args.input, error, source.extra) from None
     except OSError as error:
-        raise CommandError([Failure(args.input, reason(args.input, error))]) from None
+        raise CommandError.about(args.input, reason(args.input, error)) from None
     except FormatError as error:
-        raise CommandError([Failure(args.input, str(error))], status=1) from None
+        raise CommandError.about(args.input, str(error), status=1) from None
 
 
 def _choices(args: argparse.Namespace, source: Format) -> ReadingChoices:
@@ -233,7 +229,7 @@ def _choices(args: argparse.Namespace, source: Format) -> ReadingChoices:
         (args.model_path, "--model-path is", "sdf"),
     ):
         if given and source.name != wanted:
-            raise CommandError([Failure(args.input, f"{what} for {wanted} files")])
+            raise CommandError.about(args.input, f"{what} for {wanted} files")
     packages, models = tuple(args.package_path), tuple(args.model_path)
     return ReadingChoices(args.floating_base, packages, dict(args.arguments), models)
 
@@ -254,7 +250,5 @@ def _in_format(args: argparse.Namespace, target: Format, analysis: Analysis) -> 
     try:
         written = target.write(analysis.model.name or "robot", skeleton, choices)
         return written._replace(remarks=(*written.remarks, *notes))
-    except ModuleNotFoundError as error:
-        raise missing_module(args.input, error, target.extra) from None
     except FormatError as error:
-        raise CommandError([Failure(shown_name(args.input), str(error))], status=1) from None
+        raise CommandError.about(args.input, str(error), status=1) from None

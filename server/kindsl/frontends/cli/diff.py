@@ -130,7 +130,7 @@ def _difference(args: argparse.Namespace) -> "tuple[Difference, tuple[str, ...]]
         path, analysis = both[found.treeless or 0]
         assert analysis is not None, "what is not there lacks no tree"
         skeleton_of_document(path, analysis)
-        raise CommandError([Failure(shown_name(path), "does not describe a tree of links")])
+        raise CommandError.about(path, "does not describe a tree of links")
     if found.is_of_whole:
         return found.difference, found.notes
     broken = [

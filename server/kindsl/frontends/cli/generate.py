@@ -21,20 +21,17 @@ from kindsl.frontends.cli.console import write
 from kindsl.frontends.cli.documents.choices import choices_of
 from kindsl.frontends.cli.documents.document_reading import (
     CommandError,
-    missing_module,
     model_errors,
     note_errors,
     note_readings,
-    read_document,
+    read_named,
     read_whole,
-    require_parameters,
     require_syntax,
     shown_name,
 )
 from kindsl.frontends.cli.documents.sources import STDIN, reason
-from kindsl.frontends.cli.documents.writing import unwritable
+from kindsl.frontends.cli.documents.writing import unwritable, write_output
 from kindsl.frontends.cli.options import add_parameter_arguments
-from kindsl.frontends.cli.outcome import Failure
 from kindsl.language.text.phrases import counted
 from kindsl.language.text.printable import printable
 from kindsl.products.codegen.language import language_named, language_names
@@ -46,9 +43,6 @@ if TYPE_CHECKING:
     from kindsl.products.codegen.library import Library, Options
 
 SUMMARY = "write code for kinematics and dynamics"
-
-# What installs a library that is missing.
-_EXTRAS = {"numpy": "numpy", "jinja2": "robcogen"}
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -118,25 +112,13 @@ def run(args: argparse.Namespace) -> int:
         0; 1 if the document gives no mechanism, or code does not fit it; 2 for wrong usage or what
         cannot be read or written.
     """
-    try:
-        return _run(args)
-    except ModuleNotFoundError as error:
-        extra = _EXTRAS.get(str(error.name))
-        if extra is None:
-            raise
-        return missing_module(args.file, error, extra).tell()
-
-
-def _run(args: argparse.Namespace) -> int:
     if args.write_transforms is not None and args.language is None and args.check is None:
         return _write_transforms(args, _source(args))
     if args.check is None and (args.language is None or args.output is None):
-        write(sys.stderr, "kindsl generate: error: --language and -o DIR are needed\n")
-        return 2
+        raise CommandError.about("kindsl generate", "--language and -o DIR are needed")
     if args.check is None and (option := _refused_option(args)):
         message = f"{option} cannot be used with --language {args.language}"
-        write(sys.stderr, f"kindsl generate: error: {message}\n")
-        return 2
+        raise CommandError.about("kindsl generate", message)
     source = _source(args)
     if args.write_transforms is not None:
         _write_transforms(args, source)
@@ -157,15 +139,13 @@ def _refused_option(args: argparse.Namespace) -> str | None:
 def _source(args: argparse.Namespace) -> "Source":
     from kindsl.products.codegen.generating import Source
 
-    choices = choices_of(args)
-    analysis = read_document(args.file, choices)
+    analysis = read_named(args)
     require_syntax(args.file, analysis)
-    require_parameters(args.file, analysis)
     note_readings(args.file, analysis)
     note_errors(args.file, analysis)
     name = Path(shown_name(args.file)).name
     known = {str(parameter.name) for parameter in analysis.model.parameters}
-    bound = choices.decisions.bindings.items()
+    bound = choices_of(args).decisions.bindings.items()
     given = {parameter: binding.value for parameter, binding in bound if parameter in known}
     transforms = _transforms(args)
     if transforms is not None:
@@ -209,8 +189,8 @@ def _note_unknown_frames(path: str, text: str, model: "Model") -> None:
 
     lines = LineIndex(text)
     for wrong in unknown_listed_frames(read_transforms(text), model):
-        line, column = lines.position(wrong.start)
-        place = f"{shown_name(path)}:{line + 1}:{column + 1}"
+        line, column = lines.place(wrong.start)
+        place = f"{shown_name(path)}:{line}:{column}"
         write(sys.stderr, f"{place}: warning[KD801] {printable(wrong.message)}\n")
 
 
@@ -227,9 +207,9 @@ def _generate(args: argparse.Namespace, source: "Source") -> int:
             refuse_foreign(folder, files)
         write_files(folder, files)
     except GenerationError as error:
-        raise CommandError([Failure(shown_name(args.file), str(error))]) from None
+        raise CommandError.about(args.file, str(error)) from None
     except OSError as error:
-        raise CommandError([Failure(args.output, unwritable(args.output, error))]) from None
+        raise CommandError.about(args.output, unwritable(args.output, error)) from None
     if not args.quiet:
         write(sys.stderr, _remarks(library, args, len(files)))
     return 0
@@ -238,19 +218,14 @@ def _generate(args: argparse.Namespace, source: "Source") -> int:
 def _write_transforms(args: argparse.Namespace, source: "Source") -> int:
     """Write the transforms document of a robot, unless there is a file already."""
     from kindsl.language.semantics.transforms import transforms_document
-    from kindsl.language.text.encodings import encoded
-    from kindsl.language.text.writing import write_file
 
     path, model = args.write_transforms, source.analysis.model
     if not model.bodies or not model.name:
         message = "a robot without a name or links has no transforms document"
-        raise CommandError([Failure(shown_name(args.file), message)], status=1)
+        raise CommandError.about(args.file, message, status=1)
     if os.path.exists(path) and not args.force:
-        raise CommandError([Failure(path, "the file exists; --force overwrites it")])
-    try:
-        write_file(path, encoded(transforms_document(model)))
-    except OSError as error:
-        raise CommandError([Failure(path, unwritable(path, error))]) from None
+        raise CommandError.about(path, "the file exists; --force overwrites it")
+    write_output(path, transforms_document(model))
     return 0
 
 
@@ -261,9 +236,9 @@ def _check(args: argparse.Namespace, source: "Source") -> int:
         with _generation_errors(args, source):
             why = misfit(source, Path(args.check))
     except OSError as error:
-        raise CommandError([Failure(args.check, reason(args.check, error))]) from None
+        raise CommandError.about(args.check, reason(args.check, error)) from None
     if why is not None:
-        raise CommandError([Failure(shown_name(args.file), why)], status=1)
+        raise CommandError.about(args.file, why, status=1)
     if not args.quiet:
         write(sys.stderr, f"{args.check}: fits {shown_name(args.file)}\n")
     return 0
@@ -278,7 +253,7 @@ def _generation_errors(args: argparse.Namespace, source: "Source") -> Iterator[N
         with model_errors(args.file, source.analysis):
             yield
     except GenerationError as error:
-        raise CommandError([Failure(shown_name(args.file), str(error))], status=1) from None
+        raise CommandError.about(args.file, str(error), status=1) from None
 
 
 def _options(args: argparse.Namespace, source: "Source") -> "Options":
@@ -289,7 +264,7 @@ def _options(args: argparse.Namespace, source: "Source") -> "Options":
         prefix = prefix_of(str(source.analysis.model.name or ""), args.name)
         namespace = "" if args.namespace is None else namespace_of(args.namespace)
     except UnusableNameError as error:
-        raise CommandError([Failure(shown_name(args.file), str(error))]) from None
+        raise CommandError.about(args.file, str(error)) from None
     parameters = args.parameters or language_named(args.language).parameters
     return Options(
         args.language, _quantities(args), args.real, args.single_header, parameters, prefix,
@@ -308,12 +283,12 @@ def _quantities(args: argparse.Namespace) -> tuple[str, ...]:
 
     chosen = _listed(args.quantities)
     if args.quantities is not None and not chosen:
-        raise CommandError([Failure(shown_name(args.file), "--quantities names no quantity")])
+        raise CommandError.about(args.file, "--quantities names no quantity")
     for name in chosen:
         if name not in QUANTITIES:
             close = hint(nearest_word(name, QUANTITIES))
             message = f"--quantities: unknown quantity '{name}'{close}"
-            raise CommandError([Failure(shown_name(args.file), message)])
+            raise CommandError.about(args.file, message)
     return tuple(
         name
         for name, quantity in QUANTITIES.items()

@@ -97,17 +97,15 @@ def _check(args: argparse.Namespace) -> None:
     sources = [name for name in ("report", "stl", *map(_attribute, _SIZES)) if _given(args, name)]
     if len(sources) != 1:
         options = alternatives(("REPORT", *(f"--{name}" for name in _SIZES), "--stl"))
-        raise CommandError([Failure("kindsl inertia", f"give one of {options}")])
+        raise CommandError.about("kindsl inertia", f"give one of {options}")
     n_given = (args.mass is not None) + (args.density is not None)
     if sources == ["report"] and n_given:
         message = "--mass and --density belong to a shape or a mesh, not to a report"
-        raise CommandError([Failure(_name(args), message)])
+        raise CommandError.about(_name(args), message)
     if sources != ["report"] and n_given != 1:
-        raise CommandError([Failure(_name(args), "give either --mass or --density")])
+        raise CommandError.about(_name(args), "give either --mass or --density")
     if (args.document is None) != (args.link is None):
-        raise CommandError(
-            [Failure("kindsl inertia", "--document and --link must be used together")]
-        )
+        raise CommandError.about("kindsl inertia", "--document and --link must be used together")
 
 
 def _given(args: argparse.Namespace, name: str) -> bool:
@@ -135,7 +133,7 @@ def _found(args: argparse.Namespace) -> "MassProperties":
     try:
         return _of_mesh(args) if args.stl is not None else _of_shape(args)
     except ShapeError as error:
-        raise CommandError([Failure(_name(args), str(error))], status=1) from None
+        raise CommandError.about(_name(args), str(error), status=1) from None
 
 
 def _of_report(path: str) -> "MassProperties":
@@ -157,7 +155,7 @@ def _of_mesh(args: argparse.Namespace) -> "MassProperties":
     try:
         content = content_of(args.stl)
     except OSError as error:
-        raise CommandError([Failure(args.stl, reason(args.stl, error))]) from None
+        raise CommandError.about(args.stl, reason(args.stl, error)) from None
     return mesh_properties(content, args.mass, args.density, args.scale)
 
 
@@ -176,13 +174,13 @@ def _link(args: argparse.Namespace) -> "Link | None":
         return None
     if args.document == STDIN and args.report == STDIN:
         message = "the report and the document cannot both be read from stdin"
-        raise CommandError([Failure("kindsl inertia", message)])
+        raise CommandError.about("kindsl inertia", message)
     bodies = read_document(args.document, Choices()).model.bodies
     found = next((body for body in bodies if body.name == args.link), None)
     if found is None:
         meant = hint(nearest_name(args.link, [str(body.name) for body in bodies]), after=",")
         message = f"there is no link '{args.link}'{meant}"
-        raise CommandError([Failure(shown_name(args.document), message)])
+        raise CommandError.about(args.document, message)
     return found
 
 

@@ -9,13 +9,7 @@ import argparse
 import sys
 
 from kindsl.frontends.cli.console import write
-from kindsl.frontends.cli.documents.choices import choices_of
-from kindsl.frontends.cli.documents.document_reading import (
-    note_errors,
-    read_document,
-    require_parameters,
-    shown_name,
-)
+from kindsl.frontends.cli.documents.document_reading import note_errors, read_named, shown_name
 from kindsl.frontends.cli.options import add_robot_arguments
 from kindsl.products.reports.robot_facts import robot_facts
 
@@ -34,8 +28,7 @@ def run(args: argparse.Namespace) -> int:
     Returns:
         0, or 2 if the document cannot be read.
     """
-    analysis = read_document(args.file, choices_of(args))
-    require_parameters(args.file, analysis)
+    analysis = read_named(args)
     facts = robot_facts(analysis)
     if args.output_format == "json":
         import json

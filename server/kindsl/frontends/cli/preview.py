@@ -75,9 +75,7 @@ def run(args: argparse.Namespace) -> int:
     """
     try:
         return _run(args)
-    except ImportError as error:
-        return _fail(f"{error.msg}; install the preview with: pip install 'kindsl[preview]'")
-    except (CommandError, ConfigurationError) as error:
+    except (CommandError, ConfigurationError, ModuleNotFoundError) as error:
         return report_error(error)
     except OSError as error:
         return _fail(f"{error.filename or args.file}: {error.strerror or error}")
@@ -123,7 +121,7 @@ def _other(args: argparse.Namespace) -> "OtherRobot":
         other = document_robot(name, partial(_reread, args, name))
     problem = other.read(True)
     if isinstance(problem, str):
-        raise CommandError([Failure(name, problem)])
+        raise CommandError.about(name, problem)
     return other
 
 
@@ -159,7 +157,7 @@ def _meshes(args: argparse.Namespace) -> "MeshSource | None":
 
     missing = [path for path in (args.meshes, args.mesh_folder) if path and not path.exists()]
     if missing:
-        raise CommandError([Failure(str(missing[0]), "no such file or folder")])
+        raise CommandError.about(str(missing[0]), "no such file or folder")
     return MeshSource(args.meshes.name, args.meshes, args.mesh_folder)
 
 
@@ -199,7 +197,7 @@ def _serve(args: argparse.Namespace, other: "OtherRobot | None") -> None:
     first = read_document(args.file, choices_of(args))
     if args.edit and first.syntax.is_xml:
         message = "only a .kindsl document is edited in the page: 'kindsl convert' makes one"
-        raise CommandError([Failure(args.file, message)])
+        raise CommandError.about(args.file, message)
     others = [str(path) for path in (args.compare, args.meshes) if path]
     others += [configuration.path] if configuration else []
     paths = (args.file, *others, *watched_files(first.settings.twins))

@@ -21,14 +21,12 @@ from kindsl.frontends.cli.documents.choices import Choices, choices_of
 from kindsl.frontends.cli.documents.compared_robots import is_foreign, read_robots
 from kindsl.frontends.cli.documents.document_reading import (
     CommandError,
-    missing_module,
     shown_name,
 )
 from kindsl.frontends.cli.documents.git_texts import commits_of, short, versions_of
 from kindsl.frontends.cli.documents.versions import analysed_versions, read_versions
 from kindsl.frontends.cli.documents.writing import unwritable
 from kindsl.frontends.cli.options import add_parameter_arguments
-from kindsl.frontends.cli.outcome import Failure
 from kindsl.language.text.printable import printable
 from kindsl.language.text.writing import write_folder
 
@@ -56,21 +54,18 @@ def run(args: argparse.Namespace) -> int:
         0, or 2 if a document cannot be read or the folder cannot be written.
     """
     _check_folder(args)
-    try:
-        files = _files(args)
-    except ModuleNotFoundError as error:
-        raise missing_module(args.files[0], error, "numpy") from None
+    files = _files(args)
     try:
         write_folder(args.output, files)
     except OSError as error:
-        raise CommandError([Failure(args.output, unwritable(args.output, error))]) from None
+        raise CommandError.about(args.output, unwritable(args.output, error)) from None
     return 0
 
 
 def _check_folder(args: argparse.Namespace) -> None:
     if os.path.lexists(args.output) and not (args.force and os.path.isdir(args.output)):
         hint = "; --force replaces the review in it" if os.path.isdir(args.output) else ""
-        raise CommandError([Failure(args.output, f"already exists{hint}")])
+        raise CommandError.about(args.output, f"already exists{hint}")
 
 
 def _documents(
@@ -78,11 +73,11 @@ def _documents(
 ) -> "tuple[Analysis | None, Analysis | None, tuple[str, str]]":
     if args.git is None:
         if len(args.files) != 2:
-            raise CommandError([Failure("review", "needs OLD and NEW, or --git BASE..HEAD FILE")])
+            raise CommandError.about("review", "needs OLD and NEW, or --git BASE..HEAD FILE")
         old, new = read_versions(args.files, choices)
         return old, new, (shown_name(args.files[0]), shown_name(args.files[1]))
     if len(args.files) != 1:
-        raise CommandError([Failure("review", "needs one FILE with --git")])
+        raise CommandError.about("review", "needs one FILE with --git")
     path, commits = args.files[0], commits_of(args.git)
     versions = versions_of(path, commits)
     old, new = analysed_versions(path, (versions.old, versions.new), choices)

@@ -196,7 +196,6 @@ class Format(NamedTuple):
         name: Its name on the command line: `"urdf"`.
         title: Its name for people: `"URDF"`.
         suffixes: Of its files, in lower case, the usual one first.
-        extra: The extra that installs what it needs, empty if that is nothing more.
         read: Takes a file and choices. Raises FormatError, OSError, and ModuleNotFoundError for
             what is not installed.
         parse: The same of a text, which names no other files, and what to call a robot without a
@@ -208,7 +207,6 @@ class Format(NamedTuple):
     name: str
     title: str
     suffixes: tuple[str, ...]
-    extra: str
     read: Reader | None = None
     parse: Parser | None = None
     write: Writer | None = None

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, NamedTuple
 from kindsl.frontends.cli.documents.document_reading import (
     CommandError,
     defect,
-    missing_module,
     read_document,
     require_parameters,
     require_syntax,
@@ -123,10 +122,7 @@ def _foreign(path: str, label: str, floating: bool | None) -> "ReadDescription":
 
     try:
         return read_description(Path(path), label, floating)
-    except ModuleNotFoundError as error:
-        format = format_of_suffix(Path(path).suffix)
-        raise missing_module(path, error, format.extra if format else "") from None
     except OSError as error:
-        raise CommandError([Failure(path, reason(path, error))]) from None
+        raise CommandError.about(path, reason(path, error)) from None
     except FormatError as error:
-        raise CommandError([Failure(path, str(error))]) from None
+        raise CommandError.about(path, str(error)) from None

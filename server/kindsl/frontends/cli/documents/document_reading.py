@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kindsl.frontends.cli.console import write
-from kindsl.frontends.cli.documents.choices import Choices
+from kindsl.frontends.cli.documents.choices import Choices, choices_of
 from kindsl.frontends.cli.documents.sources import STDIN, UNNAMED, read_source
 from kindsl.frontends.cli.outcome import Failure, as_failures
 from kindsl.judgement.analysis.analysis import Analysis
@@ -29,9 +29,20 @@ from kindsl.robots.interchange.format import ReadingChoices
 from kindsl.robots.interchange.syntaxes import other_format
 
 if TYPE_CHECKING:
+    from argparse import Namespace
+
     from kindsl.robots.mechanism.errors import UnboundParameterError
     from kindsl.robots.mechanism.linkage import Linkage
 
+# The extra of kindsl that installs a library which not every command needs.
+_EXTRAS = {
+    "cattrs": "preview",
+    "jinja2": "robcogen",
+    "mujoco": "mjcf",
+    "numpy": "numpy",
+    "tornado": "preview",
+    "umsgpack": "preview",
+}
 _SYNTAX = "KD0"
 _SPACE = "\ufeff \t\r\n"
 
@@ -49,6 +60,11 @@ class CommandError(Exception):
         self.failures = failures
         self.status = status
 
+    @classmethod
+    def about(cls, path: str, message: str, status: int = 2) -> "CommandError":
+        """Return the error with one sentence about a file, `-` for stdin, or about an option."""
+        return cls([Failure(shown_name(path), message)], status)
+
     def tell(self) -> int:
         """Report the failures on stderr and return the exit status."""
         write(sys.stderr, "".join(f"{printable(str(failure))}\n" for failure in self.failures))
@@ -59,6 +75,9 @@ def report_error(error: Exception) -> int:
     """Report what a command cannot do on stderr and return the exit status; raise other errors."""
     if isinstance(error, ConfigurationError):
         error = CommandError(as_failures(error))
+    if isinstance(error, ModuleNotFoundError) and error.name in _EXTRAS:
+        message = f"{error.name} is not installed: pip install 'kindsl[{_EXTRAS[error.name]}]'"
+        error = CommandError.about("kindsl", message)
     if not isinstance(error, CommandError):
         raise error
     return error.tell()
@@ -90,6 +109,17 @@ def read_document(path: str, choices: Choices) -> Analysis:
     return analysed_text(path, read_whole(path), choices, None if path == STDIN else Path(path))
 
 
+def read_named(args: "Namespace") -> Analysis:
+    """Return the analysis of the robot that the arguments name, with the values that they give.
+
+    Raises:
+        CommandError: It cannot be read, or has no parameter of that name.
+    """
+    analysis = read_document(args.file, choices_of(args))
+    require_parameters(args.file, analysis)
+    return analysis
+
+
 def analysed_text(path: str, text: str, choices: Choices, file: Path | None = None) -> Analysis:
     """Return the analysis of a robot's text, whatever its format.
 
@@ -105,9 +135,9 @@ def analysed_text(path: str, text: str, choices: Choices, file: Path | None = No
     name = shown_name(path)
     if is_robot(name) and text.lstrip(_SPACE).startswith("<"):
         message = "is XML, not a Kinematics-DSL document: name it after its format"
-        raise CommandError([Failure(name, message)])
+        raise CommandError.about(name, message)
     if choices.floating and other_format(name, text) is None:
-        raise CommandError([Failure(name, "a document says itself whether its base floats")])
+        raise CommandError.about(name, "a document says itself whether its base floats")
     reading = ReadingChoices(floating=choices.floating)
     try:
         return analysed_robot(name, text, choices.settings_for(name), file, reading)
@@ -116,9 +146,6 @@ def analysed_text(path: str, text: str, choices: Choices, file: Path | None = No
     except UnreadableRobotError as error:
         failures = _failures(name, text, error.defects)
         raise CommandError(failures or [Failure(name, str(error))], status=1) from None
-    except ModuleNotFoundError as error:
-        format = other_format(name, text)
-        raise missing_module(name, error, format.extra if format else "") from None
 
 
 def require_syntax(path: str, analysis: Analysis) -> None:
@@ -139,12 +166,7 @@ def require_syntax(path: str, analysis: Analysis) -> None:
 
 def _failures(name: str, text: str, findings: Iterable[Diagnostic]) -> list[Failure]:
     lines = LineIndex(text)
-    failures = []
-    for finding in findings:
-        line, column = lines.position(finding.start)
-        message = f"[{finding.code}] {finding.message}"
-        failures.append(Failure(name, message, line + 1, column + 1))
-    return failures
+    return [Failure(name, f"[{f.code}] {f.message}", *lines.place(f.start)) for f in findings]
 
 
 def require_parameters(path: str, *documents: Analysis) -> None:
@@ -165,7 +187,7 @@ def require_parameters(path: str, *documents: Analysis) -> None:
             where = " in either document" if len(documents) > 1 else ""
             meant = hint(nearest_name(name, known), after=",")
             message = f"there is no parameter '{name}'{where}{meant}"
-            raise CommandError([Failure(shown_name(path), message)])
+            raise CommandError.about(path, message)
 
 
 def note_errors(path: str, analysis: Analysis) -> None:
@@ -187,8 +209,8 @@ def note_readings(path: str, analysis: Analysis) -> None:
     lines = LineIndex(analysis.text)
     for island, start in zip(analysis.syntax.islands, analysis.syntax.starts, strict=True):
         for found in two_readings(island):
-            line, column = lines.position(start + found.start)
-            place = f"{shown_name(path)}:{line + 1}:{column + 1}"
+            line, column = lines.place(start + found.start)
+            place = f"{shown_name(path)}:{line}:{column}"
             taken = found.robcogen if found.kind == "product" else found.other
             message = f"'{found.text}' is taken for {taken}"
             if found.kind != "product":
@@ -199,9 +221,9 @@ def note_readings(path: str, analysis: Analysis) -> None:
 def defect(path: str, analysis: Analysis, message: str, at: Located | None) -> CommandError:
     """Return the error for a defect of the document."""
     if at is None:
-        return CommandError([Failure(shown_name(path), message)], status=1)
-    line, column = LineIndex(analysis.text).position(analysis.resolver.span(at)[0])
-    return CommandError([Failure(shown_name(path), message, line + 1, column + 1)], status=1)
+        return CommandError.about(path, message, status=1)
+    place = LineIndex(analysis.text).place(analysis.resolver.span(at)[0])
+    return CommandError([Failure(shown_name(path), message, *place)], status=1)
 
 
 def unbound(path: str, analysis: Analysis, error: "UnboundParameterError") -> CommandError:
@@ -233,9 +255,3 @@ def skeleton_of_document(path: str, analysis: Analysis) -> "Linkage":
     require_syntax(path, analysis)
     with model_errors(path, analysis):
         return analysis.skeleton()
-
-
-def missing_module(path: str, error: ModuleNotFoundError, extra: str) -> CommandError:
-    """Return the error for a library that is not installed."""
-    message = f"{error.name} is not installed: pip install 'kindsl[{extra}]'"
-    return CommandError([Failure(path, message)])

@@ -5,7 +5,6 @@ import subprocess
 from typing import NamedTuple
 
 from kindsl.frontends.cli.documents.document_reading import CommandError
-from kindsl.frontends.cli.outcome import Failure
 from kindsl.language.text.encodings import decoded
 
 _PATIENCE = 60  # seconds
@@ -27,7 +26,7 @@ def commits_of(text: str) -> Commits:
     """
     base, dots, head = text.partition("..")
     if not dots or not base or base.startswith("-") or head.startswith(("-", ".")):
-        raise CommandError([Failure("--git", f"'{text}' is not BASE..HEAD")])
+        raise CommandError.about("--git", f"'{text}' is not BASE..HEAD")
     return Commits(base, head or "HEAD")
 
 
@@ -59,7 +58,7 @@ def versions_of(path: str, commits: Commits) -> Texts:
     place = os.fsdecode(prefix.removesuffix(b"\n")) + name
     old, new = (_text_at(commit, place, path, folder) for commit in commits)
     if old is None and new is None:
-        raise CommandError([Failure(path, f"does not exist in {commits.base} or {commits.head}")])
+        raise CommandError.about(path, f"does not exist in {commits.base} or {commits.head}")
     former = _former_name(place, commits, path, folder) if old is None else None
     if former is None:
         return Texts(old, new)
@@ -91,7 +90,7 @@ def short(commit: str) -> str:
 
 def _git(path: str, folder: str, failure: str, *arguments: str) -> bytes:
     if not os.path.isdir(folder):
-        raise CommandError([Failure(path, "no such file or folder")])
+        raise CommandError.about(path, "no such file or folder")
     try:
         run = subprocess.run(
             ["git", "--literal-pathspecs", "-C", folder, *arguments],
@@ -100,9 +99,9 @@ def _git(path: str, folder: str, failure: str, *arguments: str) -> bytes:
             check=False,
         )
     except FileNotFoundError:
-        raise CommandError([Failure(path, "git is not installed")]) from None
+        raise CommandError.about(path, "git is not installed") from None
     except subprocess.TimeoutExpired:
-        raise CommandError([Failure(path, "git does not answer")]) from None
+        raise CommandError.about(path, "git does not answer") from None
     if run.returncode:
-        raise CommandError([Failure(path, failure)])
+        raise CommandError.about(path, failure)
     return run.stdout

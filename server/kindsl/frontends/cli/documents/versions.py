@@ -10,7 +10,6 @@ from kindsl.frontends.cli.documents.document_reading import (
     read_whole,
     require_parameters,
 )
-from kindsl.frontends.cli.outcome import Failure
 from kindsl.judgement.analysis.analysis import Analysis
 
 Versions = tuple[Analysis | None, Analysis | None]
@@ -24,7 +23,7 @@ def read_versions(paths: Sequence[str], choices: Choices) -> Versions:
     """
     texts = [None if path == os.devnull else read_whole(path) for path in paths]
     if texts == [None, None]:
-        raise CommandError([Failure(os.devnull, "there is no document to compare")])
+        raise CommandError.about(os.devnull, "there is no document to compare")
     return analysed_versions(paths[0 if texts[1] is None else 1], texts, choices, paths)
 
 

@@ -53,7 +53,7 @@ def write_output(path: str, content: str | bytes, beside: Mapping[str, str] = {}
         write_files(contents | {name: encoded(text) for name, text in beside.items()})
     except OSError as error:
         at = str(error.filename or path)
-        raise CommandError([Failure(at, unwritable(at, error))]) from None
+        raise CommandError.about(at, unwritable(at, error)) from None
 
 
 def unwritable(path: str, error: OSError) -> str:

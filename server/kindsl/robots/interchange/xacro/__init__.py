@@ -20,4 +20,4 @@ def _read(path: Path, choices: ReadingChoices) -> ReadRobot:
     return read._replace(remarks=(_EVALUATED, *read.remarks), find_numbers=dict)
 
 
-FORMAT = Format("xacro", "xacro", (".xacro",), "xacro", _read)
+FORMAT = Format("xacro", "xacro", (".xacro",), _read)
