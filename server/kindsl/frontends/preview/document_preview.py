@@ -189,6 +189,7 @@ class DocumentPreview:
         """List the findings of the version that is shown."""
         self.findings = findings
         self._list(findings, "" if self.analysis is None else self.analysis.text)
+        self._doubt(self._known_doubts(findings))
 
     def keep_as_ghost(self) -> None:
         """Let the document as it is stand behind later versions and typed values."""
@@ -356,7 +357,6 @@ class DocumentPreview:
     def _list(self, findings: Sequence[Diagnostic], text: str) -> None:
         self._show_status(findings)
         self.channel.replace("findings", finding_messages(findings, text))
-        self._doubt(self._known_doubts(findings))
 
     def _known_doubts(self, findings: Sequence[Diagnostic]) -> Doubts:
         """Return the doubts of findings; beside values from the page those that are shown."""

@@ -7,8 +7,9 @@ from kindsl.judgement.analysis.text_fix import TextFix
 from kindsl.judgement.rules.base import Finding, Fix, Rule, Severity, Tag
 from kindsl.judgement.rules.page_files import page_address
 from kindsl.judgement.rules.subject import DOCUMENT, Subject, subject_at
-from kindsl.language.semantics.places import Located
+from kindsl.language.semantics.places import Located, Place
 from kindsl.language.syntax.document import SyntaxDocument
+from kindsl.language.syntax.tree import Island
 from kindsl.language.text.display import html_of
 from kindsl.language.text.edits import TextEdit
 
@@ -88,6 +89,18 @@ class Resolver:
         origin = self._starts[id(at.island)]
         return origin + at.start, origin + at.end
 
+    def edit(self, at: Located, text: str) -> TextEdit:
+        """Return the edit of the document that puts a text in a place."""
+        return TextEdit(*self.span(at), text)
+
+    def edit_of(self, island: Island, edit: TextEdit) -> TextEdit:
+        """Return an edit of an island as one of the document."""
+        return self.edit(Place(island, edit.start, edit.end), edit.text)
+
+    def edits(self, fix: Fix) -> tuple[TextEdit, ...]:
+        """Return the edits of a fix in the document, in their order there."""
+        return tuple(sorted(self.edit(change.at, change.text) for change in fix.changes))
+
     def diagnostic(self, rule: Rule, finding: Finding, severity: Severity) -> Diagnostic:
         """Return a finding with absolute offsets."""
         start, end = self.span(finding.at)
@@ -110,5 +123,5 @@ class Resolver:
         )
 
     def _fix(self, fix: Fix) -> TextFix:
-        edits = sorted(TextEdit(*self.span(c.at), c.text) for c in fix.changes)
-        return TextFix(fix.title, fix.is_safe, tuple(edits), fix.is_within_digits, self._document)
+        edits = self.edits(fix)
+        return TextFix(fix.title, fix.is_safe, edits, fix.is_within_digits, self._document)

@@ -8,8 +8,6 @@ from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.rules.base import Fix
 from kindsl.judgement.rules.new_blocks import new_joint, new_link
-from kindsl.language.semantics.places import Place
-from kindsl.language.text.edits import TextEdit
 
 _LINK, _JOINT, _FRAME = "KD105", "KD106", "KD107"
 
@@ -24,10 +22,8 @@ def create_missing(analysis: Analysis, finding: Diagnostic) -> Iterator[CodeActi
     elif finding.code in (_LINK, _JOINT):
         fix = _block(analysis, finding)
         if fix is not None and (finding.fix is None or finding.fix.title != fix.title):
-            edits = (
-                TextEdit(*analysis.resolver.span(change.at), change.text) for change in fix.changes
-            )
-            yield CodeAction(fix.title, "quickfix", tuple(edits), (finding,))
+            edits = analysis.resolver.edits(fix)
+            yield CodeAction(fix.title, "quickfix", edits, (finding,))
 
 
 def _block(analysis: Analysis, finding: Diagnostic) -> Fix | None:
@@ -54,7 +50,6 @@ def add_referenced_frame(analysis: Analysis, finding: Diagnostic) -> Iterator[Co
             continue
         edit = new_frame(link, str(name), _ORIGIN)
         if edit is not None and name.lower() not in taken:
-            at = Place(link.island, edit.start, edit.end)
-            moved = TextEdit(*analysis.resolver.span(at), edit.text)
+            edits = (analysis.resolver.edit_of(link.island, edit),)
             title = f"Create frame '{name}' in '{link.name}'"
-            yield CodeAction(title, "quickfix", (moved,), (finding,))
+            yield CodeAction(title, "quickfix", edits, (finding,))

@@ -86,4 +86,4 @@ def _edit(analysis: Analysis, use: Use) -> TextEdit | None:
     value = expression.value(analysis.context.values)
     if value is None or any(symbol.name != use.name for symbol in symbols(expression)):
         return None
-    return TextEdit(*analysis.resolver.span(expression), exact_decimal(value))
+    return analysis.resolver.edit(expression, exact_decimal(value))

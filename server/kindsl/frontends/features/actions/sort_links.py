@@ -74,5 +74,4 @@ def renumber_links(analysis: Analysis, start: int, _end: int) -> Iterator[CodeAc
         return
     fix = renumbering(analysis.model)
     if fix is not None:
-        edits = tuple(TextEdit(*analysis.resolver.span(c.at), c.text) for c in fix.changes)
-        yield CodeAction(fix.title, _KIND, edits)
+        yield CodeAction(fix.title, _KIND, analysis.resolver.edits(fix))

@@ -7,10 +7,10 @@ from kindsl.frontends.features.manipulation.new_blocks import (
     behind_last,
     fresh_name,
     in_braces,
+    new_frame,
     next_id,
     pose_lines,
     with_child,
-    with_frame,
 )
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.text.lines import newline_of
@@ -31,10 +31,11 @@ def add_frame(analysis: Analysis, link: str, point: Vector3) -> Gesture | Refusa
     if body is None:
         return Refusal(f"there is no link '{link}'")
     name = fresh_name(analysis.model, "frame")
-    edit = with_frame(analysis, body, name, point)
+    edit = new_frame(body, name, point)
     if edit is None:
         return Refusal(f"link '{link}' is not whole")
-    return Gesture(f"Add frame '{name}' to '{link}'", (edit,), (name,))
+    edits = (analysis.resolver.edit_of(body.island, edit),)
+    return Gesture(f"Add frame '{name}' to '{link}'", edits, (name,))
 
 
 def add_child(

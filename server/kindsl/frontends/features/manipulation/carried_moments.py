@@ -55,7 +55,7 @@ def carried_moments(
     length = sum(map(abs, (*written.com, *moved.com)))
     size = sum(map(abs, written.moments)) + abs(written.mass) * length * length
     return tuple(
-        TextEdit(*analysis.resolver.span(inertia.moments[name]), rounded_decimal(new, size))
+        analysis.resolver.edit(inertia.moments[name], rounded_decimal(new, size))
         for name, old, new in zip(MOMENTS, written.moments, moved.moments, strict=True)
         if rounded_decimal(new, size) != rounded_decimal(old, size)
     )

@@ -7,7 +7,7 @@ from kindsl.frontends.features.names_taken import names_taken
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.places import Construct, Place
+from kindsl.language.semantics.places import Construct
 from kindsl.language.syntax.indentation import indentation
 from kindsl.language.syntax.insertions import inserted_section, last_section
 from kindsl.language.text.decimals import rounded_decimal
@@ -30,13 +30,7 @@ def with_child(analysis: Analysis, body: Link, link: str, joint: str) -> TextEdi
         # The first child stands on a line of its own where sections do.
         indent, newline = indentation(text, section.start), newline_of(text)
         edit = TextEdit(opening, closing, f"{newline}{indent}    {entry}{newline}{indent}")
-    return _absolute(analysis, body, edit)
-
-
-def with_frame(analysis: Analysis, body: Link, name: str, origin: Vector3) -> TextEdit | None:
-    """Return the edit that gives a body one more frame, None where its braces are missing."""
-    edit = new_frame(body, name, origin)
-    return _absolute(analysis, body, edit)
+    return edit and analysis.resolver.edit_of(body.island, edit)
 
 
 def new_frame(link: Link, name: str, origin: Vector3) -> TextEdit | None:
@@ -79,9 +73,3 @@ def fresh_name(model: Model, stem: str) -> str:
 def next_id(model: Model) -> int:
     """Return the number behind the last one, which keeps all others as they are."""
     return 1 + max((link.id or 0 for link in model.links), default=0)
-
-
-def _absolute(analysis: Analysis, body: Link, edit: TextEdit | None) -> TextEdit | None:
-    if edit is None:
-        return None
-    return TextEdit(*analysis.resolver.span(Place(body.island, edit.start, edit.end)), edit.text)

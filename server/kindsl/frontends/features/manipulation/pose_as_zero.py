@@ -48,7 +48,7 @@ def _edits(analysis: Analysis, joint: Joint, position: float) -> list[TextEdit] 
             return own
         if own.carrier is not None:
             return Refusal(f"'{own.expression.text}' of joint '{joint.name}' is not a plain number")
-        edits.append(TextEdit(*analysis.resolver.span(own.expression), text))
+        edits.append(analysis.resolver.edit(own.expression, text))
     return edits
 
 

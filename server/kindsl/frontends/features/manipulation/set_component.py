@@ -121,5 +121,5 @@ def _edits(
     analysis: Analysis, places: Sequence[Expression], new: ValueText
 ) -> tuple[TextEdit, ...]:
     """Return the edits that write a number where values stand with another text."""
-    spans = (analysis.resolver.span(place) for place in places if place.text != new.text)
-    return tuple(sorted(TextEdit(*span, new.text) for span in spans))
+    others = (place for place in places if place.text != new.text)
+    return tuple(sorted(analysis.resolver.edit(place, new.text) for place in others))
