@@ -167,15 +167,14 @@ def unreadable(text: str, error: XmlError) -> XmlDocument:
     strange = None if text.isascii() else UNDECODABLE.search(text)
     if strange is not None:
         declared = declared_encoding(text)
-        if declared.lower() in ("", "utf-8"):
-            message = bytes_message(strange[0])
-        else:
-            message = bytes_message(strange[0], f"in UTF-8 and the declared encoding '{declared}'")
-        return refused(text, "KD004", message, *strange.span())
-    start = LineIndex(text).offset(error.line - 1, 0)
-    line = re.split(r"[\r\n]", text[start:], maxsplit=1)[0]
-    end = min(start + max(len(line), 1), len(text))
-    return refused(text, "KD001", str(error), start, end)
+        is_plain = declared.lower() in ("", "utf-8")
+        where = () if is_plain else (f"in UTF-8 and the declared encoding '{declared}'",)
+        code, message, (start, end) = "KD004", bytes_message(strange[0], *where), strange.span()
+    else:
+        code, message, start = "KD001", str(error), LineIndex(text).offset(error.line - 1, 0)
+        line = re.split(r"[\r\n]", text[start:], maxsplit=1)[0]
+        end = min(start + max(len(line), 1), len(text))
+    return refused(text, code, message, start, end)
 
 
 def refused(text: str, code: str, message: str, start: int, end: int) -> XmlDocument:

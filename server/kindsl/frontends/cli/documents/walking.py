@@ -2,7 +2,7 @@
 
 import os
 import stat
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator
 
 from kindsl.frontends.cli.documents.sources import STDIN, reason
 from kindsl.frontends.cli.outcome import Failure
@@ -15,6 +15,7 @@ def documents(
     paths: list[str],
     excluded: Collection[str] = TOOLS_FOLDERS,
     suffixes: tuple[str, ...] = (SUFFIX,),
+    is_wanted: Callable[[str], bool] = lambda _: True,
 ) -> Iterator[str | Failure]:
     """Yield each document once: files as named, folders with all documents below.
 
@@ -24,10 +25,11 @@ def documents(
         paths: Files, folders, `-`.
         excluded: Names of folders to leave out.
         suffixes: How documents in folders end.
+        is_wanted: Whether one of a folder counts.
     """
     seen: set[str] = set()
     for path in paths:
-        for found in _documents_of(path, excluded, suffixes):
+        for found in _documents_of(path, excluded, suffixes, is_wanted):
             key = str(found) if isinstance(found, Failure) else _identity(found)
             if key not in seen:
                 seen.add(key)
@@ -49,7 +51,10 @@ def shown_path(path: str) -> str:
 
 
 def _documents_of(
-    path: str, excluded: Collection[str], suffixes: tuple[str, ...]
+    path: str,
+    excluded: Collection[str],
+    suffixes: tuple[str, ...],
+    is_wanted: Callable[[str], bool],
 ) -> Iterator[str | Failure]:
     if path == STDIN:
         yield STDIN
@@ -66,7 +71,10 @@ def _documents_of(
     is_empty = True
     for found in walked(path, excluded, suffixes):
         is_empty = False
-        yield _failure(found) if isinstance(found, Obstacle) else shown_path(found)
+        if isinstance(found, Obstacle):
+            yield _failure(found)
+        elif is_wanted(shown := shown_path(found)):
+            yield shown
     if is_empty and is_robot(path):
         yield Failure(path, "is a folder, not a file")
 

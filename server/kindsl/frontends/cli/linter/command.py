@@ -70,7 +70,7 @@ def _plan(args: Any) -> LintPlan:
         args.jobs,
         args.quiet,
         frozenset() if args.no_default_exclude else TOOLS_FOLDERS,
-        knows=args.write_baseline is None,
+        baseline=args.write_baseline,
     )
 
 
@@ -80,25 +80,11 @@ def _lint_and_report(args: Any) -> int:
         write(sys.stderr, f"kdsl-lint: error: {wrong}\n")
         return UNUSABLE
     plan = _plan(args)
-    if not args.watch:
-        outcome = _linted(plan, args)
-        return _report(outcome, args)
-    from kindsl.frontends.cli.linter.watching import watch
+    if args.watch:
+        from kindsl.frontends.cli.linter.watching import watch
 
-    return watch(plan, lambda outcome: _report(outcome, args))
-
-
-def _linted(plan: LintPlan, args: Any) -> RunOutcome:
-    outcome = lint(plan)
-    if plan.choices.decisions.bindings and not args.quiet:
-        from kindsl.frontends.cli.linter.unused_bindings import unused_on_command_line
-
-        write(sys.stderr, unused_on_command_line(outcome.files, plan.choices))
-    if args.write_baseline is None:
-        return outcome
-    from kindsl.frontends.cli.linter.known import with_baseline_written
-
-    return with_baseline_written(outcome, args.write_baseline)
+        return watch(plan, lambda outcome: _report(outcome, args))
+    return _report(lint(plan), args)
 
 
 def _report(outcome: RunOutcome, args: Any) -> int:

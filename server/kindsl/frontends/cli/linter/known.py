@@ -45,12 +45,13 @@ def with_baseline_written(outcome: RunOutcome, path: str) -> RunOutcome:
     decoded = (f for f in outcome.files if is_decodable(f.text) and not f.path.endswith(".toml"))
     known = {file.path: [*_identities(file)] for file in decoded}
     files = [file.with_all_known() if file.path in known else file for file in outcome.files]
+    text = baseline_text({path_in(path, name): known[name] for name in known})
     try:
-        write_output(path, baseline_text({path_in(path, name): known[name] for name in known}))
+        write_output(path, text)
     except CommandError as error:
         return outcome._replace(failures=[*outcome.failures, *error.failures])
     remark = f"{counted(sum(map(len, known.values())), 'known finding')} written to {path}"
-    return outcome._replace(files=files, remarks=[remark])
+    return outcome._replace(files=files, remarks=[*outcome.remarks, remark])
 
 
 def _identities(file: LintedFile) -> Iterator[str]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from kindsl.frontends.cli.documents.choices import Choices
 from kindsl.frontends.cli.documents.sources import STDIN, UNNAMED
-from kindsl.frontends.cli.documents.walking import documents, shown_path
+from kindsl.frontends.cli.documents.walking import documents
 from kindsl.frontends.cli.linter.one_document import Checked, FixMode, Task, check
 from kindsl.frontends.cli.outcome import Failure, LintedFile, RunOutcome, as_failures
 from kindsl.judgement.config.errors import ConfigurationError
@@ -42,7 +42,7 @@ class LintPlan(NamedTuple):
         jobs: How many processes, 0 for as many as pay.
         is_quiet: Whether to show no progress.
         excluded: Names of folders to leave out.
-        knows: Whether findings that a baseline knows are left out.
+        baseline: Where what is found is written as known, which leaves out nothing as known.
     """
 
     paths: list[str]
@@ -53,7 +53,7 @@ class LintPlan(NamedTuple):
     jobs: int = 0
     is_quiet: bool = False
     excluded: Collection[str] = TOOLS_FOLDERS
-    knows: bool = True
+    baseline: str | None = None
 
 
 def lint(plan: LintPlan) -> RunOutcome:
@@ -66,31 +66,37 @@ def lint(plan: LintPlan) -> RunOutcome:
         files += [checked.file] if checked.file is not None else []
         files += checked.others
         failures += [checked.failure] if checked.failure is not None else []
-    remarks: tuple[str, ...] = ()
+    remarks: list[str] = []
+    if plan.choices.decisions.bindings and not plan.is_quiet:
+        from kindsl.frontends.cli.linter.unused_bindings import unused_on_command_line
+
+        remarks += unused_on_command_line(files, plan.choices)
     if any(task.settings.known for task in tasks):
         from kindsl.frontends.cli.linter.known import stale_remarks
 
-        remarks = tuple(stale_remarks(files, configurations))
+        remarks += stale_remarks(files, configurations)
     files += _unused(files, configurations, plan)
-    return RunOutcome(files, failures, remarks=remarks)
+    outcome = RunOutcome(files, failures, remarks=remarks)
+    if plan.baseline is None:
+        return outcome
+    from kindsl.frontends.cli.linter.known import with_baseline_written
+
+    return with_baseline_written(outcome, plan.baseline)
 
 
 def linted(plan: LintPlan) -> Iterator[str | Failure]:
-    """Yield the documents of a plan: in folders, robots in XML that a configuration includes."""
-    named = {shown_path(path) for path in plan.paths}
-    for document in documents(plan.paths, plan.excluded, _WALKED):
-        is_walked = not isinstance(document, Failure) and document not in named
-        is_xml = is_walked and str(document).lower().endswith(_IN_XML)
-        if not is_xml or _is_included(str(document), plan):
-            yield document
+    """Return the documents of a plan: in folders, robots in XML that a configuration includes."""
 
+    def is_included(document: str) -> bool:
+        if not document.lower().endswith(_IN_XML):
+            return True
+        try:
+            configuration = plan.choices.configuration_for(document)
+        except ConfigurationError:
+            return True  # It is reported with the document.
+        return configuration is not None and configuration.includes(document)
 
-def _is_included(document: str, plan: LintPlan) -> bool:
-    try:
-        configuration = plan.choices.configuration_for(document)
-    except ConfigurationError:
-        return True  # It is reported with the document.
-    return configuration is not None and configuration.includes(document)
+    return documents(plan.paths, plan.excluded, _WALKED, is_included)
 
 
 def _prepared(
@@ -107,7 +113,7 @@ def _prepared(
         shown = plan.stdin_name if document == STDIN else document
         try:
             configuration, settings = plan.choices.decided_for(shown)
-            if plan.knows and configuration is not None and configuration.baseline:
+            if plan.baseline is None and configuration is not None and configuration.baseline:
                 from kindsl.judgement.config.baseline import known_findings
 
                 settings = settings._replace(known=known_findings(configuration, shown))

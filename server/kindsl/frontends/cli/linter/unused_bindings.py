@@ -40,10 +40,10 @@ def unused_bindings(
     return found
 
 
-def unused_on_command_line(files: Sequence[LintedFile], choices: Choices) -> str:
-    """Return a line for each `--param` that no document uses; nothing if there are no documents."""
+def unused_on_command_line(files: Sequence[LintedFile], choices: Choices) -> list[str]:
+    """Return a sentence for each `--param` that no document uses; none if there are none."""
     known: frozenset[str] = frozenset().union(*(file.parameters for file in files))
     given = choices.decisions.bindings
     names = [name for name in given if given[name].origin == "--param"]
     unused = vain_bindings(names, sorted(known)) if files else ()
-    return "".join(f"warning: --param {one.name}: {one.message}\n" for one in unused)
+    return [f"warning: --param {one.name}: {one.message}" for one in unused]
