@@ -168,3 +168,5 @@ def test_unused_parameter_of_the_command_line_is_told(kdsl_lint: Runner, folder:
     assert told.err.startswith("warning: --param lenght: no document uses parameter 'lenght'")
     assert told.status == 0
     assert "warning: --param" not in kdsl_lint("a.kindsl", "--param", "length=1").err
+    written = kdsl_lint("a.kindsl", "--param", "lenght=1", "--write-baseline", "known.json")
+    assert "warning: --param lenght" in written.err

@@ -288,6 +288,23 @@ def test_two_of_a_kind_and_unlike_errors_are_told_one_by_one(
     assert "more like it" not in told.out
 
 
+def test_verdicts_are_of_each_document_as_it_is_after_fixes(
+    kdsl_lint: Runner, folder: Path
+) -> None:
+    (folder / "a.kindsl").write_text(arm())
+    (folder / "b.kindsl").write_text(arm().replace("r_joint", "r_jiont"))
+    (folder / "t.dtdsl").write_text("Robot arm\nFrames {}\nTransforms {}\n")
+    reads = "a.kindsl: robcogen reads it\na.kindsl: robcogen2 reads it\n"
+    assert kdsl_lint("--verbose", ".").err.endswith(
+        f"{reads}b.kindsl: robcogen refuses it, 1 place\nb.kindsl: robcogen2 refuses it, 1 place\n"
+    )
+    mended = kdsl_lint("--verbose", "--fix", "--unsafe-fixes", "--write-baseline", "k.json", ".")
+    assert mended.err.endswith(f"{reads}{reads.replace('a.', 'b.')}")
+    assert kdsl_lint("--verbose", "a.kindsl").err.endswith(
+        "\nrobcogen reads it\nrobcogen2 reads it\n"
+    )
+
+
 def test_no_generator_has_a_verdict_on_a_urdf(
     kdsl_lint: Runner, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -1,6 +1,7 @@
 """The outcome of a run of the linter: findings and failures."""
 
 from collections.abc import Sequence
+from copy import copy
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -41,6 +42,7 @@ class LintedFile:
         findings: In the order of the text.
         parameters: Names of the parameters that it uses.
         joints: Names of its joints.
+        verdicts: Those of the generators, where they are asked for.
         n_fixed: How many findings were fixed.
         n_known: How many findings are left out, since the baseline knows them.
         n_stale: How many findings the baseline knows that are no longer there.
@@ -61,6 +63,7 @@ class LintedFile:
         self.findings = findings
         self.parameters = parameters
         self.joints: frozenset[str] = frozenset()
+        self.verdicts: tuple[str, ...] = ()
         self.original = text if original is None else original
         self.n_fixed = n_fixed
         self.n_known = self.n_stale = 0
@@ -76,8 +79,8 @@ class LintedFile:
 
     def with_all_known(self) -> "LintedFile":
         """Return the file with all its findings known."""
-        file = LintedFile(self.path, self.text, (), self.parameters, self.original, self.n_fixed)
-        file.n_known = self.n_known + len(self.findings)
+        file = copy(self)
+        file.findings, file.n_known = (), self.n_known + len(self.findings)
         return file
 
     def count(self, severity: Severity) -> int:

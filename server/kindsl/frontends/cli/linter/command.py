@@ -69,6 +69,7 @@ def _plan(args: Any) -> LintPlan:
         args.unsafe_fixes,
         args.jobs,
         args.quiet,
+        args.verbose,
         frozenset() if args.no_default_exclude else TOOLS_FOLDERS,
         baseline=args.write_baseline,
     )

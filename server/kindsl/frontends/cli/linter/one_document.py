@@ -37,6 +37,7 @@ class Task(NamedTuple):
         settings: Decisions for it.
         fix_mode: How fixes are applied.
         with_unsafe: Whether unsafe fixes are wanted too.
+        with_verdicts: Whether the verdicts of the generators are wanted.
     """
 
     path: str
@@ -44,6 +45,7 @@ class Task(NamedTuple):
     settings: Settings
     fix_mode: FixMode = FixMode.NONE
     with_unsafe: bool = False
+    with_verdicts: bool = False
 
 
 class Checked(NamedTuple):
@@ -92,6 +94,10 @@ def _checked(task: Task, text: str) -> Checked:
     parameters = frozenset(str(parameter.name) for parameter in analysis.model.parameters)
     file = LintedFile(task.shown, analysis.text, found, parameters, text, n_fixed)
     file.joints = frozenset(str(joint.name) for joint in analysis.model.joints)
+    if task.with_verdicts:
+        from kindsl.judgement.analysis.verdicts import verdicts
+
+        file.verdicts = tuple(map(str, verdicts(analysis)))
     faults = (_defect(task, fault.error, fault.message) for fault in analysis.faults)
     return Checked(_counting(file, analysis.apart), failure or next(faults, None))
 

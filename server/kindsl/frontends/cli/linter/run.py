@@ -41,6 +41,7 @@ class LintPlan(NamedTuple):
         with_unsafe: Whether unsafe fixes are wanted too.
         jobs: How many processes, 0 for as many as pay.
         is_quiet: Whether to show no progress.
+        is_verbose: Whether the verdicts of the generators are asked for.
         excluded: Names of folders to leave out.
         baseline: Where what is found is written as known, which leaves out nothing as known.
     """
@@ -52,6 +53,7 @@ class LintPlan(NamedTuple):
     with_unsafe: bool = False
     jobs: int = 0
     is_quiet: bool = False
+    is_verbose: bool = False
     excluded: Collection[str] = TOOLS_FOLDERS
     baseline: str | None = None
 
@@ -122,7 +124,8 @@ def _prepared(
             continue
         if configuration is not None:
             configurations[shown] = configuration
-        tasks.append(Task(document, shown, settings, plan.fix_mode, plan.with_unsafe))
+        options = plan.fix_mode, plan.with_unsafe, plan.is_verbose
+        tasks.append(Task(document, shown, settings, *options))
     return tasks, failures, configurations
 
 

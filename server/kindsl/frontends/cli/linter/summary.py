@@ -5,7 +5,6 @@ from typing import Any
 
 from kindsl.frontends.cli.outcome import LintedFile, RunOutcome
 from kindsl.judgement.analysis.diagnostics import Diagnostic
-from kindsl.judgement.config.robots import SUFFIX
 from kindsl.judgement.rules.base import Severity
 from kindsl.language.text.phrases import counted
 from kindsl.language.text.printable import printable
@@ -38,19 +37,11 @@ def summary(outcome: RunOutcome) -> str:
 
 def verdict_lines(files: Sequence[LintedFile]) -> str:
     """Return a line for each generator, with the document's name where there are several."""
-    from kindsl.judgement.analysis.analysis import Analysis
-    from kindsl.judgement.analysis.verdicts import verdicts
-    from kindsl.robots.interchange.syntaxes import syntax_of
-
-    documents = [
-        file
-        for file in files
-        if file.path.endswith(SUFFIX) or "." not in file.path.rpartition("/")[2]
-    ]
+    documents = [file for file in files if file.verdicts]
     return "".join(
         f"{printable(f'{file.path}: ' if len(documents) > 1 else '')}{line}\n"
         for file in documents
-        for line in verdicts(Analysis(syntax_of(file.path, file.text)))
+        for line in file.verdicts
     )
 
 
