@@ -102,6 +102,22 @@ def test_what_is_known_is_read_from_its_context(size: int, monkeypatch: pytest.M
         assert ("m" in given) == ("m->mass" in inside or "(m, " in inside)
 
 
+def test_a_member_of_the_context_is_no_argument(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The centre of mass is `c`, and what parameters decide `m->c`."""
+    monkeypatch.setattr(c, "OPERATIONS_PER_PART", 1)
+    graph = Graph()
+    x, length = graph.vector(2)
+    body = CBody(
+        "f",
+        [CArray("a", "double a[]", [x])],
+        [CArray("c", "double c[]", [x * length + 1.0])],
+        {length.index: "m->c[0]"},
+        ("m", "const model *m"),
+    )
+    functions = _functions(c_definition(graph, body, DOUBLE))
+    assert [given for given, _ in functions.values()] == [["m", "a", "w"], ["c", "w"], ["m", "a", "c"]]
+
+
 @pytest.mark.parametrize("size", [2, 500])
 def test_a_template_reads_all_before_it_stores(size: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """So the array that it fills may be the one that it takes."""

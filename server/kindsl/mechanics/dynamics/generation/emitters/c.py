@@ -33,8 +33,8 @@ SMALLEST_FLOAT = 1.2e-38
 LARGEST_FLOAT = 3.4e38
 
 WORKSPACE = "w"
-# Not the suffix of a number, as in `0.5f`.
-_WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
+# Neither the suffix of a number, as in `0.5f`, nor a member, as in `m->c`.
+_WORD = re.compile(r"(?<![\w.])(?<!->)[A-Za-z_]\w*")
 
 
 @dataclass(frozen=True, slots=True)
