@@ -42,7 +42,7 @@ ALGORITHMS: dict[str, Algorithm] = {
     "floating inverse": lambda b, s: floating_base_inverse_dynamics(
         b, s["q"], s["qd"], s["x"], s["v"], s["g"]
     ),
-    "forward": lambda b, s: forward_dynamics(b, s["q"], s["qd"], s["x"], s["v"], s["g"]),
+    "forward": lambda b, s: forward_dynamics(posture(b, s["q"]), s["qd"], s["x"], s["v"], s["g"]),
     "bias": lambda b, s: bias_torque(b, s["q"], s["qd"], s["v"], s["g"]),
     "gravity": lambda b, s: gravity_torque(b, s["q"], s["g"]),
     "kinetic energy": lambda b, s: kinetic_energy(b, s["q"], s["qd"], s["v"]),

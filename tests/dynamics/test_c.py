@@ -114,8 +114,8 @@ def test_a_member_of_the_context_is_no_argument(monkeypatch: pytest.MonkeyPatch)
         {length.index: "m->c[0]"},
         ("m", "const model *m"),
     )
-    functions = _functions(c_definition(graph, body, DOUBLE))
-    assert [given for given, _ in functions.values()] == [["m", "a", "w"], ["c", "w"], ["m", "a", "c"]]
+    taken = [given for given, _ in _functions(c_definition(graph, body, DOUBLE)).values()]
+    assert taken == [["m", "a", "w"], ["c", "w"], ["m", "a", "c"]]
 
 
 @pytest.mark.parametrize("size", [2, 500])

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from kindsl.mechanics.dynamics.bodies import Bodies
-from kindsl.mechanics.dynamics.forward_dynamics import accelerations_by_inertia
+from kindsl.mechanics.dynamics.forward_dynamics import forward_dynamics
 from kindsl.mechanics.dynamics.inverse_dynamics_derivatives import inverse_dynamics_derivatives
 from kindsl.mechanics.dynamics.posture import posture
 from kindsl.mechanics.spatial.arrays import Array
@@ -40,7 +40,7 @@ def forward_dynamics_derivatives(
     Source: the equations of motion hold at the solution, so `M d qdd = -d tau` at held `qdd`.
     """
     state, first = posture(bodies, q), bodies.n_velocities - bodies.n_links
-    a, M = accelerations_by_inertia(state, qd, tau, base_velocity, gravity)
+    a, M = forward_dynamics(state, qd, tau, base_velocity, gravity)
     a0 = a[..., :6] if first else np.zeros_like(base_velocity)
     dq, dqd, _ = inverse_dynamics_derivatives(state, qd, a[..., first:], base_velocity, a0, gravity)
     inverse = np.asarray(np.linalg.inv(M), dtype=np.float64)

@@ -5,12 +5,9 @@ from typing import NamedTuple
 import numpy as np
 
 from kindsl.mechanics.dynamics.bodies import Bodies
-from kindsl.mechanics.dynamics.joints import (
-    apply,
-    link_transforms,
-    motion_cross_product,
-    motion_subspaces,
-)
+from kindsl.mechanics.dynamics.inverse_dynamics import body_motions
+from kindsl.mechanics.dynamics.joints import apply
+from kindsl.mechanics.dynamics.posture import posture
 from kindsl.mechanics.spatial.arrays import Array
 from kindsl.mechanics.spatial.cross_products import cross
 from kindsl.mechanics.spatial.transforms import plucker
@@ -50,16 +47,14 @@ def frame_motion(
         body: Index of the body that carries the frame.
         body_T_frame: The frame's pose in the body, shape (4, 4).
 
-    Source: Featherstone 2008, table 5.1; the acceleration of a point is the linear part of the
+    Source: Featherstone 2008, sec. 5.3; the acceleration of a point is the linear part of the
         spatial one and `w x v` (sec. 2.11).
     """
-    X, S = link_transforms(bodies, q), motion_subspaces(bodies)
-    v, a = base_velocity, base_acceleration
-    for i in reversed(bodies.support(body)):
-        v_joint = S[i] * qd[..., i - 1, None]
-        v = apply(X[i], v) + v_joint
-        a = apply(X[i], a) + S[i] * qdd[..., i - 1, None] + motion_cross_product(v, v_joint)
-    frame_X_body = plucker(body_T_frame[:3, :3].T, body_T_frame[:3, 3])
-    v, a = apply(frame_X_body, v), apply(frame_X_body, a)
+    state = posture(bodies, q)
+    base_T_frame = state.poses[..., body, :, :] @ body_T_frame
+    R, r = base_T_frame[..., :3, :3], base_T_frame[..., :3, 3]
+    frame_X_base = plucker(np.swapaxes(R, -1, -2), r)
+    motions = body_motions(state, qd, qdd, base_velocity, base_acceleration)
+    v, a = (apply(frame_X_base, motion[..., body, :]) for motion in motions)
     turning = cross(v[..., :3], v[..., 3:])
     return FrameMotion(v, np.concatenate((a[..., :3], a[..., 3:] + turning), axis=-1))

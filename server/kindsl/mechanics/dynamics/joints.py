@@ -1,40 +1,9 @@
-"""Contributions of joints: transforms, axes, subtree inertias, as lists over bodies."""
+"""Products of batches of matrices and spatial vectors."""
 
 import numpy as np
 
-from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.spatial.arrays import Array
 from kindsl.mechanics.spatial.cross_products import cross
-from kindsl.mechanics.spatial.inertia import spatial_inertia
-from kindsl.mechanics.spatial.transforms import plucker, rotation_about_z
-
-MOTION_SUBSPACE = {
-    "revolute": np.array([0.0, 0.0, 1.0, 0.0, 0.0, 0.0]),
-    "prismatic": np.array([0.0, 0.0, 0.0, 0.0, 0.0, 1.0]),
-}
-
-
-def link_transforms(bodies: Bodies, q: Array) -> list[Array]:
-    """Return `i_X_p` (..., 6, 6), from each link's parent to it, by body; identity for the base."""
-    transforms = [np.eye(6)]
-    for joint, kind in enumerate(bodies.joint_kinds):
-        R, r, q_i = bodies.p_R_j[joint], bodies.p_r_j[joint], q[..., joint]
-        if kind == "revolute":
-            R = R @ rotation_about_z(q_i)
-        else:
-            r = r + R[:, 2] * q_i[..., None]
-        transforms.append(plucker(np.swapaxes(R, -1, -2), r))
-    return transforms
-
-
-def motion_subspaces(bodies: Bodies) -> list[Array]:
-    """Return each supporting joint's unit motion `S` (6,), by body; zero for the base."""
-    return [np.zeros(6), *(MOTION_SUBSPACE[kind] for kind in bodies.joint_kinds)]
-
-
-def body_inertias(bodies: Bodies) -> list[Array]:
-    """Return each body's spatial inertia (6, 6) at its origin."""
-    return list(spatial_inertia(bodies.masses, bodies.coms, bodies.inertias))
 
 
 def apply(matrix: Array, vector: Array) -> Array:

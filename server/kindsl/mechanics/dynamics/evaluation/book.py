@@ -5,7 +5,7 @@ import numpy as np
 from kindsl.mechanics.dynamics.bias_torque import bias_torque, gravity_torque
 from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.evaluation.request import Request, rows_of
-from kindsl.mechanics.dynamics.forward_dynamics import accelerations_by_inertia, forward_dynamics
+from kindsl.mechanics.dynamics.forward_dynamics import forward_dynamics
 from kindsl.mechanics.dynamics.forward_kinematics import body_poses, frame_poses
 from kindsl.mechanics.dynamics.inverse_dynamics import (
     floating_base_inverse_dynamics,
@@ -20,8 +20,6 @@ from kindsl.mechanics.spatial.arrays import Array
 # The working set is some dozens of 6x6 matrices per body and configuration; of 500 to 20,000 bodies
 # this takes the least time for a chain of 100.
 BODIES_AT_A_TIME = 5_000
-# Fewer configurations take the joint-space inertia, whose calls do not grow with the bodies.
-WORTH_RECURSION = 50
 
 
 def evaluate(bodies: Bodies, request: Request) -> Array:
@@ -57,11 +55,8 @@ def _entries(bodies: Bodies, function: str, x: dict[str, Array]) -> Array:
         return bias_torque(bodies, q, qd, v0, g)
     external = x["fext"].reshape((len(q), bodies.n_links + 1, 6)) if "fext" in x else None
     if function == "forward_dynamics":
-        if len(q) < WORTH_RECURSION:
-            a, _ = accelerations_by_inertia(posture(bodies, q), qd, x["tau"], v0, g, external)
-            return np.roll(a, -6, axis=-1) if bodies.is_floating else a
-        joints, base = forward_dynamics(bodies, q, qd, x["tau"], v0, g, external)
-        return np.concatenate((joints, base), axis=-1) if bodies.is_floating else joints
+        a, _ = forward_dynamics(posture(bodies, q), qd, x["tau"], v0, g, external)
+        return np.roll(a, -6, axis=-1) if bodies.is_floating else a
     qdd = x["qdd"]
     if function == "inverse_dynamics_actuated":
         a0 = x["a0"] - uniform_acceleration(g)

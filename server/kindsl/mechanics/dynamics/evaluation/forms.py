@@ -31,7 +31,7 @@ MOST_LINKS_TO_GENERATE_FOR = 30
 # Of longer chains, these quantities' code grows with the number of links only, and so many
 # configurations take longer in the other form than code takes to generate.
 LINEAR: frozenset[Quantity] = frozenset(
-    {"poses", "inverse_dynamics", "gravity_torque", "bias_torque"}
+    {"poses", "inverse_dynamics", "forward_dynamics", "gravity_torque", "bias_torque"}
 )
 WORTH_GENERATING = 3000
 
