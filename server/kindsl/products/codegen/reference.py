@@ -1,4 +1,4 @@
-"""Expected results of generated functions, from the mechanics that this program itself uses."""
+"""Expected results of generated functions, from the book's algorithms."""
 
 import random
 from collections.abc import Mapping, Sequence
@@ -12,7 +12,7 @@ from kindsl.language.semantics.transforms import LINK_PREFIX
 from kindsl.mechanics.dynamics.bodies import Bodies, BodyFrame
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanics.dynamics.generation.function import Function
-from kindsl.mechanics.dynamics.joints import solve
+from kindsl.mechanics.dynamics.quantities import KEYWORDS
 from kindsl.mechanics.spatial.arrays import Array
 
 Values = Mapping[str, Array]
@@ -42,7 +42,9 @@ def independent_contacts(mechanics: Mechanics, q: Array, contacts: Sequence[str]
 
 
 class Reference:
-    """Answers for one configuration of a mechanism.
+    """Answers for one configuration of a mechanism, by the book's algorithms.
+
+    These share no code with what is generated.
 
     Attributes:
         mechanics: The mechanism.
@@ -53,45 +55,45 @@ class Reference:
     def __init__(
         self, mechanics: Mechanics, values: Values, parameters: Mapping[str, float] = NOTHING
     ) -> None:
-        self.mechanics = mechanics
+        self.mechanics = Mechanics(mechanics.bodies, generates_code=False)
         self.values = values
         self.parameters = parameters
-        self._base = values["v0"] if mechanics.bodies.is_floating else None
-        self._joints = values["q"], values["qd"], values["qdd"]
-        self._first = 6 if mechanics.bodies.is_floating else 0
+        self._first = mechanics.bodies.n_velocities - mechanics.bodies.n_links
 
     def results(self, function: Function) -> list[Array]:
         """Return what a function gives without external forces, one array a result."""
-        return self._answer(function, np.zeros(self._first + self.mechanics.bodies.n_links))
+        name, about = function.name, function.about
+        if name == "foot_jacobians":
+            return [self._foot_jacobian(foot) for foot in about]
+        if name == "contact_dynamics":
+            return self._contact_dynamics(about)
+        if name.startswith("pose_"):
+            return [self._pose(about[0], about[1])[:3]]
+        if len(about) == 2:
+            return [self._relative_jacobian(*about)]
+        if name.startswith("jacobian_"):
+            return [self._jacobian(about[0], is_own=name == f"jacobian_{about[0]}")]
+        if name == "poses":
+            poses = self.mechanics.forward_kinematics(self.values["q"])
+            return [np.array([pose[:3] for pose in poses.values()])]
+        if name == "inertia_factorization":
+            return _factors(self.mechanics.joint_space_inertia(self.values["q"]))
+        if about:
+            kind = name.removesuffix(f"_{about[0]}")
+            return self._answer(f"frame_{kind}", function, name=about[0])
+        return self._answer(name.removesuffix("_actuated"), function)
 
     def loaded_results(self, function: Function) -> list[Array]:
         """Return what a function gives under external forces."""
-        q, bodies = self.values["q"], self.mechanics.bodies
-        forces = self.values["fext"].reshape(-1, 6)
-        load = np.zeros(bodies.n_velocities)
-        load[: self._first] = forces[0][: self._first]
-        for name, force in zip(bodies.link_names, forces[1:], strict=True):
-            load += self.mechanics.jacobian(q, name).T @ force
-        return self._answer(function, load)
+        method, wrenches = function.name.removesuffix("_actuated"), self.values["fext"]
+        return self._answer(method, function, external_forces=wrenches.reshape(-1, 6))
 
-    def _answer(self, function: Function, load: Array) -> list[Array]:
-        name = function.name
-        if name == "foot_jacobians":
-            return [self._foot_jacobian(foot) for foot in function.about]
-        if name == "contact_dynamics":
-            return self._contact_dynamics(function.about)
-        if name.startswith("pose_"):
-            return [self._pose(function.about[0], function.about[1])[:3]]
-        if len(function.about) == 2:
-            return [self._relative_jacobian(*function.about)]
-        if name.startswith(("velocity_", "acceleration_")):
-            return [self._frame_motion(name, function.about[0])]
-        if function.about:
-            is_own = name == f"jacobian_{function.about[0]}"
-            return [self._jacobian(function.about[0], is_own)]
-        if name in ("inverse_dynamics", "inverse_dynamics_actuated", "forward_dynamics"):
-            return self._dynamics(name, load)
-        return self._by_name(name)
+    def _answer(self, method: str, function: Function, **others: Array | str) -> list[Array]:
+        """Return what a method gives for a function's arguments and others."""
+        names = (argument.name for argument in function.arguments)
+        given = {KEYWORDS.get(name, name): self.values[name] for name in names}
+        found = getattr(self.mechanics, method)(**given, **others)
+        return [*found] if isinstance(found, tuple) else [np.atleast_1d(found)]
 
     def _jacobian(self, name: str, is_own: bool) -> Array:
         """Return a Jacobian in the frame's own or in base coordinates."""
@@ -101,21 +103,12 @@ class Reference:
         R = self.mechanics.forward_kinematics(self.values["q"])[name][:3, :3]
         return np.concatenate((R @ J[:3], R @ J[3:]))
 
-    def _frame_motion(self, name: str, frame: str) -> Array:
-        m, base, (q, qd, qdd) = self.mechanics, self._base, self._joints
-        if name == f"velocity_{frame}":
-            return m.frame_velocity(q, qd, frame, base)
-        if name == f"acceleration_{frame}":
-            a0 = self.values["a0"] if base is not None else None
-            return m.frame_acceleration(q, qd, qdd, frame, base, a0)
-        return m.frame_acceleration_drift(q, qd, frame, base)
-
     def _contact_dynamics(self, contacts: Sequence[str]) -> list[Array]:
         """Return what contacts give of which some are not active: zeros of these."""
         active = np.flatnonzero(self.values["active"]).tolist()
-        q, qd, _ = self._joints
-        given = (self.values["tau"], [contacts[k] for k in active], self._base, self.values["g"])
-        found = self.mechanics.constrained_forward_dynamics(q, qd, *given)
+        q, qd, tau, g = (self.values[name] for name in ("q", "qd", "tau", "g"))
+        given = [contacts[k] for k in active], self.values["v0"] if self._first else None, g
+        found = self.mechanics.constrained_forward_dynamics(q, qd, tau, *given)
         forces, size = np.zeros((len(contacts), 3)), 3 * len(contacts)
         forces[active] = found.contact_forces
         Lambda, rows = np.zeros((size, size)), np.flatnonzero(np.repeat(self.values["active"], 3))
@@ -164,51 +157,7 @@ class Reference:
         framed = replace(
             bodies, base_name=base, link_names=tuple(links), frames=tuple(frames.values())
         )
-        return Mechanics(framed)
-
-    def _dynamics(self, name: str, load: Array) -> list[Array]:
-        """Return forces or accelerations, from `M a + bias = forces + load`."""
-        q, qd, g = (self.values[key] for key in ("q", "qd", "g"))
-        M = self.mechanics.joint_space_inertia(q)
-        rest = self.mechanics.bias_torque(q, qd, self._base, g) - load
-        k = self._first
-        if name == "forward_dynamics":
-            a = solve(M, np.concatenate((np.zeros(k), self.values["tau"])) - rest)
-            return [a[k:], a[:k]] if k else [a]
-        a0 = self.values["a0"][:k]
-        if name == "inverse_dynamics" and k:
-            a0 = solve(M[:k, :k], -rest[:k] - M[:k, k:] @ self.values["qdd"])
-        forces = M @ np.concatenate((a0, self.values["qdd"])) + rest
-        if not k:
-            return [forces]
-        return [forces[k:], a0 if name == "inverse_dynamics" else forces[:k]]
-
-    def _by_name(self, name: str) -> list[Array]:
-        m, base = self.mechanics, self._base
-        q, qd, qdd, tau, g = (self.values[key] for key in ("q", "qd", "qdd", "tau", "g"))
-        if name == "poses":
-            return [np.array([pose[:3] for pose in m.forward_kinematics(q).values()])]
-        if name == "inertia_factorization":
-            return _factors(m.joint_space_inertia(q))
-        a0 = self.values["a0"] if base is not None else None
-        arguments: dict[str, tuple[object, ...]] = {
-            "joint_space_inertia": (q,),
-            "gravity_torque": (q, g),
-            "bias_torque": (q, qd, base, g),
-            "kinetic_energy": (q, qd, base),
-            "potential_energy": (q, g),
-            "center_of_mass": (q,),
-            "center_of_mass_jacobian": (q,),
-            "centroidal_momentum_matrix": (q,),
-            "centroidal_momentum_drift": (q, qd, base),
-            "joint_space_inertia_inverse": (q,),
-            "coriolis_matrix": (q, qd, base),
-            "forward_dynamics_derivatives": (q, qd, tau, base, g),
-            "inverse_dynamics_derivatives": (q, qd, qdd, base, a0, g),
-            "regressor": (q, qd, qdd, base, a0, g),
-        }
-        found = getattr(m, name)(*arguments[name])
-        return [*found] if name.endswith("_derivatives") else [np.atleast_1d(found)]
+        return Mechanics(framed, generates_code=False)
 
 
 def _factors(M: Array) -> list[Array]:
