@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.joint_space_inertia import inertia_of
 from kindsl.mechanics.dynamics.joints import (
     apply,
@@ -11,7 +10,7 @@ from kindsl.mechanics.dynamics.joints import (
     solve,
     uniform_acceleration,
 )
-from kindsl.mechanics.dynamics.posture import Posture, posture
+from kindsl.mechanics.dynamics.posture import Posture
 from kindsl.mechanics.spatial.arrays import Array
 from kindsl.mechanics.spatial.transforms import plucker
 
@@ -85,31 +84,8 @@ def in_base(state: Posture, wrenches: Array) -> Array:
     return apply(np.swapaxes(body_X_base, -1, -2), wrenches)
 
 
-def inverse_dynamics(
-    bodies: Bodies,
-    q: Array,
-    qd: Array,
-    qdd: Array,
-    gravity: Array,
-    external: Array | None = None,
-) -> Array:
-    """Return the joint forces `tau` (..., n) of a mechanism with a fixed base.
-
-    Args:
-        bodies: The mechanism.
-        q: Joint positions, shape (..., n), radians and metres.
-        qd: Joint velocities, shape (..., n).
-        qdd: Joint accelerations, shape (..., n).
-        gravity: Shape (..., 3), m/s^2, base coordinates.
-        external: The wrench on each body, see `newton_euler`.
-    """
-    weightless = -uniform_acceleration(gravity)
-    return newton_euler(posture(bodies, q), qd, qdd, np.zeros(6), weightless, external)
-
-
 def floating_base_inverse_dynamics(
-    bodies: Bodies,
-    q: Array,
+    state: Posture,
     qd: Array,
     qdd: Array,
     base_velocity: Array,
@@ -119,8 +95,7 @@ def floating_base_inverse_dynamics(
     """Return the joint forces and the acceleration of a base that only gravity and `external` move.
 
     Args:
-        bodies: The mechanism.
-        q: Joint positions, shape (..., n), radians and metres.
+        state: The mechanism in its configuration.
         qd: Joint velocities, shape (..., n).
         qdd: Joint accelerations, shape (..., n).
         base_velocity: Spatial velocity of the base, shape (..., 6), base coordinates.
@@ -135,7 +110,6 @@ def floating_base_inverse_dynamics(
 
     Source: Featherstone 2008, sec. 9.5.
     """
-    state = posture(bodies, q)
     forces = newton_euler(state, qd, qdd, base_velocity, np.zeros(6), external)
     # A free base takes the acceleration, relative to gravity, at which its wrench vanishes.
     M = inertia_of(state)

@@ -9,7 +9,6 @@ from kindsl.mechanics.dynamics.forward_dynamics import forward_dynamics
 from kindsl.mechanics.dynamics.forward_kinematics import body_poses, frame_poses
 from kindsl.mechanics.dynamics.inverse_dynamics import (
     floating_base_inverse_dynamics,
-    inverse_dynamics,
     newton_euler,
 )
 from kindsl.mechanics.dynamics.joint_space_inertia import joint_space_inertia
@@ -54,15 +53,12 @@ def _entries(bodies: Bodies, function: str, x: dict[str, Array]) -> Array:
     if function == "bias_torque":
         return bias_torque(bodies, q, qd, v0, g)
     external = x["fext"].reshape((len(q), bodies.n_links + 1, 6)) if "fext" in x else None
+    state, weight = posture(bodies, q), uniform_acceleration(g)
     if function == "forward_dynamics":
-        a, _ = forward_dynamics(posture(bodies, q), qd, x["tau"], v0, g, external)
-        return np.roll(a, -6, axis=-1) if bodies.is_floating else a
-    qdd = x["qdd"]
-    if function == "inverse_dynamics_actuated":
-        a0 = x["a0"] - uniform_acceleration(g)
-        forces = newton_euler(posture(bodies, q), qd, qdd, v0, a0, external)
-        return np.concatenate((forces[:, 6:], forces[:, :6]), axis=-1)
-    if not bodies.is_floating:
-        return inverse_dynamics(bodies, q, qd, qdd, g, external)
-    tau, base = floating_base_inverse_dynamics(bodies, q, qd, qdd, v0, g, external)
-    return np.concatenate((tau, base), axis=-1)
+        found, _ = forward_dynamics(state, qd, x["tau"], v0, g, external)
+    elif function == "inverse_dynamics" and bodies.is_floating:
+        tau, base = floating_base_inverse_dynamics(state, qd, x["qdd"], v0, g, external)
+        return np.concatenate((tau, base), axis=-1)
+    else:
+        found = newton_euler(state, qd, x["qdd"], v0, x.get("a0", 0.0) - weight, external)
+    return np.roll(found, -6, axis=-1) if bodies.is_floating else found
