@@ -13,11 +13,11 @@ from kindsl.mechanics.dynamics.regressor import PARAMETERS_PER_BODY, regressor
 from kindsl.mechanics.rigid.body import lumped, seen_from
 from kindsl.mechanics.rigid.pose import RigidPose
 from kindsl.mechanics.spatial.arrays import Array
-from kindsl.mechanics.spatial.transforms import plucker
 from kindsl.robots.comparison.alignment import around
 from kindsl.robots.comparison.mechanical import MechanicalComparison
 from kindsl.robots.comparison.number_differences import NumberDifference
 from kindsl.robots.comparison.quantities import INERTIA, POSE
+from kindsl.robots.comparison.restated import restated
 from kindsl.robots.comparison.side import ComparedSide
 from kindsl.robots.comparison.turned_axes import with_axis
 from kindsl.robots.mechanism.bodies import bodies_of
@@ -87,33 +87,12 @@ def _counted_as_ours(
     ours: Linkage, theirs: Linkage, found: MechanicalComparison, states: _States
 ) -> tuple[Array, Array]:
     """Return the other's own matrices and forces, in our joints and our base's frame."""
-    T, offsets = _velocities(ours, theirs, found)
-    first = 6 if theirs.is_floating else 0
-    joints = T[first:, first:]
-    mechanics = Mechanics(bodies_of(theirs), generates_code=False)
-    q = (states.q - offsets) @ joints.T
-    gravity = GRAVITY
-    if theirs.is_floating:
-        gravity = np.array(found.alignment.frames[0].rotation).T @ GRAVITY
-    M = mechanics.joint_space_inertia(q)
-    bias = mechanics.bias_torque(q, states.qd @ joints.T, gravity=gravity)
-    return T.T @ M @ T, bias @ T
-
-
-def _velocities(ours: Linkage, theirs: Linkage, found: MechanicalComparison) -> tuple[Array, Array]:
-    """Return the map of our velocities to the other's, and our values at the other's zero."""
-    n = ours.n_links
-    joints, offsets = np.zeros((n, n)), np.zeros(n)
-    for body, joint in found.alignment.joints.items():
-        joints[found.matching.theirs[body] - 1, body - 1] = joint.sign
-        offsets[body - 1] = joint.offset
-    if not theirs.is_floating:
-        return joints, offsets
-    T = np.zeros((6 + n, 6 + n))
-    base = found.alignment.frames[0]
-    T[:6, :6] = plucker(np.array(base.rotation).T, np.array(base.translation))
-    T[6:, 6:] = joints
-    return T, offsets
+    same = restated(ours, theirs, found)
+    places = [same.joint_names.index(name) for name in ours.joint_names]
+    M, bias = _forces(same, _States(*(rates[:, np.argsort(places)] for rates in states)))
+    first = 6 if same.is_floating else 0
+    order = [*range(first), *(first + place for place in places)]
+    return M[:, order][:, :, order], bias[:, order]
 
 
 def _carried(ours: ComparedSide, theirs: ComparedSide, found: MechanicalComparison) -> Linkage:
