@@ -90,6 +90,6 @@ def _from_the_book(
 ) -> Iterator[tuple[str, np.ndarray]]:
     quantities: list[Quantity] = list(JOINT_VECTORS)
     for quantity in quantities:
-        vectors = (q, qd, x)[: len(JOINT_VECTORS[quantity])]
-        request = Request(quantity, (), vectors, base_velocity, GRAVITY)
+        joints = dict(zip(JOINT_VECTORS[quantity], (q, qd, x), strict=False))
+        request = Request(quantity, (), {**joints, "v0": base_velocity, "g": GRAVITY})
         yield quantity, book.evaluate(bodies, request)

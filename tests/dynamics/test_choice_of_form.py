@@ -30,7 +30,8 @@ def _request(
     quantity: Quantity, shape: tuple[int, ...], n_links: int, v: Array = REST, g: Array = DOWN
 ) -> Request:
     vectors = np.random.default_rng(2).uniform(-1.0, 1.0, (3, *shape, n_links))
-    return Request(quantity, shape, tuple(vectors[: len(JOINT_VECTORS[quantity])]), v, g)
+    joints = dict(zip(JOINT_VECTORS[quantity], vectors, strict=False))
+    return Request(quantity, shape, {**joints, "v0": v, "g": g})
 
 
 @pytest.fixture

@@ -19,7 +19,8 @@ def test_the_book_does_no_part_larger_than_it_may_be(
     bodies = random_bodies(np.random.default_rng(1), 2, is_floating=True)
     generator = np.random.default_rng(2)
     q, qd = generator.uniform(-1.0, 1.0, (*shape, 2)), generator.uniform(-1.0, 1.0, 2)
-    request = Request("bias_torque", shape, (q, qd), np.arange(6.0), np.array([7.0, 8.0, 9.0]))
+    vectors = {"q": q, "qd": qd, "v0": np.arange(6.0), "g": np.array([7.0, 8.0, 9.0])}
+    request = Request("bias_torque", shape, vectors)
     whole, sizes, bias = book.evaluate(bodies, request), [], book.bias_torque
 
     def counted(bodies: Bodies, q: Array, *others: Array) -> Array:

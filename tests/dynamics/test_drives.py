@@ -60,8 +60,8 @@ def test_all_forms_are_one(seed: int) -> None:
     base, g = generator.uniform(-1.0, 1.0, 6) * bodies.is_floating, np.array([1.0, 2.0, -9.0])
     for quantity, names in JOINT_VECTORS.items():
         for n in (2, 60):
-            vectors = tuple(generator.uniform(-1.0, 1.0, (n, bodies.n_links)) for _ in names)
-            request = Request(quantity, (n,), vectors, base, g)
+            joints = {name: generator.uniform(-1.0, 1.0, (n, bodies.n_links)) for name in names}
+            request = Request(quantity, (n,), {**joints, "v0": base, "g": g})
             expected = book.evaluate(bodies, request)
             generated = Forms(bodies).by_code(request)
             np.testing.assert_allclose(generated, expected, rtol=1e-8, atol=1e-8)

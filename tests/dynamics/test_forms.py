@@ -37,7 +37,8 @@ def test_forms_are_equal(quantity: Quantity, is_floating: bool, is_at_rest: bool
             if not is_at_rest:
                 v = generator.uniform(-1.0, 1.0, (*shape, 6)) * is_floating
                 gravity = generator.uniform(-9.0, 9.0, 3)
-            request = Request(quantity, shape, tuple(vectors), v, gravity)
+            joints = dict(zip(JOINT_VECTORS[quantity], vectors, strict=True))
+            request = Request(quantity, shape, {**joints, "v0": v, "g": gravity})
             got, expected = form.by_code(request), book.evaluate(bodies, request)
             assert got.shape == expected.shape
             scale = abs(expected).max(initial=1e-3)
@@ -77,10 +78,10 @@ def test_long_chains_never_wait_for_code(
     chosen = Forms(random_bodies(np.random.default_rng(0), n_links, is_floating=True))
     traced = []
     monkeypatch.setattr(forms, "trace", lambda *_: traced.append(1))
-    vectors = tuple(np.zeros(n_links) for _ in JOINT_VECTORS[quantity])
-    at_rest = np.zeros(6), np.array(STANDARD_GRAVITY)
+    vectors = {name: np.zeros(n_links) for name in JOINT_VECTORS[quantity]}
+    vectors |= {"v0": np.zeros(6), "g": np.array(STANDARD_GRAVITY)}
     for size in (1, SMALLEST_BATCH, SMALLEST_BATCH + 1):
-        chosen.evaluate(Request(quantity, (size,), vectors, *at_rest))
+        chosen.evaluate(Request(quantity, (size,), vectors))
     assert not traced
 
 

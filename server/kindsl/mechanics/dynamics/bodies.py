@@ -1,6 +1,5 @@
 """The numeric description of a mechanism that all algorithms work on."""
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -101,10 +100,6 @@ class Bodies(Topology):
     def n_velocities(self) -> int:
         """Number of velocity variables: the joints, and six more for a floating base."""
         return self.n_links + (6 if self.is_floating else 0)
-
-    def links_leaves_first(self) -> Iterator[tuple[int, int]]:
-        """Yield what `links` yields, children first."""
-        return reversed(list(self.links()))
 
     def support(self, body: int) -> list[int]:
         """Return the joints between the base and a body, nearest to the body first."""

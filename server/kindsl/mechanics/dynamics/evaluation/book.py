@@ -28,7 +28,7 @@ def evaluate(bodies: Bodies, request: Request) -> Array:
         numpy.linalg.LinAlgError: If a floating base's inertia is singular.
     """
     shape = request.batch_shape
-    rows = {name: rows_of(vector, shape) for name, vector in request.vectors().items()}
+    rows = {name: rows_of(vector, shape) for name, vector in request.vectors.items()}
     size, chunk = len(rows["q"]), max(1, BODIES_AT_A_TIME // bodies.n_links)
     entries = []
     # A batch without rows is computed once: only the result says how long rows are.

@@ -174,11 +174,11 @@ class _Rows:
 
     def evaluate(self, request: Request) -> Array:
         """Return a quantity's entries in one row per configuration, shape (..., entries)."""
-        has_load = request.external is not None or request.base_acceleration is not None
+        has_load = not request.vectors.keys().isdisjoint(("a0", "fext"))
         name = f"{request.function}_loaded" if has_load else request.function
         group = next(group for group, names in GROUPS.items() if request.function in names)
         extension = self._owner._group("loads" if has_load else group)
-        given = {KEYWORDS.get(key, key): vector for key, vector in request.vectors().items()}
+        given = {KEYWORDS.get(key, key): vector for key, vector in request.vectors.items()}
         nothing = np.zeros(6 * (self._owner.n_joints + 1))
         given["external_forces"] = given.pop("fext", nothing)
         size = math.prod(request.batch_shape)

@@ -23,16 +23,17 @@ from kindsl.mechanics.dynamics.generation.emitters.scalar_python import (
 )
 from kindsl.mechanics.dynamics.generation.robot import Robot, robot_of
 from kindsl.mechanics.dynamics.generation.trace import Conditions, Trace, trace
-from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY, Quantity
+from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY
 from kindsl.mechanics.spatial.arrays import Array
 
 # More links take longer to generate code for than anyone wants to wait.
 MOST_LINKS_TO_GENERATE_FOR = 30
 # Of longer chains, these quantities' code grows with the number of links only, and so many
 # configurations take longer in the other form than code takes to generate.
-LINEAR: frozenset[Quantity] = frozenset(
-    {"poses", "inverse_dynamics", "forward_dynamics", "gravity_torque", "bias_torque"}
-)
+LINEAR = (
+    "poses", "inverse_dynamics", "inverse_dynamics_actuated", "forward_dynamics", "gravity_torque",
+    "bias_torque",
+)  # fmt: skip
 WORTH_GENERATING = 3000
 
 
@@ -73,7 +74,7 @@ class Forms:
         """
         is_large = math.prod(request.batch_shape) >= WORTH_GENERATING
         is_worth_it = self.bodies.n_links <= MOST_LINKS_TO_GENERATE_FOR or (
-            request.quantity in LINEAR and is_large
+            request.function in LINEAR and is_large
         )
         if self._generates_code and is_worth_it:
             return self.by_code(request)
@@ -88,7 +89,7 @@ class Forms:
             SingularInertiaError: If nothing resists a motion in any configuration.
         """
         key = request.function, _conditions(request)
-        shape, vectors = request.batch_shape, request.vectors()
+        _, shape, vectors = request
         size = math.prod(shape)
         if 0 < size < SMALLEST_BATCH:
             single, names = self._single.get(key) or self._new_single(*key)
@@ -121,8 +122,9 @@ class Forms:
 
 
 def _conditions(request: Request) -> Conditions:
-    if request.external is not None:
+    vectors = request.vectors
+    if "fext" in vectors:
         return "loaded"
-    is_standard = tuple(request.gravity.tolist()) == STANDARD_GRAVITY
-    is_still = request.base_acceleration is None and not request.base_velocity.any()
+    is_standard = tuple(vectors["g"].tolist()) == STANDARD_GRAVITY
+    is_still = "a0" not in vectors and not vectors["v0"].any()
     return "at_rest" if is_still and is_standard else "any"

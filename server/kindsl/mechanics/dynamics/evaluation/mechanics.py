@@ -32,6 +32,7 @@ from kindsl.mechanics.dynamics.forward_kinematics import joint_poses
 from kindsl.mechanics.dynamics.jacobian import jacobian, relative_jacobian
 from kindsl.mechanics.dynamics.quantities import (
     JOINT_VECTORS,
+    KEYWORDS,
     STANDARD_GRAVITY,
     Quantity,
     SingularInertiaError,
@@ -39,6 +40,8 @@ from kindsl.mechanics.dynamics.quantities import (
 from kindsl.mechanics.spatial.arrays import Array
 from kindsl.mechanics.spatial.exponential import pose_array, pose_of_motion
 
+# The names that generated functions have for arguments.
+IN_CODE = {keyword: name for name, keyword in KEYWORDS.items()} | {"external_forces": "fext"}
 # Quantities that divide by inertia.
 ACCELERATING = ("inverse_dynamics", "forward_dynamics")
 # What ready code raises if it is not there yet, or for arguments that need a closer look.
@@ -322,30 +325,19 @@ class Mechanics(WholeBody):
         joints = dict(zip(names, joint_vectors, strict=True))
         given = checked(self.bodies, joints, base, gravity, external_forces)
         arrays = {name: given[name] for name in names}
-        entries = self._computed(quantity, arrays, given)
-        if quantity in ACCELERATING and not np.isfinite(entries).all():
-            raise not_finite(self.bodies, arrays)
-        return entries
-
-    def _computed(
-        self, quantity: Quantity, arrays: dict[str, Array], given: dict[str, Array]
-    ) -> Array:
-        request = Request(
-            quantity,
-            common_batch_shape(given),
-            tuple(arrays.values()),
-            base_velocity=given.get("base_velocity", AT_REST),
-            gravity=given.get("gravity", GRAVITY),
-            base_acceleration=given.get("base_acceleration"),
-            external=given.get("external_forces"),
-        )
+        vectors = {"v0": AT_REST, "g": GRAVITY} | {IN_CODE.get(k, k): x for k, x in given.items()}
+        function = f"{quantity}_actuated" if "a0" in vectors else quantity
+        request = Request(function, common_batch_shape(given), vectors)
         try:
             with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-                return self._forms.evaluate(request)
+                entries = self._forms.evaluate(request)
         except (SingularInertiaError, ZeroDivisionError, np.linalg.LinAlgError):
             raise not_finite(self.bodies, arrays) from None
         except OverflowError:
             raise too_large(arrays) from None
+        if quantity in ACCELERATING and not np.isfinite(entries).all():
+            raise not_finite(self.bodies, arrays)
+        return entries
 
     def _poses(self, q: JointVector) -> Array:
         """Return `base_T_x` (..., poses, 4, 4) of the links, then of the frames."""
