@@ -1,6 +1,7 @@
 """From a model to a robot for code generation, parameters staying inputs of the code."""
 
 from collections.abc import Collection, Mapping
+from dataclasses import replace
 from typing import cast
 
 from kindsl.language.semantics import declarations as declared
@@ -9,12 +10,10 @@ from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.parameters import JointProperties
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.dynamics.generation.mass_moments import MassMoments
-from kindsl.mechanics.dynamics.generation.robot import PlacedFrame, Robot, massless
-from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar, Term, cosine_and_sine
-from kindsl.mechanics.dynamics.generation.tree import ROUNDING, Tree, masses_near_base, tree_drives
-from kindsl.mechanics.dynamics.generation.vectors import Matrix, Vector, scale
-from kindsl.mechanics.rigid.joint_kind import JointKind
-from kindsl.robots.mechanism.bodies import drives_of
+from kindsl.mechanics.dynamics.generation.robot import Robot, massless, robot_of
+from kindsl.mechanics.dynamics.generation.terms import Scalar, Term, cosine_and_sine
+from kindsl.mechanics.dynamics.generation.tree import ROUNDING, masses_near_base
+from kindsl.mechanics.dynamics.generation.vectors import EYE, ZERO, Matrix, Vector, scale
 from kindsl.robots.mechanism.build import mechanism_of
 from kindsl.robots.mechanism.errors import ModelError
 from kindsl.robots.mechanism.numbering import numbered_by_id, require_base
@@ -42,41 +41,27 @@ def symbolic_robot(
         UnboundParameterError: A parameter is neither.
         ModelError: The model is no kinematic tree with regular numbering, or a value is missing.
     """
-    mechanism_of(model, {**values, **dict.fromkeys(inputs, PLACEHOLDER)})
-    graph = Graph()
-    reader = _ScalarReader(values, {name: graph.input() for name in inputs})
-    base, edges = require_base(model), numbered_by_id(model)
-    links = [base, *(edge.link for edge in edges if edge.link is not None)]
-    joints = [edge.joint for edge in edges if edge.joint is not None]
-    index = {link: number for number, link in enumerate(links)}
-    kinds: list[JointKind] = ["revolute", *(joint.kind for joint in joints)]
-    parents = [0, *(index[edge.predecessor] for edge in edges)]
-    eye: Matrix = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
-    rotations = [eye, *(reader.rotation(joint.pose) for joint in joints)]
-    positions: list[Vector] = [
-        [0.0, 0.0, 0.0], *(reader.vector(joint.pose.translation) for joint in joints),
-    ]  # fmt: skip
-    bodies = [reader.body(link) for link in links]
-    masses = masses_near_base(kinds, parents, rotations, positions, bodies)
-    joint_names = tuple(str(joint.name) for joint in joints)
-    drives = tree_drives(drives_of(joint_names, told or {}))
-    return Robot(
-        graph,
-        Tree(parents, kinds, rotations, positions, masses, base.is_floating, drives),
-        bodies,
-        str(base.name),
-        tuple(str(link.name) for link in links[1:]),
-        joint_names,
-        tuple(
-            PlacedFrame(
-                name,
-                index[body],
-                reader.rotation(frame.pose),
-                reader.vector(frame.pose.translation),
-            )
-            for name, body, frame in named_frames(index)
-        ),
-        reader.inputs,
+    known = robot_of(
+        mechanism_of(model, {**values, **dict.fromkeys(inputs, PLACEHOLDER)}, told).bodies
+    )
+    reader = _ScalarReader(values, {name: known.graph.input() for name in inputs})
+    edges = numbered_by_id(model)
+    links = [require_base(model), *(edge.link for edge in edges if edge.link is not None)]
+    poses = [edge.joint.pose for edge in edges if edge.joint is not None]
+    rotations = [EYE, *(reader.rotation(pose) for pose in poses)]
+    positions = [ZERO, *(reader.vector(pose.translation) for pose in poses)]
+    bodies, tree = [reader.body(link) for link in links], known.tree
+    masses = masses_near_base(tree.kinds, tree.parents, rotations, positions, bodies)
+    frames = tuple(
+        replace(placed, R=reader.rotation(frame.pose), r=reader.vector(frame.pose.translation))
+        for placed, (_, _, frame) in zip(known.frames, named_frames(links), strict=True)
+    )
+    return replace(
+        known,
+        tree=replace(tree, rotations=rotations, positions=positions, masses=masses),
+        bodies=bodies,
+        frames=frames,
+        parameters=reader.inputs,
     )
 
 

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kindsl.mechanics.dynamics.bodies import Bodies, Drives
+from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.generation.mass_moments import (
     MassMoments,
     carried_by_predecessor,
@@ -85,15 +85,10 @@ def tree_of(bodies: Bodies) -> Tree:
     rotations: list[Matrix] = [EYE, *_snapped(bodies.p_R_j).tolist()]
     positions: list[Vector] = [ZERO, *bodies.p_r_j.tolist()]
     masses = masses_near_base(kinds, parents, rotations, positions, mass_distributions(bodies))
-    drives = tree_drives(bodies.drives)
+    drives = None
+    if (own := bodies.drives) is not None:
+        drives = TreeDrives(own.armature.tolist(), own.damping.tolist(), own.friction.tolist())
     return Tree(parents, kinds, rotations, positions, masses, bodies.is_floating, drives)
-
-
-def tree_drives(drives: Drives | None) -> TreeDrives | None:
-    """Return drives as plain floats."""
-    if drives is None:
-        return None
-    return TreeDrives(drives.armature.tolist(), drives.damping.tolist(), drives.friction.tolist())
 
 
 class Wrench(NamedTuple):
