@@ -128,7 +128,8 @@ def test_code_for_the_pairs(kindsl: Runner, beside: Path, folder: Path) -> None:
     told = kindsl("generate", "arm.kindsl", *options)
     assert told.status == 1
     assert (
-        "error: --transforms, 5:10: the robot has no frame 'top'; did you mean 'tip'?" in told.err
+        "error: transforms document, 5:10: the robot has no frame 'top'; did you mean 'tip'?"
+        in told.err
     )
 
 

@@ -292,8 +292,8 @@ def test_frames_choose_the_pairs_that_have_one_of_them_on_either_side() -> None:
 @pytest.mark.parametrize(
     ("wrong", "message"),
     [
-        ("base=fr_shell, target=tap\n", "--transforms, 4:23: "),
-        ("\n\n  base=fr_Lift, target=tip\n", "--transforms, 6:8: "),
+        ("base=fr_shell, target=tap\n", "transforms document, 4:23: "),
+        ("\n\n  base=fr_Lift, target=tip\n", "transforms document, 6:8: "),
     ],
 )
 def test_an_unknown_frame_is_told_with_its_place(wrong: str, message: str) -> None:

@@ -22,7 +22,7 @@ def wanted_pairs(text: str, model: Model, robot: Robot) -> Wanted:
     document = read_transforms(text)
     for wrong in (*document.defects, *unknown_frames(document, model)):
         line, column = LineIndex(text).place(wrong.start)
-        raise GenerationError(f"--transforms, {line}:{column}: {wrong.message}")
+        raise GenerationError(f"transforms document, {line}:{column}: {wrong.message}")
     base = PlacedFrame(robot.base_name, 0, EYE, [0.0, 0.0, 0.0])
     by_name = {target.name: target for target in (*robot.placed, base)}
     joint_frames = (robot.joint_frame(joint) for joint in robot.tree.links())
