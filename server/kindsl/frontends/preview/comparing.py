@@ -126,7 +126,7 @@ def compared(
 
 
 def _row(ours: ComparedSide, theirs: ComparedSide, number: NumberDifference) -> DifferenceRow:
-    here, there = number.here_number or number.here_near, number.there_number or number.there_near
+    here, there = number.places
     kind, name = _thing(ours.skeleton, number)
     return DifferenceRow(
         kind=kind,

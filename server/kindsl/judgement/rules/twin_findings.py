@@ -28,7 +28,7 @@ def of_structure(model: Model, each: "ComparedTwin") -> Iterator[Finding]:
 
 def of_number(model: Model, twin: "TwinFile", number: "NumberDifference") -> Finding | None:
     """Return the finding of a number that differs, with what takes over the twin's."""
-    there = number.there_number or number.there_near
+    there = number.places[1]
     at = place_of(model, number)
     if at is None:
         return None
@@ -49,7 +49,7 @@ def where(twin: "TwinFile", number: "WrittenNumber | None") -> str:
 
 def place_of(model: Model, number: "NumberDifference") -> Located | None:
     """Return the place of a differing number, or the name of its owner."""
-    written = number.here_number or number.here_near
+    written = number.places[0]
     if written is not None and isinstance(written.at, Expression):
         return written.at
     names = (*(each.name for each in model.bodies), *(each.name for each in model.joints))

@@ -51,7 +51,6 @@ class NumberDifference(NamedTuple):
         there: The other's value, or the one it needs.
         here_number: Our number, None if it is not written or not the one that differs.
         there_number: The other's.
-        others_value: The other's number that agrees with ours; None if not one number.
         here_near: Our file's text in its place, about another point or along other axes.
         there_near: The other's.
         body: Our body that it moves or weighs.
@@ -70,7 +69,6 @@ class NumberDifference(NamedTuple):
     there: float
     here_number: WrittenNumber | None
     there_number: WrittenNumber | None
-    others_value: float | None = None
     here_near: WrittenNumber | None = None
     there_near: WrittenNumber | None = None
     body: int = 0
@@ -344,7 +342,6 @@ def _difference(
         there,
         wanted.form.numbers[k],
         number if is_there else None,
-        others.values[k] if is_one and others is not None else None,
         there_near=number,
         our_changes=_changes(wanted, (k,)),
         their_changes=_changes(others, needed) if others is not None else (),
@@ -368,7 +365,6 @@ def _reversed(found: NumberDifference) -> NumberDifference:
         there=found.here,
         here_number=found.there_number,
         there_number=found.here_number,
-        others_value=found.there,
         here_near=found.there_near,
         there_near=None,
         is_theirs=True,

@@ -148,9 +148,9 @@ def _changed(side: ComparedSide, found: MechanicalComparison, number: NumberDiff
     body = found.matching.theirs[number.body] if number.is_theirs else number.body
     if number.turn is not None:
         return with_axis(skeleton, body, number.turn)
-    value = number.others_value if number.is_theirs else number.there
-    if value is None or number.kind == "frame":
+    if number.kind == "frame":
         return skeleton
+    value = number.here if number.is_theirs else number.there
     owner = number.other if number.is_theirs else number.owner
     if number.kind == "joint":
         form = side.joints[body - 1]
