@@ -68,4 +68,3 @@ def test_support_goes_from_body_to_base() -> None:
     bodies = replace(GOOD, parents=(0, 1, 1))
     assert bodies.support(3) == [3, 1]
     assert bodies.support(0) == []
-    assert list(bodies.links_leaves_first()) == [(3, 1), (2, 1), (1, 0)]
