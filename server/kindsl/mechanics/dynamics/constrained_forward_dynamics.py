@@ -1,7 +1,5 @@
 """Forward dynamics of a mechanism some of whose frames are held."""
 
-from typing import NamedTuple
-
 import numpy as np
 
 from kindsl.mechanics.dynamics.joints import apply, apply_transposed, solve
@@ -11,30 +9,20 @@ from kindsl.mechanics.spatial.arrays import Array
 WORST_CONDITION = 1e13
 
 
-class ConstrainedAccelerations(NamedTuple):
-    """The motion of a mechanism, and what holds it.
-
-    Attributes:
-        a: Accelerations, a floating base's spatial one first, shape (..., nv).
-        forces: What acts along the rows of the constraints, shape (..., m).
-        Lambda: The inertia that the rows meet, `(J M^-1 J^T)^-1`, shape (..., m, m).
-    """
-
-    a: Array
-    forces: Array
-    Lambda: Array
-
-
 def constrained_forward_dynamics(
     M: Array, forces: Array, J: Array, drift: Array
-) -> ConstrainedAccelerations:
-    """Return the motion with `J @ a + drift = 0`.
+) -> tuple[Array, Array, Array]:
+    """Return the motion with `J @ a + drift = 0`, and what holds it.
 
     Args:
         M: The joint-space inertia, shape (..., nv, nv).
         forces: Those of the joints less the bias torque, shape (..., nv).
         J: The Jacobian of the constraints, shape (..., m, nv).
         drift: Their accelerations at zero acceleration, shape (..., m).
+
+    Returns:
+        Accelerations (..., nv), a floating base's spatial one first; the forces (..., m) along the
+        rows of the constraints; and the inertia (..., m, m) that these meet, `(J M^-1 J^T)^-1`.
 
     Raises:
         numpy.linalg.LinAlgError: If an inertia is singular.
@@ -49,4 +37,4 @@ def constrained_forward_dynamics(
         raise ValueError("the contacts hold some motion twice, or one that nothing can make")
     Lambda = np.asarray(np.linalg.inv(inverse), dtype=np.float64)
     along = -apply(Lambda, apply(J, free) + drift)
-    return ConstrainedAccelerations(free + solve(M, apply_transposed(J, along)), along, Lambda)
+    return free + solve(M, apply_transposed(J, along)), along, Lambda

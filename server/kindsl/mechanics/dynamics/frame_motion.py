@@ -1,45 +1,30 @@
 """Velocity and acceleration of a frame."""
 
-from typing import NamedTuple
-
 import numpy as np
 
-from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.inverse_dynamics import body_motions
 from kindsl.mechanics.dynamics.joints import apply
-from kindsl.mechanics.dynamics.posture import posture
+from kindsl.mechanics.dynamics.posture import Posture
 from kindsl.mechanics.spatial.arrays import Array
 from kindsl.mechanics.spatial.cross_products import cross
 from kindsl.mechanics.spatial.transforms import plucker
 
 
-class FrameMotion(NamedTuple):
-    """The motion of a frame relative to the world, in its own coordinates, angular part first.
-
-    Attributes:
-        velocity: Angular velocity, and the velocity of its origin, shape (..., 6).
-        acceleration: Angular acceleration, and the acceleration of its origin, shape (..., 6).
-    """
-
-    velocity: Array
-    acceleration: Array
-
-
 def frame_motion(
-    bodies: Bodies,
-    q: Array,
+    state: Posture,
     qd: Array,
     qdd: Array,
     base_velocity: Array,
     base_acceleration: Array,
     body: int,
     body_T_frame: Array,
-) -> FrameMotion:
-    """Return the motion of a frame on a body.
+) -> tuple[Array, Array]:
+    """Return velocity and acceleration (..., 6) of a frame on a body, angular part first.
+
+    Both are relative to the world, in the frame's own coordinates, linear parts of its origin.
 
     Args:
-        bodies: The mechanism.
-        q: Joint positions, shape (..., n), radians and metres.
+        state: The mechanism in its configuration.
         qd: Joint velocities, shape (..., n).
         qdd: Joint accelerations, shape (..., n).
         base_velocity: Spatial velocity of the base, shape (..., 6), zero if it is fixed.
@@ -50,11 +35,10 @@ def frame_motion(
     Source: Featherstone 2008, sec. 5.3; the acceleration of a point is the linear part of the
         spatial one and `w x v` (sec. 2.11).
     """
-    state = posture(bodies, q)
     base_T_frame = state.poses[..., body, :, :] @ body_T_frame
     R, r = base_T_frame[..., :3, :3], base_T_frame[..., :3, 3]
     frame_X_base = plucker(np.swapaxes(R, -1, -2), r)
     motions = body_motions(state, qd, qdd, base_velocity, base_acceleration)
     v, a = (apply(frame_X_base, motion[..., body, :]) for motion in motions)
     turning = cross(v[..., :3], v[..., 3:])
-    return FrameMotion(v, np.concatenate((a[..., :3], a[..., 3:] + turning), axis=-1))
+    return v, np.concatenate((a[..., :3], a[..., 3:] + turning), axis=-1)

@@ -8,7 +8,6 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import numpy.typing as npt
 
-from kindsl.mechanics.dynamics.bias_torque import bias_torque
 from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.centroidal_momentum import (
     centroidal_momentum_drift,
@@ -30,16 +29,16 @@ from kindsl.mechanics.dynamics.forward_dynamics_derivatives import (
     ForwardDynamicsDerivatives,
     forward_dynamics_derivatives,
 )
-from kindsl.mechanics.dynamics.forward_kinematics import body_poses
 from kindsl.mechanics.dynamics.frame_motion import frame_motion
+from kindsl.mechanics.dynamics.inverse_dynamics import newton_euler
 from kindsl.mechanics.dynamics.inverse_dynamics_derivatives import (
     InverseDynamicsDerivatives,
     inverse_dynamics_derivatives,
 )
 from kindsl.mechanics.dynamics.jacobian import jacobian
-from kindsl.mechanics.dynamics.joint_space_inertia import joint_space_inertia
+from kindsl.mechanics.dynamics.joint_space_inertia import inertia_of, joint_space_inertia
 from kindsl.mechanics.dynamics.joints import uniform_acceleration
-from kindsl.mechanics.dynamics.posture import posture
+from kindsl.mechanics.dynamics.posture import Posture, posture
 from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY
 from kindsl.mechanics.dynamics.regressor import inertial_parameters, regressor
 from kindsl.mechanics.spatial.arrays import Array
@@ -288,41 +287,39 @@ class WholeBody:
         joints, base = {"q": q, "qd": qd, "tau": tau}, {"base_velocity": base_velocity}
         q, qd, tau, v, g = self._motion(joints, base, gravity)
         first = self.bodies.n_velocities - self.bodies.n_links
-        bias = bias_torque(self.bodies, q, qd, v, g)
+        state, rest = posture(self.bodies, q), np.zeros_like(qd)
+        bias = newton_euler(state, qd, rest, v, -uniform_acceleration(g))
         forces = np.concatenate((np.zeros((*tau.shape[:-1], first)), tau), axis=-1) - bias
         rows = slice(0 if is_rigid else 3, 6)
-        J, drift = self._contacts(contacts, q, qd, v, rows)
-        M = joint_space_inertia(self.bodies, q)
+        J, drift = self._contacts(contacts, state, qd, v, rows)
         try:
             with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-                found = constrained_forward_dynamics(M, forces, J, drift)
+                found = constrained_forward_dynamics(inertia_of(state), forces, J, drift)
         except np.linalg.LinAlgError:
             raise singular_inertia(self.bodies, q) from None
-        if not np.isfinite(found.a).all():
+        a, along, Lambda = found
+        if not np.isfinite(a).all():
             raise not_finite(self.bodies, {"q": q, "qd": qd, "tau": tau})
-        base_acceleration = found.a[..., :first] if first else np.zeros((*q.shape[:-1], 6))
+        base_acceleration = a[..., :first] if first else np.zeros((*q.shape[:-1], 6))
         shape = (*q.shape[:-1], len(contacts), rows.stop - rows.start)
-        return ConstrainedMotion(
-            found.a[..., first:], base_acceleration, found.forces.reshape(shape), found.Lambda
-        )
+        return ConstrainedMotion(a[..., first:], base_acceleration, along.reshape(shape), Lambda)
 
     def _contacts(
-        self, names: Sequence[str], q: Array, qd: Array, v: Array, rows: slice
+        self, names: Sequence[str], state: Posture, qd: Array, v: Array, rows: slice
     ) -> tuple[Array, Array]:
         """Return the frames' Jacobian and drift in base coordinates, one below the other."""
-        rest, poses = np.zeros_like(qd), body_poses(self.bodies, q)
+        rest, batch = np.zeros_like(qd), qd.shape[:-1]
         jacobians, drifts = [], []
         for name in names:
             body, body_T_frame = placed_frame(self.bodies, name)
-            base_T_frame = poses[..., body, :, :] @ body_T_frame
-            motion = frame_motion(self.bodies, q, qd, rest, v, np.zeros(6), body, body_T_frame)
-            turned = np.zeros((*q.shape[:-1], 6, 6))
+            base_T_frame = state.poses[..., body, :, :] @ body_T_frame
+            _, drift = frame_motion(state, qd, rest, v, np.zeros(6), body, body_T_frame)
+            turned = np.zeros((*batch, 6, 6))
             turned[..., :3, :3] = turned[..., 3:, 3:] = base_T_frame[..., :3, :3]
-            J = turned @ jacobian(self.bodies, poses, body, base_T_frame)
+            J = turned @ jacobian(self.bodies, state.poses, body, base_T_frame)
             jacobians.append(J[..., rows, :])
-            drifts.append((turned @ motion.acceleration[..., None])[..., rows, 0])
+            drifts.append((turned @ drift[..., None])[..., rows, 0])
         if not jacobians:
-            batch = q.shape[:-1]
             return np.zeros((*batch, 0, self.bodies.n_velocities)), np.zeros((*batch, 0))
         return np.concatenate(jacobians, axis=-2), np.concatenate(drifts, axis=-1)
 
@@ -346,5 +343,6 @@ class WholeBody:
             dict(zip(("base_velocity", "base_acceleration"), (*base, None), strict=False)),
         )
         body, body_T_frame = placed_frame(self.bodies, name)
-        motion = frame_motion(self.bodies, q, qd, qdd, v, a, body, body_T_frame)
-        return motion.velocity if kind == "velocity" else motion.acceleration
+        state = posture(self.bodies, q)
+        velocity, acceleration = frame_motion(state, qd, qdd, v, a, body, body_T_frame)
+        return velocity if kind == "velocity" else acceleration

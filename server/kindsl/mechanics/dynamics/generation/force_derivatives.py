@@ -42,20 +42,6 @@ from kindsl.mechanics.dynamics.generation.vectors import (
 )
 
 
-class ForceDerivatives(NamedTuple):
-    """The derivatives of forces; a floating base's rows and columns first.
-
-    Attributes:
-        dq: With positions.
-        dqd: With velocities.
-        dqdd: With accelerations: the joint-space inertia.
-    """
-
-    dq: Matrix
-    dqd: Matrix
-    dqdd: Matrix
-
-
 class _Mechanism(NamedTuple):
     """A mechanism in motion; all lists by body.
 
@@ -80,8 +66,11 @@ class _Mechanism(NamedTuple):
     by_velocity: list[Field]
 
 
-def force_derivatives(tree: Tree, inputs: Inputs) -> ForceDerivatives:
-    """Return the derivatives of the forces, and of a floating base's wrench."""
+def force_derivatives(tree: Tree, inputs: Inputs) -> tuple[Matrix, Matrix, Matrix]:
+    """Return the derivatives of the forces with positions, velocities and accelerations.
+
+    A floating base's rows, of its wrench, and columns come first.
+    """
     mechanism = _in_motion(tree, inputs)
     first = 6 if tree.is_floating else 0
     size = first + len(tree.links())
@@ -97,7 +86,7 @@ def force_derivatives(tree: Tree, inputs: Inputs) -> ForceDerivatives:
     if tree.drives is not None:
         for row, damping in enumerate(tree.drives.damping, start=first):
             dqd[row][row] = dqd[row][row] + damping
-    return ForceDerivatives(dq, dqd, joint_space_inertia(tree, inputs.q))
+    return dq, dqd, joint_space_inertia(tree, inputs.q)
 
 
 def _in_motion(tree: Tree, inputs: Inputs) -> _Mechanism:

@@ -1,6 +1,6 @@
 """Velocities and accelerations of frames, for tracing."""
 
-from typing import NamedTuple
+from collections.abc import Sequence
 
 from kindsl.mechanics.dynamics.generation.function import Inputs
 from kindsl.mechanics.dynamics.generation.inverse_dynamics import body_motions
@@ -17,20 +17,8 @@ from kindsl.mechanics.dynamics.generation.vectors import (
 )
 
 
-class Velocities(NamedTuple):
-    """The velocities of bodies in their own coordinates, base first.
-
-    Attributes:
-        w: Angular velocities.
-        v: Velocities of the bodies' origins.
-    """
-
-    w: list[Vector]
-    v: list[Vector]
-
-
-def body_velocities(tree: Tree, x: Inputs) -> Velocities:
-    """Return the velocities of all bodies."""
+def body_velocities(tree: Tree, x: Inputs) -> list[tuple[Vector, Vector]]:
+    """Return angular velocity and that of its origin of each body in its own, base first."""
     joints, w, v = joint_motions(tree, x.q), [x.v0[:3]], [x.v0[3:]]
     for i in tree.links():
         parent, joint, along = tree.parents[i], joints[i], [0.0, 0.0, x.qd[i - 1]]
@@ -38,13 +26,13 @@ def body_velocities(tree: Tree, x: Inputs) -> Velocities:
         v_i = joint.to_link(add(v[parent], cross(w[parent], joint.offset)))
         w.append(add(joint.to_link(w[parent]), along if is_revolute else ZERO))
         v.append(add(v_i, ZERO if is_revolute else along))
-    return Velocities(w, v)
+    return list(zip(w, v, strict=True))
 
 
-def frame_velocity(velocities: Velocities, frame: PlacedFrame) -> Vector:
+def frame_velocity(velocities: Sequence[tuple[Vector, Vector]], frame: PlacedFrame) -> Vector:
     """Return a frame's velocity in its own coordinates, at its origin, angular part first."""
-    w, E = velocities.w[frame.body], transpose(frame.R)
-    v = add(velocities.v[frame.body], cross(w, frame.r))
+    (w, v), E = velocities[frame.body], transpose(frame.R)
+    v = add(v, cross(w, frame.r))
     return [*transform(E, w), *transform(E, v)]
 
 

@@ -70,7 +70,7 @@ def kinetic_energy(robot: Robot, x: Inputs) -> Scalar:
     """Return the kinetic energy of all bodies."""
     velocities = body_velocities(robot.tree, x)
     energy: Scalar = 0.0
-    for body, w, v in zip(robot.bodies, *velocities, strict=True):
+    for body, (w, v) in zip(robot.bodies, velocities, strict=True):
         energy = energy + _energy(body, w, v)
     if robot.tree.drives is not None:
         for rotor, rate in zip(robot.tree.drives.armature, x.qd, strict=True):
