@@ -343,3 +343,24 @@ def test_a_number_that_is_no_rounding_is_named_among_rounded_ones() -> None:
     assert wrong != rounded
     ours, theirs = described_text(text)[0], described_text(wrong)[0]
     assert "mass" in {number.quantity for number in compared_mechanics(ours, theirs).numbers}
+
+
+FINGER = """Robot hand {
+RobotBase palm { children { finger via slide } }
+link finger {
+    id = 1
+    inertia_params { mass = 0.015 CoM = (0.0, 0.0, 0.0)
+        Ix = 1e-6 Iy = 1e-6 Iz = 1e-6 Ixy = 0.0 Ixz = 0.0 Iyz = 0.0 }
+    children {}
+}
+p_joint slide { ref_frame { translation = (0.0, 0.0, 0.06) rotation = (-PI/2.0, 0.0, 0.0) } }
+}
+"""
+
+
+def test_forces_that_are_nothing_but_rounding_confirm_as_well() -> None:
+    ours = described_text(FINGER)[0]
+    theirs = described_text(FINGER.replace("(-PI/2.0", "(PI/2.0"))[0]
+    found = compared_mechanics(ours, theirs)
+    assert found.is_equal
+    assert torques(ours, theirs, found).is_confirmed

@@ -32,7 +32,7 @@ _NOTHING = 1e-10
 _TINY = 1e-300
 # Of random motions to the columns of a regressor.
 _ROWS_PER_PARAMETER = 3
-# Of a singular value beside the greatest: rounding.
+# Of a singular value beside the greatest, of a force beside the weight: rounding.
 _SMALLEST = 1e-9
 
 
@@ -66,10 +66,11 @@ def torques(ours: ComparedSide, theirs: ComparedSide, found: MechanicalCompariso
         rounded = replace(found, numbers=found.rounded)
         own = _forces(_carried(ours, theirs, rounded), states) if found.rounded else own
         other = _counted_as_ours(ours.skeleton, theirs.skeleton, found, states)
-        return Torques(False, _gap(own, other) <= _DIGITS, ())
+        return Torques(False, _gap(ours.skeleton, own, other) <= _DIGITS, ())
     carried = _forces(_carried(ours, theirs, found), states)
     effects = tuple(_effect(ours, theirs, found, each) for each in found.numbers)
-    return Torques(bool(found.structure) or _gap(own, carried) > _NOTHING, None, effects)
+    gap = _gap(ours.skeleton, own, carried)
+    return Torques(bool(found.structure) or gap > _NOTHING, None, effects)
 
 
 def _states(skeleton: Linkage) -> _States:
@@ -117,10 +118,15 @@ def _carried(ours: ComparedSide, theirs: ComparedSide, found: MechanicalComparis
     return carried
 
 
-def _gap(one: tuple[Array, Array], other: tuple[Array, Array]) -> float:
-    """Return the greatest difference relative to the greatest entry."""
-    pairs = zip(one, other, strict=True)
-    return float(max(np.abs(a - b).max() / max(np.abs(a).max(), _TINY) for a, b in pairs))
+def _gap(skeleton: Linkage, one: tuple[Array, Array], other: tuple[Array, Array]) -> float:
+    """Return the greatest difference relative to the greatest entry.
+
+    Forces that are next to nothing beside the robot's weight are rounding.
+    """
+    mass = sum(abs(body.mass) for body in skeleton.masses)
+    least = _TINY, _TINY + _SMALLEST * mass * float(np.linalg.norm(GRAVITY))
+    pairs = zip(one, other, least, strict=True)
+    return float(max(np.abs(a - b).max() / max(np.abs(a).max(), c) for a, b, c in pairs))
 
 
 def _effect(
