@@ -280,7 +280,7 @@ def _hidden(analysis: Analysis, link: Link, meant: Body) -> str:
         return ""
     found = judgement_of(link, link.inertia, body, values)
     around = surroundings(analysis.model, values, found)
-    if found.verdict is not Verdict.POSSIBLE or around.twins:
+    if found.verdict is not Verdict.POSSIBLE or around.peers:
         return ""
     as_meant = weighed(Hypothesis((), meant, found.half, 1.0), found, around)
     as_written = weighed_as_written(found, around)
