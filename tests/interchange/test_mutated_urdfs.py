@@ -69,6 +69,7 @@ def test_another_kind_of_file_is_told(tmp_path: Path) -> None:
         ('<parent link="arm"', '<parent link="arn"', "does not exist; did you mean 'arm'"),
         (WRIST, "", "has 2 root links"),
         (' izz="0.1"', "", "<inertia> has no attribute 'izz'"),
+        (' iyy="0.1" izz="0.1"', "", "<inertia> has no attributes 'iyy' and 'izz'$"),
         ('"hand"><inertial', '" "><inertial', "^line 4: <link name=' '> has an empty name$"),
         ('<mass value="1.0"/>', "", "^line 2: <inertial> of link 'base' has no <mass>$"),
         ('izz="0.1"', 'izz="1 2"', "^line 2: <inertia> has 2 numbers in 'izz', not 1$"),

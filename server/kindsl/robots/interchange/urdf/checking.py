@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 from kindsl.language.text.nearest import hint, nearest_name, nearest_word
+from kindsl.language.text.phrases import listed
 from kindsl.mechanics.rigid.pose import Rotation, rotation_from_quaternion
 from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.xml_reading import (
@@ -155,8 +156,10 @@ def of_inertia(link: Any) -> Iterator[UrdfDefect]:
         else:
             yield from _of_numbers(mass, "value", 1)
         for inertia in inertial.findall("inertia"):
+            yield from _missing(inertia, *TENSOR)
             for name in TENSOR:
-                yield from _of_numbers(inertia, name, 1)
+                if inertia.get(name) is not None:
+                    yield from _of_numbers(inertia, name, 1)
         yield from _of_origin(inertial)
 
 
@@ -246,9 +249,11 @@ def _loop_above(link: str, parent: dict[str, Any], done: set[str]) -> list[str]:
     return [*reversed(loop), loop[-1]]
 
 
-def _missing(element: Any, name: str) -> Iterator[UrdfDefect]:
-    if element.get(name) is None:
-        yield UrdfDefect(_SYNTAX, element, f"has no attribute '{name}'")
+def _missing(element: Any, *names: str) -> Iterator[UrdfDefect]:
+    missing = [f"'{name}'" for name in names if element.get(name) is None]
+    if missing:
+        attributes = "attributes" if missing[1:] else "attribute"
+        yield UrdfDefect(_SYNTAX, element, f"has no {attributes} {listed(missing)}")
 
 
 def _of_numbers(element: Any, name: str, count: int) -> Iterator[UrdfDefect]:
