@@ -8,13 +8,15 @@ from tests.preview.robots import ARM
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.body_doubts import body_doubts
 from kindsl.judgement.analysis.settings import Settings
+from kindsl.judgement.analysis.translated_robot import analysed_robot
 
 IMPOSSIBLE = ARM.replace("Iz = 0.12", "Iz = 0.34")
 UNITS = re.sub(r"I([xyz]) = \S+", r"I\1 = 1.0", ARM)
 
 
 def doubted(text, settings=None):
-    found = body_doubts(analyse(text, settings or Settings()).findings)
+    analysis = analyse(text, settings or Settings())
+    found = body_doubts(analysis, analysis.findings)
     return {link: [(d.code, d.is_error) for d in doubts] for link, doubts in found.items()}
 
 
@@ -45,14 +47,30 @@ def test_what_the_configuration_leaves_out_is_not_doubted():
     assert doubted(IMPOSSIBLE, Settings(ignore=("KD302",))) == {}
 
 
-def test_a_body_that_is_called_otherwise_in_a_picture_is_doubted_by_both_names():
-    text = """<?xml version="1.0"?>
-    <robot name="r"><link name="base"/><link name="upper-arm"><inertial><mass value="1"/>
-    <inertia ixx="0.1" iyy="0.1" izz="0.9" ixy="0" ixz="0" iyz="0"/></inertial></link>
-    <joint name="j" type="continuous"><parent link="base"/><child link="upper-arm"/></joint>
-    </robot>"""
-    found = body_doubts(analyse(text).findings)
-    assert found.keys() == {"upper-arm", "upper_arm"}
+INERTIA = """<inertial><mass value="1"/>
+<inertia ixx="0.001" iyy="0.001" izz="0.00{0}" ixy="0" ixz="0" iyz="0"/></inertial>"""
+ALIKE = f"""<?xml version="1.0"?>
+<robot name="r"><link name="base"/>
+<link name="a_b">{INERTIA.format(1)}</link><link name="a-b">{INERTIA.format(9)}</link>
+<link name="holder">{INERTIA.format(1)}</link><link name="tool">{INERTIA.format(9)}</link>
+<joint name="j" type="continuous"><parent link="base"/><child link="a_b"/></joint>
+<joint name="k" type="continuous"><parent link="a_b"/><child link="a-b"/></joint>
+<joint name="l" type="continuous"><parent link="a-b"/><child link="holder"/></joint>
+<joint name="m" type="fixed"><parent link="holder"/><child link="tool"/></joint>
+</robot>"""
+
+
+def test_a_body_is_doubted_by_its_name_in_the_picture():
+    robot = analysed_robot("r.urdf", ALIKE, Settings())
+    assert [str(body.name) for body in robot.model.bodies] == ["base", "a_b", "a_b_link", "holder"]
+    assert {f.subject.name for f in robot.findings if f.code == "KD302"} == {"a-b", "tool"}
+    assert body_doubts(robot, robot.findings).keys() == {"a_b_link", "holder"}
+
+
+def test_a_body_of_the_picture_is_found_in_the_file():
+    robot = analysed_robot("r.urdf", ALIKE, Settings())
+    spans = [robot.resolver.span(link) for link in robot.model.links]
+    assert [ALIKE[start:end] for start, end in spans] == ["a_b", "a-b", "holder"]
 
 
 def test_what_is_told_once_of_several_bodies_is_doubted_of_each():
@@ -67,4 +85,4 @@ def test_what_is_told_once_of_several_bodies_is_doubted_of_each():
     text = f'<?xml version="1.0"?>\n<robot name="r"><link name="base"/>{inside}</robot>'
     found = [f for f in analyse(text).findings if f.code == "KD311"]
     assert len(found) == 1, [f.message for f in analyse(text).findings]
-    assert set(body_doubts(found)) == {f"l{n}" for n in numbers}
+    assert set(body_doubts(analyse(text), found)) == {f"l{n}" for n in numbers}

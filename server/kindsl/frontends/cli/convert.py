@@ -117,7 +117,7 @@ def run(args: argparse.Namespace) -> int:
     Returns:
         0; 1 if the input does not describe a mechanism; 2 if a file cannot be read or written.
     """
-    text, remarks, joints = _converted(args)
+    text, remarks, joints, _ = _converted(args)
     beside, told = _told_of_joints(args, joints)
     write_output(args.output, text, beside)
     if not args.quiet:

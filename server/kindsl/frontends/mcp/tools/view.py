@@ -39,7 +39,7 @@ def run(arguments: ViewArguments, folder: Folder) -> list[Content]:
     shown = picture(analysis.model, analysis.context.values, None)
     if shown.skeleton is None:
         raise ToolError(shown.message or "there is nothing to draw")
-    moved, doubts = _moved(shown.skeleton, arguments.q), body_doubts(analysis.findings)
+    moved, doubts = _moved(shown.skeleton, arguments.q), body_doubts(analysis, analysis.findings)
     drawing = robot_drawing(moved, preset=arguments.preset, doubts=doubts)
     notes = [text(shown.message)] if shown.message else []
     return [_content(drawing, arguments.format), *notes]

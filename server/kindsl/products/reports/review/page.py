@@ -127,7 +127,7 @@ def _numbers(
 
 
 def _pictures(old: Analysis, new: Analysis, found: Difference | None) -> Iterator[Block]:
-    sides = [(shown_skeleton(each), body_doubts(each.findings)) for each in (old, new)]
+    sides = [(shown_skeleton(each), body_doubts(each, each.findings)) for each in (old, new)]
     shown = [skeleton for skeleton, _ in sides if skeleton is not None]
     if not shown:
         return
