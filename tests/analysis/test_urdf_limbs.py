@@ -212,3 +212,41 @@ def test_a_part_is_compared_beside_one_whose_inertia_is_explained() -> None:
     wrist = joint("wrist", "segment5", "hand")
     found = analyse(text.replace("</robot>", f"{hand}{wrist}</robot>")).findings
     assert [each.code for each in found] == ["KD509", "KD302", "KD308"]
+
+
+def arms(turn: str, wrist: str) -> str:
+    """Return two arms, the left one turned as a whole, and at its wrist."""
+    blocks = []
+    for side, y, whole, half in (
+        ("l", "0.2256", "0 0 3.14159265", turn),
+        ("r", "-0.2256", "0 0 0", "0 0 0"),
+    ):
+        above = "base"
+        for part, xyz, rpy, axis in (
+            ("upper", f"0.14 {y} 0.4776", whole, "0 0 1"),
+            ("elbow", "0 -0.11 -0.245", "0 0 0", "1 0 0"),
+            ("fore", "0 -0.187 -0.0092", half, "0 1 0"),
+            ("lower", f"0 -0.119 {wrist if side == 'r' else '0.0092'}", "0 0 0", "1 0 0"),
+        ):
+            place = f'<origin xyz="{xyz}" rpy="{rpy}"/><axis xyz="{axis}"/><parent'
+            blocks.append(link(f"{side}_{part}", TENSOR, "1.2"))
+            blocks.append(
+                joint(f"{side}_{part}", above, f"{side}_{part}").replace("<parent", place)
+            )
+            above = f"{side}_{part}"
+    return robot(*blocks)
+
+
+@pytest.mark.parametrize(
+    ("turn", "wrist", "codes"),
+    [
+        ("0 0 0", "0.0092", []),
+        ("0 0 0", "-0.0092", ["KD510"]),
+        # The zero of the forearm's joint is half a turn away.
+        ("0 3.14159265 0", "0.0092", []),
+    ],
+)
+def test_a_wrist_whose_zero_is_at_half_a_turn_is_no_slip(
+    turn: str, wrist: str, codes: list[str]
+) -> None:
+    assert [each.code for each in analyse(arms(turn, wrist)).findings] == codes

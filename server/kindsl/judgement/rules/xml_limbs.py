@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence, Set
 from itertools import chain
+from math import dist
 
 from kindsl.judgement.rules.limb_places import OF_A_LINK, PARTS, numbers_at, place_at
 from kindsl.judgement.rules.xml_bodies import XmlBody, XmlPart, odd_links, pose_of_com, xml_bodies
@@ -22,6 +23,7 @@ from kindsl.mechanics.rigid.pose import (
     pose_from,
     product,
     transposed,
+    turned,
 )
 from kindsl.robots.limbs.attachments import Attachment, LimbNames
 from kindsl.robots.limbs.limb import Body, Limbs, assembled, groups_of, names_of
@@ -62,7 +64,7 @@ def xml_limb_verdicts(model: Model) -> list[LimbVerdict]:
         for group in (compared, *compared.held):
             for verdict in verdicts(group, masses):
                 links = (part.link for p in verdict.places for part in named[p.link].parts)
-                if odd.isdisjoint(links):
+                if odd.isdisjoint(links) and not _is_of_other_zero(verdict, bodies, named):
                     repairs = tuple(map(written.repair, verdict.repairs))
                     known = tuple(each for each in repairs if each is not None)
                     untold = () if verdict.is_convicted else verdict.repairs
@@ -167,6 +169,24 @@ class _LimbsAsWritten:
         turned = RigidPose(pose.rotation, in_link.com)
         there = seen_from(in_link, turned.inverse())
         return [mass, *in_link.com, *there.moments][PARTS[what]]
+
+
+def _is_of_other_zero(
+    verdict: LimbVerdict, bodies: Sequence[XmlBody], named: Mapping[str, XmlBody]
+) -> bool:
+    """Return whether only one side turns by half a turn, about its axis, what carries a joint.
+
+    Then the two zeros of that axis are apart, as in the wrists of Atlas, and both sides are alike.
+    """
+    places = (named[place.link] for place in verdict.places if place.what == "translation")
+    above = (bodies[body.parent] for body in places if body.parent is not None)
+    return {*map(_is_half_turned, above)} == {False, True}
+
+
+def _is_half_turned(body: XmlBody) -> bool:
+    rotation, axis = body.placement.rotation, body.carrier.axis if body.carrier else None
+    is_half = abs(1.0 + sum(rotation[i][i] for i in range(3))) < _ROUNDED
+    return is_half and axis is not None and dist(turned(rotation, axis), axis) < _ROUNDED
 
 
 def _heavy(body: XmlBody) -> list[XmlPart]:
