@@ -112,3 +112,45 @@ def test_a_cause_is_weighed_by_where_the_link_ends(turn: str, iyy: str, izz: str
 def test_a_cause_below_95_percent_is_not_told() -> None:
     (found,) = announced(analyse(heavy_thigh("44.459086", "46.023457", "8.69608")))
     assert found.code == "KD311" and found.fix is None
+
+
+RIGHT_THIGH = LEGS.index('name="right_thigh"')
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "code"),
+    [
+        # As no cause makes them of them.
+        (THIGH, THIGH.replace("0.0044459086", "0.3").replace("8.69608e-04", "7e-05"), "KD302"),
+        ('xyz="0 0 -0.1"', 'xyz="0 0 -10"', "KD502"),
+    ],
+    ids=["moments", "centimetres"],
+)
+def test_an_odd_part_is_set_as_its_counterpart(old: str, new: str, code: str) -> None:
+    text = LEGS[:RIGHT_THIGH] + spoilt(old, new, LEGS[RIGHT_THIGH:])
+    (found,) = (each for each in announced(analyse(text)) if each.fix is not None)
+    assert found.code == code and found.fix is not None
+    assert found.fix.title.endswith(" of 'right_thigh' as of 'left_thigh'")
+    assert "inertia of 'left_thigh'" in [each.message for each in found.related]
+    assert apply_edits(text, found.fix.edits) == LEGS
+
+
+def test_what_both_sides_have_is_set_as_nothing() -> None:
+    text = LEGS.replace(THIGH, THIGH.replace("0.0044459086", "0.3").replace("8.69608e-04", "7e-05"))
+    assert [each.fix for each in announced(analyse(text))] == [None] * len(analyse(text).findings)
+
+
+ROW = robot(
+    *(
+        link(f"{leg}_shank", THIGH.replace('ixz="0"', f'ixz="{xz}"'), "1.152",
+             '<origin xyz="0.012 0.031 -0.1"/>')
+        for leg, xz in (("LF", "2e-4"), ("LH", "2e-4"), ("LM", "-2e-4"))
+    ),
+    *(joint(f"{leg}_knee", "base", f"{leg}_shank") for leg in ("LF", "LH", "LM")),
+)  # fmt: skip
+
+
+def test_a_sign_that_peers_have_otherwise_is_set_as_theirs() -> None:
+    (found,) = announced(analyse(ROW))
+    assert found.code == "KD509" and found.fix is not None
+    assert apply_edits(ROW, found.fix.edits) == ROW.replace("-2e-4", "2e-4")

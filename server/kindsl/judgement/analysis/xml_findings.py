@@ -8,9 +8,9 @@ from kindsl.judgement.diagnosis.judgements import is_placeholder
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.registry import OF_PARTS, rules_with
-from kindsl.judgement.rules.xml_bodies import XmlBody, xml_bodies
+from kindsl.judgement.rules.xml_bodies import XmlBody, odd_links, xml_bodies
 from kindsl.judgement.rules.xml_elements import A_FEW
-from kindsl.judgement.rules.xml_fixes import xml_choices, xml_fix
+from kindsl.judgement.rules.xml_fixes import fix_by_counterpart, xml_choices, xml_fix
 from kindsl.judgement.rules.xml_reference import reference_findings
 from kindsl.judgement.rules.xml_shapes import LIKELY, body_findings
 from kindsl.language.semantics.declarations import Link
@@ -28,6 +28,8 @@ _MISSING, _PLACEHOLDER, _COPIED, _DENSITY = "KD304", "KD310", "KD315", "KD311"
 # (`benchmarks/planted_slips.py` on three sets of robots, `planted_urdfs.py` on one).
 _SURE = frozenset(("KD208", "KD210", "KD501", "KD509", "KD510"))
 _NO_MASS, _REFERENCE = "KD303", "KD306"
+# What is told of parts that cannot be as they are.
+_ODD = frozenset(("KD301", "KD302", "KD303", _DENSITY, "KD502"))
 # Who has numbers in another unit differs from all twins, and of a pair the other one as well.
 _UNITS, _SIDES, _OF_TWINS = ("KD501", "KD502"), "KD510", ("KD509", "KD510")
 _TOLD_OF_PARTS = OF_PARTS | {_COPIED, "KD307"}
@@ -96,7 +98,28 @@ def xml_findings(
         choices = xml_choices(finding.choices) if fixes else ()
         severity = Severity.HINT if is_light else finding.severity
         told.append((rule, finding._replace(fix=fix, choices=choices, severity=severity)))
-    yield from _folded(told)
+    yield from _folded(_with_fixes(model, bodies, told))
+
+
+def _with_fixes(
+    model: Model, bodies: Sequence[XmlBody], told: Sequence[tuple[Rule, Finding]]
+) -> list[tuple[Rule, Finding]]:
+    """Return findings, with what a counterpart has where no likely cause is fixed."""
+    fixed = {id(finding.at.island) for _, finding in told if finding.fix}
+    odd, made = odd_links(model, bodies), []
+    for rule, finding in told:
+        island = finding.at.island
+        links = [link for link in declarations(island).links if link in odd]
+        is_open = rule.code in _ODD and finding.severity is not Severity.HINT
+        if is_open and id(island) not in fixed and links:
+            fix, peer = fix_by_counterpart(model, links[0], odd) or (None, None)
+            fix = xml_fix(fix)
+            if fix is not None and peer is not None and peer.inertia is not None:
+                fixed.add(id(island))
+                related = Related(peer.inertia, f"inertia of '{peer.name}'")
+                finding = finding._replace(fix=fix, choices=(), related=(*finding.related, related))
+        made.append((rule, finding))
+    return made
 
 
 def _folded(found: Sequence[tuple[Rule, Finding]]) -> Iterator[tuple[Rule, Finding]]:

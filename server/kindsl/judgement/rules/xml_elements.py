@@ -1,5 +1,6 @@
 """The elements of robots in XML that rules look at."""
 
+import re
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -14,8 +15,14 @@ if TYPE_CHECKING:
 # As many places of one finding are read one by one; of more its sentence gives the number.
 A_FEW = 3
 _LIMITED = ("revolute", "prismatic")
+_MOMENT = re.compile(r"\bI([xyz])([xyz]?)\b(?=(?:[^']*'[^']*')*[^']*$)")
 # The greatest of both is given beside the limits of a joint.
 EFFORT = ("effort", "velocity")
+
+
+def in_words_of_xml(message: str) -> str:
+    """Return a sentence with moments as XML calls them, names in quotes as they are."""
+    return _MOMENT.sub(lambda found: f"i{found[1]}{found[2] or found[1]}", message)
 
 
 def elements(model: Model, tag: str) -> "Iterator[tuple[RobotIsland, XmlElement]]":

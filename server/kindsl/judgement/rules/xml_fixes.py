@@ -1,15 +1,29 @@
 """Fixes in XML: whole numbers that stand there, in the author's way of writing them."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Container, Iterable, Iterator, Sequence
+from typing import NamedTuple
 
+from kindsl.judgement.diagnosis.counterparts import are_near, images, namesakes, unlike_numbers
 from kindsl.judgement.rules.base import Fix, Replacement
-from kindsl.judgement.rules.xml_shapes import in_words_of_xml
-from kindsl.language.semantics.expressions import EXACT_ZERO, half_unit
+from kindsl.judgement.rules.limb_places import PARTS, numbers_at
+from kindsl.judgement.rules.number_writing import opposite, rescaled
+from kindsl.judgement.rules.xml_elements import in_words_of_xml
+from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.expressions import EXACT_ZERO, Expression, half_unit
+from kindsl.language.semantics.model import Model
+from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.robots.interchange.robot_island import RobotIsland
 from kindsl.robots.interchange.xml_reading import DECIMAL
+from kindsl.robots.limbs.weighing import Suspect
 
 _GREATEST_POWER = 9
+_POWERS = [10.0**power for n in range(1, _GREATEST_POWER + 1) for power in (-n, n)]
+# The parts of ten numbers, and what may be between two units of each.
+_PARTS = {"mass": PARTS["mass"], "CoM": PARTS["com"], "moments": PARTS["moments"]}
+_FACTORS = {"mass": _POWERS, "CoM": (1e-3, 1e-2, 0.0254), "moments": _POWERS}
+# A left and a right part of a CAD program agree as nearly as this.
+_NEARLY = 0.01
 # A name that is all of an attribute, or of an element, and needs no entity.
 _NAME = re.compile(r"[A-Za-z_][\w.:/-]*")
 _BEFORE, _BEHIND = "\"'>", "\"'<"
@@ -60,3 +74,122 @@ def _in_its_way(word: str, text: str) -> str:
 
 def _with_other_sign(word: str) -> str:
     return word[1:] if word.startswith("-") else f"-{word.removeprefix('+')}"
+
+
+class CounterpartFix(NamedTuple):
+    """What makes an odd part as its counterpart.
+
+    Attributes:
+        fix: The fix.
+        peer: The counterpart.
+    """
+
+    fix: Fix
+    peer: Link
+
+
+def fix_by_counterpart(model: Model, link: Link, odd: Container[Link]) -> CounterpartFix | None:
+    """Return the fix of a part that is as a counterpart but for its mass, CoM or moments.
+
+    These are in another unit, or one of them is wrong. None where counterparts want different
+    numbers.
+
+    Args:
+        model: A robot in XML.
+        link: A part that cannot be as it is.
+        odd: All parts that cannot.
+    """
+    return set_as(model, link, [peer for peer in namesakes(model, link) if peer not in odd])
+
+
+def set_as(model: Model, link: Link, peers: Sequence[Link]) -> CounterpartFix | None:
+    """Return the fix of a part by counterparts, None where they want different numbers."""
+    own = _ten(model, link)
+    found = [
+        CounterpartFix(Fix(f"Set {what} of '{link.name}' as of '{peer.name}'", changes), peer)
+        for peer in peers
+        for what, changes in _differing(own, _ten(model, peer))
+    ]
+    agreed = found and all(_agree(found[0].fix, each.fix) for each in found[1:])
+    return found[0] if agreed else None
+
+
+def _agree(one: Fix, other: Fix) -> bool:
+    """Return whether two fixes write nearly the same numbers at the same places."""
+    ours, theirs = ([(c.at.start, float(c.text)) for c in fix.changes] for fix in (one, other))
+    return [at for at, _ in ours] == [at for at, _ in theirs] and are_near(
+        [value for _, value in ours], [value for _, value in theirs], _NEARLY
+    )
+
+
+def _ten(model: Model, link: Link) -> Sequence[Expression]:
+    numbers = numbers_at(model, Suspect(str(link.name), "", "inertia"))
+    return numbers if all(number.literal is not None for number in numbers) else ()
+
+
+def _differing(
+    own: Sequence[Expression], peers: Sequence[Expression]
+) -> Iterator[tuple[str, tuple[Replacement, ...]]]:
+    """Yield what alone differs from a counterpart, and the changes that set it, if these are plain.
+
+    Numbers in another unit keep their digits. The signs of others are those of the mirror images
+    that agree in the rest.
+    """
+    if not own or not peers:
+        return
+    here, there = _body(own), _body(peers)
+    unlike = [(tuple(unlike_numbers(here, i, _NEARLY)), _values(i)) for i in images(there)]
+    alone = [(odd[0], values[_PARTS[odd[0]]]) for odd, values in unlike if len(odd) == 1]
+    parts = {part for part, _ in alone}
+    for part in parts if len(parts) == 1 else ():
+        numbers, theirs = own[_PARTS[part]], peers[_PARTS[part]]
+        size = _NEARLY * max(abs(each.literal or 0.0) for each in theirs)
+        every = range(len(theirs))
+        apart = [n for n in every if _distance(numbers[n], theirs[n]) > size] or every
+        changes = _rescaled(numbers, theirs, [every, apart], _FACTORS[part])
+        wanted = {tuple(v[n] if abs(v[n]) > size else 0.0 for n in apart) for _, v in alone}
+        if changes is None and len(wanted) == 1:
+            meant = ((numbers[n], theirs[n], alone[0][1][n]) for n in apart)
+            changes = list(_as_theirs(meant))
+        if changes:
+            yield part, tuple(changes)
+
+
+def _body(numbers: Sequence[Expression]) -> MassDistribution:
+    mass, x, y, z, *moments = (each.literal or 0.0 for each in numbers)
+    return MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
+
+
+def _values(body: MassDistribution) -> tuple[float, ...]:
+    return body.mass, *body.com, *body.moments
+
+
+def _rescaled(
+    own: Sequence[Expression],
+    peers: Sequence[Expression],
+    selections: Iterable[Sequence[int]],
+    factors: Sequence[float],
+) -> list[Replacement] | None:
+    """Return the changes that give numbers, or some of them, the unit of a counterpart's."""
+    for selected in selections:
+        mine, its = ([numbers[n] for n in selected] for numbers in (own, peers))
+        here, there = ([abs(each.literal or 0.0) for each in group] for group in (mine, its))
+        for factor in factors:
+            if are_near([factor * x for x in here], there, _NEARLY):
+                return rescaled(mine, [factor * (each.literal or 0.0) for each in mine])
+    return None
+
+
+def _as_theirs(
+    meant: Iterable[tuple[Expression, Expression, float]],
+) -> Iterator[Replacement]:
+    """Yield the changes that write a counterpart's digits with the signs that are meant."""
+    for mine, its, value in meant:
+        if mine.literal != value:
+            is_same = mine.literal is not None and abs(mine.literal) == abs(value)
+            theirs = its.text if value == its.literal else opposite(its)
+            yield Replacement(mine, opposite(mine) if is_same else theirs)
+
+
+def _distance(one: Expression, other: Expression) -> float:
+    return abs(abs(one.literal or 0.0) - abs(other.literal or 0.0))

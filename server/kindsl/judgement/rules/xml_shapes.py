@@ -1,6 +1,5 @@
 """Doubts about the shape of bodies in XML, and parts of two sides that differ, in XML's words."""
 
-import re
 from collections.abc import Container, Iterator, Sequence
 
 from kindsl.judgement.diagnosis.body_verdicts import body_verdicts
@@ -16,16 +15,18 @@ from kindsl.judgement.rules.limb_writing import as_numbers, rewriting
 from kindsl.judgement.rules.registry import rules_with
 from kindsl.judgement.rules.units import LENGTH_UNITS
 from kindsl.judgement.rules.xml_bodies import XmlBody, far_coms, far_joint, odd_links, pose_of_com
+from kindsl.judgement.rules.xml_elements import in_words_of_xml
+from kindsl.judgement.rules.xml_fixes import set_as
 from kindsl.language.semantics.declarations import Link, Vector
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import mass_distribution
+from kindsl.language.text.phrases import alternatives
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import IDENTITY
 from kindsl.robots.limbs.names import label_of
 from kindsl.robots.limbs.weighing import Suspect
 
-_MOMENT = re.compile(r"\bI([xyz])([xyz]?)\b(?=(?:[^']*'[^']*')*[^']*$)")
 _OF_LIMBS = frozenset(("KD208", "KD209", "KD210", "KD509", "KD510"))
 _SHAPES = ("KD309", "KD313", "KD511")
 _CAUSES = ("KD307", "KD308", "KD314")
@@ -78,11 +79,6 @@ def body_findings(model: Model, bodies: Sequence[XmlBody], context: Context) -> 
         yield "KD312", finding._replace(message=in_words_of_xml(finding.message))
 
 
-def in_words_of_xml(message: str) -> str:
-    """Return a sentence with moments as XML calls them, names in quotes as they are."""
-    return _MOMENT.sub(lambda found: f"i{found[1]}{found[2] or found[1]}", message)
-
-
 def _branches(bodies: Sequence[XmlBody]) -> bool:
     parents = [body.parent for body in bodies if body.parent is not None]
     return len(parents) > len(set(parents))
@@ -124,13 +120,18 @@ def _in_another_unit(vector: Vector, is_com: bool) -> Finding:
     from kindsl.judgement.diagnosis.slips import likely_lengths
 
     likely = likely_lengths(_greatest(vector))
-    unit, probability = likely[0]
-    names = " or ".join(LENGTH_UNITS[unit][0] for unit, _ in likely)
+    units, probability = [LENGTH_UNITS[unit] for unit, _ in likely], likely[0][1]
     farthest = max(vector.components, key=lambda each: abs(each.literal or 0.0))
-    is_sure = probability >= LIKELY
-    fix = converted(vector, LENGTH_UNITS[unit][1], is_com=is_com) if is_sure else None
-    message = f"length {farthest.text} m is implausible; is it in {names}?"
-    return Finding(farthest, message, fix=fix, probability=probability)
+    told = f"length {farthest.text} m is implausible; is it in {alternatives(n for n, _ in units)}?"
+    fixes = [converted(vector, factor, is_com=is_com) for _, factor in units]
+    if probability >= LIKELY:
+        return Finding(farthest, told, fix=fixes[0], probability=probability)
+    choices = (
+        fix._replace(title=f"Convert {name} to metres")
+        for fix, (name, _) in zip(fixes, units, strict=True)
+        if fix is not None
+    )
+    return Finding(farthest, told, choices=tuple(choices), probability=probability)
 
 
 def _unlike(model: Model, told_of: Container[Link]) -> Iterator[tuple[Link, Finding]]:
@@ -149,6 +150,8 @@ def _unlike(model: Model, told_of: Container[Link]) -> Iterator[tuple[Link, Find
             fix = rewriting(f"Set {name} to that of its twins", own, [e.text for e in theirs])
             if odd[0] != "moments":
                 what = f"{name} is {as_numbers(own)}, by its twins {as_numbers(theirs)}"
+        elif made := set_as(model, link, [peer for peer, _ in peers]):
+            fix = made.fix
         yield link, Finding(inertia, what, tuple(others), fix)
 
 

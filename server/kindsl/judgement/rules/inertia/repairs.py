@@ -37,6 +37,7 @@ from kindsl.judgement.rules.inertia.told import (
 )
 from kindsl.judgement.rules.number_writing import rescaled, rewritten
 from kindsl.judgement.rules.tiny_values import is_negligible, is_tiny
+from kindsl.language.semantics.lowering import OtherIsland
 from kindsl.language.semantics.model import Model
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.language.text.facts import Fact
@@ -207,7 +208,9 @@ def _holds(found: Judgement, changes: Sequence[Replacement], context: Context) -
     if len(plain) < len(numbers):
         return False
     mass, x, y, z, *moments = plain
-    if context.targets != {ROBCOGEN} and all(map(is_tiny, filter(None, moments[:3]))):
+    is_document = not isinstance(found.link.island, OtherIsland)
+    is_for_robcogen2 = is_document and context.targets != {ROBCOGEN}
+    if is_for_robcogen2 and all(map(is_tiny, filter(None, moments[:3]))):
         return False
     is_lost = _has_tiny(moments) and not _has_tiny(_literals(written)[4:])
     if ROBCOGEN2 in context.targets and is_lost:
