@@ -126,7 +126,7 @@ def test_the_tree_opens_both_ways():
     (above,) = predecessors(analysis, "upper")
     (below,) = successors(analysis, "upper")
     assert (above.item.name, below.item.name) == ("base", "lower")
-    assert analysis.text[slice(*above.places[0])] == "upper via shoulder"
+    assert analysis.text[slice(*above.place)] == "upper via shoulder"
 
 
 def test_a_joint_opens_the_link_that_it_moves():

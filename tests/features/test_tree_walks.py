@@ -189,7 +189,7 @@ def test_an_inertia_in_a_frame_of_another_name_is_not_known() -> None:
 
 def calls(found: object) -> list[tuple[str, str, str]]:
     return [
-        (call.item.name, call.item.detail, " ".join(TREE[p.start : p.end] for p in call.places))
+        (call.item.name, call.item.detail, TREE[call.place.start : call.place.end])
         for call in found
     ]
 

@@ -8,7 +8,7 @@ from tests.cli.samples import arm
 import kindsl
 from kindsl.judgement.analysis.settings import Settings
 from kindsl.language.semantics.parameters import Binding
-from kindsl.products.reports.computation import ComputationRequest, Results, compute
+from kindsl.products.reports.computation import Results, compute
 from kindsl.products.reports.computed_text import computed_text
 from kindsl.products.reports.motions import Motion
 
@@ -18,7 +18,7 @@ ZERO = Motion((0.0, 0.0), (0.0, 0.0), (0.0, 0.0), (0.0, 0.0), (0.0,) * 6)
 
 def computed(*motions: Motion, text: str = "", is_forward: bool = False) -> Results:
     document = kindsl.parse(text or arm(), Settings())
-    return compute(document, document.mechanism(), ComputationRequest(motions, GRAVITY, is_forward))
+    return compute(document, document.mechanism(), motions, GRAVITY, is_forward=is_forward)
 
 
 def row(text: str, head: str) -> list[str]:
@@ -89,7 +89,7 @@ def test_a_base_that_moves_has_its_velocity_in_everything() -> None:
 def test_parameters_are_told_with_their_values() -> None:
     settings = Settings(bindings={"length": Binding(0.75)})
     document = kindsl.parse(arm(reach="length"), settings)
-    results = compute(document, document.mechanism(), ComputationRequest((ZERO,), GRAVITY, False))
+    results = compute(document, document.mechanism(), (ZERO,), GRAVITY, is_forward=False)
     assert row(computed_text(results), "length") == ["0.75"]
 
 

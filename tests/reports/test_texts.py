@@ -12,9 +12,8 @@ from kindsl.products.reports.card import card_page
 from kindsl.products.reports.columns import aligned, number
 from kindsl.products.reports.difference_text import change_rows
 from kindsl.products.reports.page.blocks import Figure, Heading, Page, Paragraph, Table
-from kindsl.products.reports.robot_facts import branches, robot_facts
-from kindsl.products.reports.robot_health import health_facts, health_text
-from kindsl.products.reports.robot_text import robot_text
+from kindsl.products.reports.robot_facts import branches, health_facts, robot_facts
+from kindsl.products.reports.robot_text import health_text, robot_text
 from kindsl.robots.comparison.difference import Difference, difference
 
 

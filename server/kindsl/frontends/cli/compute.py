@@ -93,11 +93,10 @@ def run(args: argparse.Namespace) -> int:
 def _computed(
     args: argparse.Namespace, analysis: Analysis, mechanism: "Mechanism", motions: list[Motion]
 ) -> str | bytes:
-    from kindsl.products.reports.computation import ComputationRequest, compute
+    from kindsl.products.reports.computation import compute
 
-    request = ComputationRequest(tuple(motions), args.gravity, args.forward)
     try:
-        results = compute(analysis, mechanism, request)
+        results = compute(analysis, mechanism, motions, args.gravity, is_forward=args.forward)
     except ValueError as error:
         raise CommandError.about(args.file, str(error), status=1) from None
     is_read_at_once = args.output is None and is_terminal(sys.stdout)

@@ -66,6 +66,6 @@ def _subtree_title(subtree: Subtree, body: Link) -> str:
 
 
 def _references(analysis: Analysis, name: Name, uses: Sequence[Name]) -> CodeLens:
-    places = tuple(Span(*analysis.resolver.span(use)) for use in uses)
+    places = tuple(map(analysis.resolver.span, uses))
     title = counted(len(places), "reference")
     return CodeLens(*analysis.resolver.span(name), title, "references", places)

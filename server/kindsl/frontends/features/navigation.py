@@ -14,7 +14,6 @@ from kindsl.frontends.features.symbol_at import (
 from kindsl.frontends.features.tree_path import TokenAt, token_at
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.declarations import Link
-from kindsl.language.semantics.kinematic_tree import Edge
 from kindsl.language.syntax.tree import Token
 from kindsl.language.text.span import Span
 
@@ -143,7 +142,7 @@ class HierarchyCall(NamedTuple):
     """A neighbour in the tree, and where the connection is written."""
 
     item: DocumentSymbol
-    places: tuple[Span, ...]
+    place: Span
 
 
 def hierarchy_items(analysis: Analysis, offset: int) -> tuple[DocumentSymbol, ...]:
@@ -163,7 +162,7 @@ def hierarchy_items(analysis: Analysis, offset: int) -> tuple[DocumentSymbol, ..
 def predecessors(analysis: Analysis, name: str) -> tuple[HierarchyCall, ...]:
     """Return the bodies that carry a body, more than one only in a broken tree."""
     return tuple(
-        HierarchyCall(_item(analysis, edge.predecessor), (_place(analysis, edge),))
+        HierarchyCall(_item(analysis, edge.predecessor), analysis.resolver.span(edge.child))
         for edge in analysis.model.tree.edges
         if edge.link is not None and edge.link.name == name
     )
@@ -173,7 +172,7 @@ def successors(analysis: Analysis, name: str) -> tuple[HierarchyCall, ...]:
     """Return the links that a body carries."""
     body = analysis.model.body_named.get(name)
     return tuple(
-        HierarchyCall(_item(analysis, edge.link), (_place(analysis, edge),))
+        HierarchyCall(_item(analysis, edge.link), analysis.resolver.span(edge.child))
         for edge in analysis.model.tree.edges
         if edge.predecessor is body and edge.link is not None
     )
@@ -185,7 +184,3 @@ def _item(analysis: Analysis, body: Link) -> DocumentSymbol:
     if edge is not None and edge.joint is not None:
         detail = f"via {edge.joint.name} ({edge.joint.kind})"
     return body_symbol(analysis, body, detail)
-
-
-def _place(analysis: Analysis, edge: Edge) -> Span:
-    return Span(*analysis.resolver.span(edge.child))

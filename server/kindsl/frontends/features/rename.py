@@ -3,6 +3,7 @@
 import re
 from typing import NamedTuple
 
+from kindsl.frontends.features.manipulation.gesture import Refusal
 from kindsl.frontends.features.symbol_at import (
     Entity,
     EntityKind,
@@ -33,27 +34,20 @@ class Renaming(NamedTuple):
     bound_parameter: str | None
 
 
-class RenameRefusal(NamedTuple):
-    """The reason why nothing is renamed: one sentence without final period."""
+def rename_range(analysis: Analysis, offset: int) -> Span | None:
+    """Return the name at an offset that can be renamed, None where there is none."""
+    symbol = symbol_at(analysis, offset)
+    return None if symbol is None else Span(symbol.start, symbol.end)
 
-    message: str
 
+def rename(analysis: Analysis, offset: int, new_name: str) -> Renaming | Refusal | None:
+    """Return the edits that give a thing a new name, or why that cannot be.
 
-def rename_range(analysis: Analysis, offset: int) -> Span | RenameRefusal:
-    """Return the name at an offset that can be renamed, or why there is none."""
+    None where no name is at the offset.
+    """
     symbol = symbol_at(analysis, offset)
     if symbol is None:
-        return RenameRefusal(
-            "only links, joints, frames, parameters, constants and the robot have names"
-        )
-    return Span(symbol.start, symbol.end)
-
-
-def rename(analysis: Analysis, offset: int, new_name: str) -> Renaming | RenameRefusal:
-    """Return the edits that give the thing at an offset a new name, or why that cannot be."""
-    symbol = symbol_at(analysis, offset)
-    if symbol is None:
-        return RenameRefusal("there is no name here")
+        return None
     entity = symbol.entity
     new_name = new_name.strip().removeprefix("^")
     if new_name == entity.name:
@@ -61,7 +55,7 @@ def rename(analysis: Analysis, offset: int, new_name: str) -> Renaming | RenameR
     problem = objection(new_name, entity.kind, analysis.settings.targets)
     problem = problem or _clash(analysis, entity, new_name)
     if problem is not None:
-        return RenameRefusal(problem)
+        return Refusal(problem)
     edits = tuple(TextEdit(p.start, p.end, new_name) for p in _renamed_places(analysis, symbol))
     is_bound = entity.kind is EntityKind.PARAMETER and entity.name in analysis.settings.bindings
     return Renaming(edits, entity.name if is_bound else None)

@@ -1,11 +1,11 @@
 """The subtree of a link: its mass, the number of its joints."""
 
 from typing import NamedTuple
-from weakref import WeakKeyDictionary
 
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.unknown import Unknown
+from kindsl.language.text.facts import kept
 from kindsl.robots.mechanism.total_mass import Weight, added, body_mass, edge_mass
 
 
@@ -22,16 +22,14 @@ class Subtree(NamedTuple):
 
 
 _NO_TREE = Subtree(Weight(0.0, 1, Unknown("the links below it are no tree")), 0)
-_subtrees: "WeakKeyDictionary[Analysis, dict[Link, Subtree]]" = WeakKeyDictionary()
 
 
 def subtree_of(analysis: Analysis, body: Link) -> Subtree:
     """Return what a body carries, itself included; every body is weighed once an analysis."""
-    if analysis not in _subtrees:
-        _subtrees[analysis] = _all(analysis)
-    return _subtrees[analysis].get(body, _NO_TREE)
+    return _all(analysis).get(body, _NO_TREE)
 
 
+@kept
 def _all(analysis: Analysis) -> dict[Link, Subtree]:
     """Return the subtree of each body that the base reaches."""
     tree = analysis.model.tree

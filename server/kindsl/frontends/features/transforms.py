@@ -64,7 +64,7 @@ def _items(text: str, start: int, model: Model | None) -> Iterator[CompletionIte
         sections = [name for name in SECTIONS if not re.search(rf"\b{name}\b", text)]
         for name in sections:
             block = f"{name} {{\n\t$0\n}}"
-            yield CompletionItem(name, "snippet", block, "section", is_snippet=True)
+            yield CompletionItem(name, "snippet", block, "section")
     for expected in before.expected:
         if expected == "a frame":
             yield from _frames(text, start, model)
@@ -74,9 +74,7 @@ def _items(text: str, start: int, model: Model | None) -> Iterator[CompletionIte
             if model is not None and model.name:
                 yield CompletionItem(str(model.name), "link", str(model.name), "the robot")
         elif expected == "'base'" and "'target'" in before.expected:
-            yield CompletionItem(
-                "base, target", "snippet", _PAIR, "a pair of frames", is_snippet=True
-            )
+            yield CompletionItem("base, target", "snippet", _PAIR, "a pair of frames")
         elif expected == "'base'" or (expected == "'target'" and "'base'" not in before.expected):
             name = expected.strip("'")
             yield CompletionItem(name, "keyword", f"{name}=")

@@ -3,21 +3,23 @@
 Only the joints between a body and the base are evaluated, and each once an analysis.
 """
 
-from weakref import WeakKeyDictionary
-
 from kindsl.frontends.features.wording import code
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.declarations import Frame, Joint, Link
 from kindsl.language.semantics.numbers import written_pose
 from kindsl.language.semantics.unknown import Unknown, pose_expressions, why_unknown
+from kindsl.language.text.facts import kept
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
 
-_poses: "WeakKeyDictionary[Analysis, dict[Link, RigidPose | Unknown]]" = WeakKeyDictionary()
+
+@kept
+def _poses(_: Analysis) -> dict[Link, RigidPose | Unknown]:
+    return {}
 
 
 def body_pose(analysis: Analysis, body: Link) -> RigidPose | Unknown:
     """Return the pose of a link frame in the base frame, or why it is not known."""
-    known = _poses.setdefault(analysis, {})
+    known = _poses(analysis)
     path: dict[Link, None] = {}
     current = body
     while current not in known and current not in path:

@@ -28,6 +28,7 @@ from kindsl.language.syntax.document import SyntaxDocument, paused_collector
 from kindsl.language.syntax.readings import as_read_for
 from kindsl.language.text.display import html_of
 from kindsl.language.text.edits import TextEdit
+from kindsl.language.text.facts import Facts
 from kindsl.language.text.phrases import counted
 from kindsl.robots.interchange.syntaxes import syntax_of
 
@@ -44,11 +45,13 @@ class Analysis:
 
     Attributes:
         settings: Decisions of the user.
+        facts: What others derive from it.
     """
 
     def __init__(self, syntax: SyntaxDocument, settings: Settings = _NO_SETTINGS) -> None:
         self._written = syntax
         self.settings = settings
+        self.facts = Facts()
         self._apart: Apart = Apart()
         self._findings: Findings | None = None
         self._faults: tuple[Fault, ...] = ()

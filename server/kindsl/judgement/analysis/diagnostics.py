@@ -12,6 +12,7 @@ from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.language.syntax.tree import Island
 from kindsl.language.text.display import html_of
 from kindsl.language.text.edits import TextEdit
+from kindsl.language.text.span import Span
 
 
 class RelatedPlace(NamedTuple):
@@ -84,10 +85,10 @@ class Resolver:
             for island, start in zip(document.islands, document.starts, strict=False)
         }
 
-    def span(self, at: Located) -> tuple[int, int]:
-        """Return the absolute start and end of a place."""
+    def span(self, at: Located) -> Span:
+        """Return a place with absolute offsets."""
         origin = self._starts[id(at.island)]
-        return origin + at.start, origin + at.end
+        return Span(origin + at.start, origin + at.end)
 
     def edit(self, at: Located, text: str) -> TextEdit:
         """Return the edit of the document that puts a text in a place."""

@@ -13,6 +13,7 @@ from kindsl.judgement.analysis.settings import Settings
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Located
 from kindsl.language.syntax.document import SyntaxDocument, parse
+from kindsl.language.text.span import Span
 from kindsl.robots.interchange.format import AS_WRITTEN, Format, FormatError, ReadingChoices
 from kindsl.robots.interchange.kindsl_writing import described_kindsl
 from kindsl.robots.interchange.syntaxes import (
@@ -123,10 +124,10 @@ class _NamedPlaces(Resolver):
         )
         self._named: Mapping[str, Located] = {n: place for n, place in of_file if place is not None}
 
-    def span(self, at: Located) -> tuple[int, int]:
+    def span(self, at: Located) -> Span:
         name = getattr(at, "name", at)
         found = self._named.get(name) if isinstance(name, str) else None
-        return (0, 0) if found is None else super().span(found)
+        return Span(0, 0) if found is None else super().span(found)
 
 
 def analysed_robot(

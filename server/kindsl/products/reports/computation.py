@@ -1,6 +1,6 @@
 """Poses, inertia and forces in many configurations at once, as for `kindsl compute`."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from io import BytesIO
 from typing import Any, NamedTuple
 
@@ -11,20 +11,6 @@ from kindsl.mechanics.spatial.arrays import Array
 from kindsl.products.reports.motions import Motion
 from kindsl.products.reports.robot_facts import missing_facts
 from kindsl.robots.mechanism.build import Mechanism
-
-
-class ComputationRequest(NamedTuple):
-    """The quantities to compute.
-
-    Attributes:
-        motions: The configurations.
-        gravity: In base coordinates, m/s^2.
-        is_forward: Whether accelerations follow from forces, instead of the reverse.
-    """
-
-    motions: tuple[Motion, ...]
-    gravity: tuple[float, float, float]
-    is_forward: bool
 
 
 class Results(NamedTuple):
@@ -111,29 +97,42 @@ def _listed(values: Array) -> Any:
     return None if np.isnan(values).any() else values.tolist()
 
 
-def compute(analysis: Analysis, mechanism: Mechanism, request: ComputationRequest) -> Results:
+def compute(
+    analysis: Analysis,
+    mechanism: Mechanism,
+    motions: Sequence[Motion],
+    gravity: Sequence[float],
+    *,
+    is_forward: bool,
+) -> Results:
     """Return all quantities for all configurations.
+
+    Args:
+        analysis: The document.
+        mechanism: Its bodies.
+        motions: The configurations.
+        gravity: In base coordinates, m/s^2.
+        is_forward: Whether accelerations follow from forces, instead of the reverse.
 
     Raises:
         ValueError: A quantity is not defined: nothing resists a motion.
     """
-    q = np.array([motion.q for motion in request.motions])
-    inputs = {"q": q, "qd": np.array([motion.qd for motion in request.motions])}
+    q = np.array([motion.q for motion in motions])
+    inputs = {"q": q, "qd": np.array([motion.qd for motion in motions])}
     if mechanism.bodies.is_floating:
-        inputs["base_velocity"] = np.array([motion.base_velocity for motion in request.motions])
-    given = "tau" if request.is_forward else "qdd"
-    inputs[given] = np.array([getattr(motion, given) for motion in request.motions])
+        inputs["base_velocity"] = np.array([motion.base_velocity for motion in motions])
+    given = "tau" if is_forward else "qdd"
+    inputs[given] = np.array([getattr(motion, given) for motion in motions])
     poses = mechanism.forward_kinematics(q)
     jacobians = {name: mechanism.jacobian(q, name) for name in poses}
-    return Results(
-        analysis, mechanism, inputs, poses, jacobians, _quantities(mechanism, inputs, request)
-    )
+    found = _quantities(mechanism, inputs, gravity)
+    return Results(analysis, mechanism, inputs, poses, jacobians, found)
 
 
 def _quantities(
-    mechanism: Mechanism, inputs: dict[str, Array], request: ComputationRequest
+    mechanism: Mechanism, inputs: dict[str, Array], gravity: Sequence[float]
 ) -> dict[str, Array]:
-    q, qd, gravity = inputs["q"], inputs["qd"], request.gravity
+    q, qd = inputs["q"], inputs["qd"]
     base_velocity = inputs.get("base_velocity")
     found = {
         "mass": np.full(len(q), mechanism.total_mass()),
@@ -142,7 +141,7 @@ def _quantities(
         "gravity_torque": mechanism.gravity_torque(q, gravity),
         "bias_torque": mechanism.bias_torque(q, qd, base_velocity, gravity),
     }
-    if request.is_forward:
+    if "tau" in inputs:
         answer = mechanism.forward_dynamics(q, qd, inputs["tau"], base_velocity, gravity)
         return {**found, **_answered("qdd", answer)}
     inverse = mechanism.inverse_dynamics(q, qd, inputs["qdd"], base_velocity, gravity)

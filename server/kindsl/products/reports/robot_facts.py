@@ -1,11 +1,14 @@
 """The output of `kindsl info`, as plain data."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from math import inf
 from typing import Any
 
 from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.analysis.verdicts import verdicts
+from kindsl.judgement.rules.base import Severity
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.parameters import Parameter
@@ -14,10 +17,20 @@ from kindsl.language.semantics.unknown import Unknown
 from kindsl.language.text.lines import LineIndex
 from kindsl.products.reports.columns import number
 from kindsl.products.reports.finding_objects import position_object
-from kindsl.products.reports.robot_health import health_facts, severity_counts
 from kindsl.robots.mechanism.total_mass import Weight, missing_masses, own_mass, total_mass
 
 _Place = Callable[[Located], dict[str, int]]
+
+_SUBJECTS = {
+    "KD0": "syntax",
+    "KD1": "names and ids",
+    "KD2": "kinematic tree",
+    "KD3": "inertia",
+    "KD4": "parameters",
+    "KD5": "geometry",
+    "KD6": "generators",
+    "KD7": "style",
+}
 
 
 def robot_facts(analysis: Analysis) -> dict[str, Any]:
@@ -134,3 +147,43 @@ def _parameter(parameter: Parameter, analysis: Analysis, place: _Place) -> dict[
         "max": binding.maximum if binding else None,
         "uses": [{"kind": use.kind.value, **place(use.name)} for use in parameter.uses],
     }
+
+
+def health_facts(
+    findings: Sequence[Diagnostic], place: Callable[[int], dict[str, int]]
+) -> dict[str, Any]:
+    """Return a verdict and what it rests on.
+
+    Args:
+        findings: Findings of the rules.
+        place: Line, column and offset of an absolute offset.
+    """
+    serious = [f for f in findings if f.severity in (Severity.ERROR, Severity.WARNING)]
+    return {
+        "verdict": _verdict(serious),
+        "subjects": {
+            name: severity_counts([f for f in findings if f.code.startswith(prefix)])
+            for prefix, name in _SUBJECTS.items()
+        },
+        "findings": [
+            {
+                "code": finding.code,
+                "severity": finding.severity.value,
+                "message": finding.message,
+                **place(finding.start),
+            }
+            for finding in sorted(serious, key=lambda f: f.severity is Severity.WARNING)
+        ],
+    }
+
+
+def _verdict(serious: Sequence[Diagnostic]) -> str:
+    if any(finding.severity is Severity.ERROR for finding in serious):
+        return "broken"
+    return "suspect" if serious else "good"
+
+
+def severity_counts(findings: Sequence[Diagnostic]) -> dict[str, int]:
+    """Return how many findings there are of each severity."""
+    counts = Counter(finding.severity for finding in findings)
+    return {severity.value: counts[severity] for severity in Severity}

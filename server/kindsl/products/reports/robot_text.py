@@ -7,8 +7,9 @@ from kindsl.language.text.phrases import counted
 from kindsl.language.text.printable import printable
 from kindsl.products.reports.columns import PARAMETER_UNITS, aligned, number
 from kindsl.products.reports.robot_facts import branches, mass_text
-from kindsl.products.reports.robot_health import health_text
 from kindsl.robots.mechanism.total_mass import UNKNOWN
+
+_MOST_TOLD = 10
 
 
 def robot_text(facts: dict[str, Any]) -> str:
@@ -88,3 +89,18 @@ def _parameters(parameters: list[dict[str, Any]]) -> str:
             )
         )
     return aligned(rows, frozenset((2,)))
+
+
+def health_text(health: dict[str, Any]) -> str:
+    """Return the section for people: the verdict, counts by subject, the gravest findings."""
+    rows = [("health", health["verdict"])]
+    for name, counts in health["subjects"].items():
+        if counts["error"] or counts["warning"]:
+            parts = (counted(counts[kind], kind) for kind in ("error", "warning") if counts[kind])
+            rows.append((f"  {name}", ", ".join(parts)))
+    gravest = health["findings"][:_MOST_TOLD]
+    lines = [f"  {f['line']}:{f['column']}  [{f['code']}] {f['message']}\n" for f in gravest]
+    left = len(health["findings"]) - len(gravest)
+    if left:
+        lines.append(f"  and {left} more, see kindsl lint\n")
+    return aligned(rows) + "".join(lines)

@@ -39,7 +39,10 @@ def _formula(
     pose: Pose,
     values: Mapping[str, float],
 ) -> Iterator[FormulaMessage]:
-    translation, rotation = _affine(pose.translation, values), _affine(pose.rotation, values)
+    translation, rotation = (
+        affine_vector(pose.translation, values),
+        affine_vector(pose.rotation, values),
+    )
     if translation is None or rotation is None:
         return
     if not any(terms for _, terms in (*translation, *rotation)):
@@ -57,7 +60,7 @@ def _formula(
     )
 
 
-def _affine(vector: Vector | None, values: Mapping[str, float]) -> tuple[Affine, ...] | None:
+def affine_vector(vector: Vector | None, values: Mapping[str, float]) -> tuple[Affine, ...] | None:
     """Return the components of a vector, None if one has another form or no value."""
     if vector is None:
         return None

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterator
 from difflib import SequenceMatcher
 from typing import TypeAlias
-from weakref import WeakKeyDictionary
 
 from kindsl.frontends.features.actions.action import CodeAction
 from kindsl.frontends.features.actions.add_sections import add_missing, add_sections
@@ -21,6 +20,7 @@ from kindsl.judgement.analysis.text_fix import TextFix
 from kindsl.language.semantics.declarations import ValueKind
 from kindsl.language.syntax.indentation import indentation
 from kindsl.language.text.edits import TextEdit
+from kindsl.language.text.facts import kept
 from kindsl.language.text.lines import line_start, newline_of
 
 FIX_ALL = "source.fixAll.kindsl"
@@ -28,8 +28,6 @@ QUICK_FIX = "quickfix"
 # No kind of fix, so that no editor shows a bulb for a finding that can only be ignored.
 IGNORE = "refactor.rewrite.suppress"
 _Mending: TypeAlias = tuple[int, tuple[TextEdit, ...]]
-_fixed: "WeakKeyDictionary[Analysis, tuple[TextEdit, ...]]" = WeakKeyDictionary()
-_alike: "WeakKeyDictionary[Analysis, dict[str, _Mending]]" = WeakKeyDictionary()
 
 _REFACTORINGS: tuple[Callable[[Analysis, int, int], Iterator[CodeAction]], ...] = (
     extract_parameter,
@@ -77,11 +75,10 @@ def xml_actions(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, .
     return (*fixes, *suppressions(analysis, start, end))
 
 
+@kept
 def fix_all_action(analysis: Analysis) -> CodeAction | None:
     """Return the action that applies every safe fix, or None if there is nothing to fix."""
-    if analysis not in _fixed:
-        _fixed[analysis] = fix_all(analysis)
-    edits = _fixed[analysis]
+    edits = fix_all(analysis)
     return CodeAction("Apply all safe fixes", FIX_ALL, edits) if edits else None
 
 
@@ -103,9 +100,14 @@ def _fixes_of_rules(analysis: Analysis, touched: list[Diagnostic]) -> Iterator[C
             yield CodeAction(title, QUICK_FIX, edits, alike)
 
 
+@kept
+def _mendings(_: Analysis) -> dict[str, _Mending]:
+    return {}
+
+
 def _mending(analysis: Analysis, code: str, alike: tuple[Diagnostic, ...]) -> _Mending:
     """Return how many findings of a rule can be fixed together, and by what."""
-    known = _alike.setdefault(analysis, {})
+    known = _mendings(analysis)
     if code not in known:
         done = made(analysis, alike)
         known[code] = (done.n_findings, done.rounds[0]) if done is not None else (0, ())

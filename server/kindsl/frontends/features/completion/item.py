@@ -15,7 +15,6 @@ class CompletionItem(NamedTuple):
         kind: `keyword`, `snippet`, `link`, `joint`, `frame`, `parameter`, `constant` or `value`.
         text: The text to insert; with placeholders `${1:name}` and `$0` if it is a snippet.
         detail: A few words beside the label.
-        is_snippet: Whether the text has placeholders.
         is_asked_for: Whether it is shown only to whom asks for the list, not by itself.
     """
 
@@ -23,8 +22,12 @@ class CompletionItem(NamedTuple):
     kind: str
     text: str
     detail: str = ""
-    is_snippet: bool = False
     is_asked_for: bool = False
+
+    @property
+    def is_snippet(self) -> bool:
+        """True if the text has placeholders."""
+        return "$" in self.text
 
     @property
     def plain_text(self) -> str:

@@ -154,4 +154,4 @@ def _has_link_behind(analysis: Analysis, context: CompletionContext) -> bool:
 
 
 def _snippet(label: str, text: str, detail: str) -> CompletionItem:
-    return CompletionItem(label, "snippet", text, detail, is_snippet=True)
+    return CompletionItem(label, "snippet", text, detail)

@@ -64,11 +64,9 @@ def new_frame_items(context: CompletionContext) -> Iterator[CompletionItem]:
     frames = (str(inertia.frame) for inertia in inertias if inertia.frame is not None)
     for name in _missing(frames, frame_names_at(context)):
         text = snippets.frame(name)
-        yield CompletionItem(name, "frame", text, "used, not declared", is_snippet=True)
+        yield CompletionItem(name, "frame", text, "used, not declared")
     text = snippets.frame()
-    yield CompletionItem(
-        "frame", "snippet", text, "a frame of this link", is_snippet=True, is_asked_for=True
-    )
+    yield CompletionItem("frame", "snippet", text, "a frame of this link", is_asked_for=True)
 
 
 def id_items(analysis: Analysis, context: CompletionContext) -> Iterator[CompletionItem]:
@@ -139,11 +137,11 @@ def child_items(analysis: Analysis, context: CompletionContext) -> Iterator[Comp
     for name in loose:
         joint = free or fresh_joint(analysis, name)
         text, label = f"{name} via ${{1:{joint}}}", f"{name} via …"
-        yield CompletionItem(label, "snippet", text, "not yet attached", is_snippet=True)
+        yield CompletionItem(label, "snippet", text, "not yet attached")
     yield from name_items(loose, "link", "not yet attached")
     link, new = fresh_link(analysis), free or fresh_joint(analysis)
     text, label = f"${{1:{link}}} via ${{2:{new}}}", f"{link} via {new}"
-    yield CompletionItem(label, "snippet", text, "new child", is_snippet=True, is_asked_for=True)
+    yield CompletionItem(label, "snippet", text, "new child", is_asked_for=True)
     for name in fitting:
         if name in uses.parents:
             detail = f"child of {uses.parents[name]} already"

@@ -96,4 +96,4 @@ def shape_items(context: CompletionContext) -> Iterator[CompletionItem]:
         for heavy, unit in _UNITS.items():
             detail = f"{_DETAILS[name]} (m), {heavy} ({unit})"
             text = snippets.shape(name, heavy)
-            yield CompletionItem(f"{name} of a {heavy}", "snippet", text, detail, True, True)
+            yield CompletionItem(f"{name} of a {heavy}", "snippet", text, detail, is_asked_for=True)

@@ -12,7 +12,7 @@ from kindsl.frontends.lsp.session.findings import diagnostics
 from kindsl.frontends.lsp.session.view import Sight, View
 from kindsl.frontends.lsp.text import uris
 from kindsl.frontends.lsp.text.document import Document, document
-from kindsl.frontends.lsp.wire.edits import makes_files, text_edits, workspace_edit
+from kindsl.frontends.lsp.wire.edits import text_edits, workspace_edit
 from kindsl.language.text.edits import TextEdit
 
 if TYPE_CHECKING:
@@ -87,7 +87,7 @@ def _action(view: Sight, action: "CodeAction") -> types.CodeAction | None:
     new = []
     if action.bindings:
         binding = bound(view.state, view.document, action.bindings)
-        if binding is None or (binding.is_new and not makes_files(view.client)):
+        if binding is None:
             return None
         edits.append((binding.document, text_edits(binding.document, [binding.edit])))
         new = [binding.document] if binding.is_new else []

@@ -2,7 +2,7 @@
 
 import asyncio
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from lsprotocol import types
 from pygls.exceptions import JsonRpcInvalidParams
@@ -14,11 +14,6 @@ from kindsl.frontends.lsp.session.view import View
 from kindsl.frontends.lsp.wire.client import asked
 from kindsl.frontends.lsp.wire.edits import text_edits, workspace_edit
 from kindsl.frontends.lsp.wire.protocol import RequestFailed
-
-if TYPE_CHECKING:
-    from kindsl.products.reports.computation import ComputationRequest
-    from kindsl.robots.mechanism.build import Mechanism
-
 
 handlers = Handlers()
 
@@ -136,28 +131,24 @@ def _computed(view: View, options: object) -> dict[str, Any]:
     """
     try:
         from kindsl.products.reports.computation import compute
+        from kindsl.products.reports.motions import ConfigurationSpace, motions_from
 
         mechanism = view.analysis.mechanism(parameters=_own(options, "parameters", {}))
-        return compute(view.analysis, mechanism, _request(mechanism, options)).as_json()
+        gravity = _own(options, "gravity", _GRAVITY)
+        if not isinstance(gravity, list) or len(gravity) != 3:
+            raise ValueError("'gravity' must be three numbers")
+        robot = ConfigurationSpace(mechanism.bodies.joint_names, mechanism.bodies.is_floating)
+        motions = motions_from(_configurations(options), robot)
+        is_forward = bool(_own(options, "forward", False))
+        numbers = [float(number) for number in gravity]
+        found = compute(view.analysis, mechanism, motions, numbers, is_forward=is_forward)
+        return found.as_json()
     except ModuleNotFoundError as error:
         hint = "install with: pip install 'kindsl[numpy]'"
         problem = f"the computation needs {error.name}; {hint}"
         raise RequestFailed(problem, {"missing": ["numpy"]}) from None
     except (ValueError, TypeError) as error:
         raise RequestFailed(str(error)) from None
-
-
-def _request(mechanism: "Mechanism", options: object) -> "ComputationRequest":
-    from kindsl.products.reports.computation import ComputationRequest
-    from kindsl.products.reports.motions import ConfigurationSpace, motions_from
-
-    gravity = _own(options, "gravity", _GRAVITY)
-    if not isinstance(gravity, list) or len(gravity) != 3:
-        raise ValueError("'gravity' must be three numbers")
-    robot = ConfigurationSpace(mechanism.bodies.joint_names, mechanism.bodies.is_floating)
-    motions = tuple(motions_from(_configurations(options), robot))
-    x, y, z = map(float, gravity)
-    return ComputationRequest(motions, (x, y, z), bool(_own(options, "forward", False)))
 
 
 def _configurations(options: object) -> object:

@@ -1,12 +1,15 @@
 """From a name to other places: definitions, references, the kinematic tree both ways."""
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 from lsprotocol import types
 
 from kindsl.frontends.lsp.handlers.table import Handlers
 from kindsl.frontends.lsp.session.configuration_files import bound_places
 from kindsl.frontends.lsp.session.view import View
+
+if TYPE_CHECKING:
+    from kindsl.frontends.features.outline import DocumentSymbol
 
 Definitions = list[types.LocationLink] | list[types.Location]
 
@@ -82,7 +85,7 @@ def incoming(
     from kindsl.frontends.features.navigation import predecessors
 
     return [
-        types.CallHierarchyIncomingCall(_item(view, call.item), _ranges(view, call.places))
+        types.CallHierarchyIncomingCall(_item(view, call.item), [view.range(*call.place)])
         for call in predecessors(view.analysis, params.item.name)
     ]
 
@@ -95,7 +98,7 @@ def outgoing(
     from kindsl.frontends.features.navigation import successors
 
     return [
-        types.CallHierarchyOutgoingCall(_item(view, call.item), _ranges(view, call.places))
+        types.CallHierarchyOutgoingCall(_item(view, call.item), [view.range(*call.place)])
         for call in successors(view.analysis, params.item.name)
     ]
 
@@ -121,7 +124,7 @@ def _definitions(view: View, position: types.Position, capability: str) -> Defin
     return [types.Location(link.target_uri, link.target_selection_range) for link in links]
 
 
-def _item(view: View, item: Any) -> types.CallHierarchyItem:
+def _item(view: View, item: "DocumentSymbol") -> types.CallHierarchyItem:
     return types.CallHierarchyItem(
         name=item.name,
         kind=types.SymbolKind.Class,
@@ -130,7 +133,3 @@ def _item(view: View, item: Any) -> types.CallHierarchyItem:
         selection_range=view.range(item.name_start, item.name_end),
         detail=item.detail,
     )
-
-
-def _ranges(view: View, places: Any) -> list[types.Range]:
-    return [view.range(place.start, place.end) for place in places]

@@ -17,22 +17,23 @@ handlers = Handlers()
 @handlers.place(types.TEXT_DOCUMENT_PREPARE_RENAME)
 def prepare(view: View, params: types.PrepareRenameParams) -> types.Range | None:
     """Find the name that would be renamed; None where there is none."""
-    from kindsl.frontends.features.rename import RenameRefusal, rename_range
+    from kindsl.frontends.features.rename import rename_range
 
     found = rename_range(view.analysis, view.offset(params.position))
-    return None if isinstance(found, RenameRefusal) else view.range(*found)
+    return None if found is None else view.range(*found)
 
 
 @handlers.place(types.TEXT_DOCUMENT_RENAME, types.RenameOptions(prepare_provider=True))
 def rename(view: View, params: types.RenameParams) -> types.WorkspaceEdit | None:
     """Give something another name everywhere."""
-    from kindsl.frontends.features.rename import RenameRefusal, rename, rename_range
+    from kindsl.frontends.features.manipulation.gesture import Refusal
+    from kindsl.frontends.features.rename import rename
 
-    if isinstance(rename_range(view.analysis, view.offset(params.position)), RenameRefusal):
-        return None
     found = rename(view.analysis, view.offset(params.position), params.new_name)
-    if isinstance(found, RenameRefusal):
-        raise RequestFailed(found.message)
+    if found is None:
+        return None
+    if isinstance(found, Refusal):
+        raise RequestFailed(found.reason)
     edits = [(view.document, text_edits(view.document, found.edits))]
     if found.bound_parameter is not None:
         for place in bound_places(view, found.bound_parameter):

@@ -12,7 +12,7 @@ from kindsl.frontends.lsp.session.view import View
 from kindsl.frontends.lsp.text import uris
 from kindsl.frontends.lsp.text.document import Document, document
 from kindsl.frontends.lsp.wire.client import asked
-from kindsl.frontends.lsp.wire.edits import text_edits, workspace_edit
+from kindsl.frontends.lsp.wire.edits import makes_files, text_edits, workspace_edit
 from kindsl.judgement.config.errors import ConfigurationError
 from kindsl.judgement.config.file_names import OWN_FILE
 from kindsl.language.text.edits import TextEdit, difference
@@ -36,7 +36,7 @@ class ConfigurationEdit(NamedTuple):
 
 
 def bound(
-    state: State, shown: Document, values: Iterable[tuple[str, float]]
+    state: State, shown: Document | None, values: Iterable[tuple[str, float]]
 ) -> ConfigurationEdit | None:
     """Return the edit that binds parameters of a document; None if there is no place for one."""
     from kindsl.judgement.config.toml_edits import binding_edit
@@ -45,7 +45,7 @@ def bound(
 
 
 def pose_edit(
-    state: State, shown: Document, name: str, joints: Mapping[str, float]
+    state: State, shown: Document | None, name: str, joints: Mapping[str, float]
 ) -> ConfigurationEdit | None:
     """Return the edit that keeps a pose of a document; None if there is no place for one."""
     from kindsl.judgement.config.document_tables import with_pose
@@ -86,12 +86,14 @@ async def request_edits(
 
 
 def _edited(
-    state: State, shown: Document, edit_of: Callable[[str, str, str], TextEdit | None]
+    state: State, shown: Document | None, edit_of: Callable[[str, str, str], TextEdit | None]
 ) -> ConfigurationEdit | None:
-    place = _place(state, shown)
-    if place is None:
+    place = None if shown is None else _place(state, shown)
+    if shown is None or place is None:
         return None
     document, is_new = place
+    if is_new and not makes_files(state.client):
+        return None
     file, robot = str(uris.path(document.uri)), str(uris.path(shown.uri))
     edit = edit_of(file, document.text, robot)
     return None if edit is None else ConfigurationEdit(document, is_new, edit)

@@ -16,6 +16,7 @@ from kindsl.frontends.lsp.session.worker import Urgency, start_task
 from kindsl.frontends.lsp.session.workspace import CONFIGURATION_FILES
 from kindsl.frontends.lsp.text import uris
 from kindsl.frontends.lsp.text.document import Document, document
+from kindsl.judgement.config.errors import ConfigurationError
 
 Problems = list[dict[str, Any]]
 
@@ -94,7 +95,6 @@ class ClosedConfigurations:
             self._reported.pop(key, None)
 
     def _on_disk(self, uri: str, path: Path) -> Problems:
-        from kindsl.judgement.config.configuration import ConfigurationError
         from kindsl.judgement.config.configuration_reading import text_of
         from kindsl.judgement.config.discovery import is_configuration
 

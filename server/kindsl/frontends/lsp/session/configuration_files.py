@@ -16,6 +16,7 @@ from kindsl.frontends.lsp.session.workspace import CONFIGURATION_FILES
 from kindsl.frontends.lsp.text import uris
 from kindsl.frontends.lsp.text.document import Document
 from kindsl.frontends.lsp.wire.protocol import RequestFailed
+from kindsl.judgement.config.errors import ConfigurationError
 from kindsl.judgement.config.robots import robots_below
 from kindsl.language.text.edits import TextEdit
 
@@ -54,15 +55,16 @@ def configuration_of(document: Document) -> "Configuration | None":
     return configuration_reading.configuration_of(name, document.text) if is_ours else None
 
 
+def _valid_configuration(document: Document) -> "Configuration | None":
+    try:
+        return configuration_of(document)
+    except ConfigurationError:
+        return None
+
+
 def configuration_links(document: Document) -> Iterator[types.DocumentLink]:
     """Yield links to the documents that tables are for."""
-    from kindsl.judgement.config.configuration import ConfigurationError
-
-    path = uris.path(document.uri)
-    try:
-        configuration = configuration_of(document)
-    except ConfigurationError:
-        return
+    path, configuration = uris.path(document.uri), _valid_configuration(document)
     if configuration is None or path is None:
         return
     for number, table in enumerate(configuration.documents):
@@ -78,17 +80,10 @@ def configuration_links(document: Document) -> Iterator[types.DocumentLink]:
 
 def bound_places(view: "View", parameter: str) -> Iterator[BoundPlace]:
     """Yield where the configuration file of a document gives a parameter of it a value."""
-    from kindsl.judgement.config.configuration import ConfigurationError
-
     file = view.state.workspace.configuration_file(view.document)
     document = view.state.documents.get(uris.uri(file)) if file else None
-    if document is None:
-        return
-    try:
-        configuration = configuration_of(document)
-    except ConfigurationError:
-        return
-    if configuration is None:
+    configuration = None if document is None else _valid_configuration(document)
+    if document is None or configuration is None:
         return
     for keys in configuration.keys_of(parameter, str(uris.path(view.document.uri))):
         yield BoundPlace(document, keys, *configuration.places[keys])
@@ -122,7 +117,6 @@ async def configuration_diagnostics(state: State, document: Document) -> list[di
 def configuration_problems(document: Document) -> list[dict[str, Any]]:
     """Return mistakes in a configuration file, as they are sent; none for other TOML files."""
     from kindsl.judgement.config.baseline import read_baseline
-    from kindsl.judgement.config.configuration import ConfigurationError
 
     try:
         configuration = configuration_of(document)

@@ -12,14 +12,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from lsprotocol import types
 
-from kindsl.frontends.lsp.session.binding import ConfigurationEdit, bound, pose_edit, request_edits
+from kindsl.frontends.lsp.session.binding import bound, pose_edit, request_edits
 from kindsl.frontends.lsp.session.state import State
 from kindsl.frontends.lsp.session.view import View
 from kindsl.frontends.lsp.session.worker import Urgency, start_task
 from kindsl.frontends.lsp.text import uris
 from kindsl.frontends.lsp.text.document import Document
 from kindsl.frontends.lsp.wire.client import asked
-from kindsl.frontends.lsp.wire.edits import makes_files, text_edits, workspace_edit
+from kindsl.frontends.lsp.wire.edits import text_edits, workspace_edit
 from kindsl.frontends.lsp.wire.protocol import RequestFailed
 from kindsl.judgement.config.parameter_lines import parameter_table, pose_table
 
@@ -182,32 +182,22 @@ class Previews:
 
     def keep(self, key: str, wanted: "WriteParameters | KeepPose") -> str:
         """Let the editor write values or a pose; return what to write by hand if it cannot."""
+        from kindsl.frontends.preview.requests import KeepPose
+
         document, client = self._state.documents.get(key), self._state.client
-        made, lines, label = self._kept(document, wanted)
+        if isinstance(wanted, KeepPose):
+            lines, label = pose_table(*wanted), f"Keep pose '{wanted.name}'"
+            made = pose_edit(self._state, document, *wanted)
+        else:
+            lines, label = parameter_table(wanted.values), "Give parameters values"
+            made = bound(self._state, document, wanted.values.items())
         if made is None or not client.can("workspace.apply_edit"):
-            return lines
-        if made.is_new and not makes_files(client):
             return lines
         edits = [(made.document, text_edits(made.document, [made.edit]))]
         edit = workspace_edit(client, edits, [made.document] if made.is_new else [])
         params = types.ApplyWorkspaceEditParams(edit, label=label)
         start_task(asked(self._state.editor.workspace_apply_edit_async(params)))
         return ""
-
-    def _kept(
-        self, document: Document | None, wanted: "WriteParameters | KeepPose"
-    ) -> tuple[ConfigurationEdit | None, str, str]:
-        """Return the edit of the configuration, if there is one, its lines, and its title."""
-        from kindsl.frontends.preview.requests import KeepPose
-
-        made = None
-        if isinstance(wanted, KeepPose):
-            if document is not None:
-                made = pose_edit(self._state, document, *wanted)
-            return made, pose_table(*wanted), f"Keep pose '{wanted.name}'"
-        if document is not None:
-            made = bound(self._state, document, wanted.values.items())
-        return made, parameter_table(wanted.values), "Give parameters values"
 
     def _highlight(self, uri: str, kind: str, name: str) -> None:
         if (shown := self._preview_of(uri)) is not None:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from lsprotocol import types
 
 from kindsl.frontends.lsp.text import uris
+from kindsl.judgement.config.errors import ConfigurationError
 from kindsl.judgement.config.file_names import OWN_FILE, PYTHON_FILE
 from kindsl.judgement.config.robots import robots_below
 from kindsl.language.text.saves import Stamp, stamp
@@ -169,7 +170,6 @@ class _Project:
 
     def _known(self, configuration: "Configuration", document: Path) -> "Mapping[str, int]":
         from kindsl.judgement.config.baseline import baseline_path, known_findings
-        from kindsl.judgement.config.configuration import ConfigurationError
 
         path = baseline_path(configuration)
         if path:
@@ -181,7 +181,6 @@ class _Project:
             return {}
 
     def _above(self, document: Path) -> "Configuration | None":
-        from kindsl.judgement.config.configuration import ConfigurationError
         from kindsl.judgement.config.discovery import Configurations, candidates
 
         self._configurations = self._configurations or Configurations()

@@ -10,7 +10,7 @@ import json
 from kindsl.frontends.mcp.documents import BoundArguments, built, document
 from kindsl.frontends.mcp.folder import Folder, ToolError
 from kindsl.frontends.mcp.tool import Content, Field, text
-from kindsl.products.reports.motions import ConfigurationSpace, MotionError, motions_from
+from kindsl.products.reports.motions import ConfigurationSpace, motions_from
 
 _JOINTS = "one number a joint in the order of the links' ids, or an object by names of joints"
 Values = list[float] | dict[str, float] | None
@@ -38,13 +38,12 @@ def run(arguments: ConfigurationArguments, folder: Folder) -> list[Content]:
     if len(arguments.gravity) != 3:
         raise ToolError("'gravity' has three numbers")
     robot = ConfigurationSpace(mechanism.bodies.joint_names, mechanism.bodies.is_floating)
-    from kindsl.products.reports.computation import ComputationRequest, compute
+    from kindsl.products.reports.computation import compute
 
+    is_forward = arguments.tau is not None
     try:
-        motions = tuple(motions_from(given, robot))
-        x, y, z = arguments.gravity
-        request = ComputationRequest(motions, (x, y, z), arguments.tau is not None)
-        results = compute(analysis, mechanism, request)
-    except (MotionError, ValueError) as error:
+        motions = motions_from(given, robot)
+        results = compute(analysis, mechanism, motions, arguments.gravity, is_forward=is_forward)
+    except ValueError as error:
         raise ToolError(str(error)) from None
     return [text(json.dumps(results.as_json()))]

@@ -1,15 +1,15 @@
 """Changed written numbers of joints, frames and bodies that are on both sides."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from math import isclose, radians
 from typing import NamedTuple
 
 from kindsl.judgement.analysis.analysis import Analysis
-from kindsl.language.semantics.declarations import Inertia, Pose, Vector
+from kindsl.language.semantics.declarations import Inertia
 from kindsl.language.semantics.expressions import Expression
+from kindsl.language.semantics.unknown import pose_expressions, vector_expressions
 from kindsl.language.syntax.vocabulary import MOMENTS
 
-_AXES = "xyz"
 _ROUNDING = 1e-12
 # What a factor between two numbers says, and how near it must be.
 _FACTORS = (
@@ -68,14 +68,16 @@ _Numbers = dict[str, dict[str, Expression]]
 
 def _joints(side: Analysis, renamed: Mapping[str, str]) -> _Numbers:
     return {
-        renamed.get(str(joint.name), str(joint.name)): dict(_pose(joint.pose))
+        renamed.get(str(joint.name), str(joint.name)): _by_label(pose_expressions(joint.pose))
         for joint in side.model.joints
     }
 
 
 def _frames(side: Analysis, renamed: Mapping[str, str]) -> _Numbers:
     return {
-        f"{renamed.get(str(body.name), str(body.name))}.{frame.name}": dict(_pose(frame.pose))
+        f"{renamed.get(str(body.name), str(body.name))}.{frame.name}": _by_label(
+            pose_expressions(frame.pose)
+        )
         for body in side.model.bodies
         for frame in body.frames
     }
@@ -83,28 +85,25 @@ def _frames(side: Analysis, renamed: Mapping[str, str]) -> _Numbers:
 
 def _bodies(side: Analysis, renamed: Mapping[str, str]) -> _Numbers:
     return {
-        renamed.get(str(body.name), str(body.name)): dict(_inertia(body.inertia))
+        renamed.get(str(body.name), str(body.name)): _by_label(_values(body.inertia))
         for body in side.model.bodies
         if body.inertia is not None
     }
 
 
-def _pose(pose: Pose) -> Iterator[tuple[str, Expression]]:
-    yield from _vector("translation", pose.translation)
-    yield from _vector("rotation", pose.rotation)
-
-
-def _inertia(inertia: Inertia) -> Iterator[tuple[str, Expression]]:
+def _values(inertia: Inertia) -> Iterator[Expression]:
     if inertia.mass is not None:
-        yield "mass", inertia.mass
-    yield from _vector("CoM", inertia.com)
-    yield from ((name, inertia.moments[name]) for name in MOMENTS if name in inertia.moments)
+        yield inertia.mass
+    yield from vector_expressions(inertia.com)
+    yield from (inertia.moments[name] for name in MOMENTS if name in inertia.moments)
 
 
-def _vector(name: str, vector: Vector | None) -> Iterator[tuple[str, Expression]]:
-    if vector is not None:
-        for axis, component in zip(_AXES, vector.components, strict=True):
-            yield f"{name} {axis}", component
+def _by_label(values: Iterable[Expression]) -> dict[str, Expression]:
+    found = {}
+    for value in values:
+        section, component = value.meaning.section, value.meaning.component
+        found[section if component is None else f"{section} {'xyz'[component]}"] = value
+    return found
 
 
 def _same(a: float, b: float) -> bool:
