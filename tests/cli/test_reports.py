@@ -1,6 +1,7 @@
 """The formats for other programs, held to their schemas."""
 
 import json
+import os
 from pathlib import Path
 from typing import Any
 
@@ -98,6 +99,17 @@ def test_sarif_tells_place_fix_and_related_places(kdsl_lint: Runner, folder: Pat
     replacement = integer["fixes"][0]["artifactChanges"][0]["replacements"][0]
     assert replacement["insertedContent"]["text"] == ".0"
     assert by_rule["KD101"]["relatedLocations"][0]["physicalLocation"]["region"]["startLine"] == 7
+
+
+def test_sarif_of_a_folder_whose_name_is_not_utf_8(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / os.fsdecode(b"\xff")
+    folder.mkdir()
+    monkeypatch.chdir(folder)
+    log = json.loads(renderer("sarif")(RunOutcome([LintedFile("arm.kindsl", GOOD, [])], [])))
+    (run,) = log["runs"]
+    assert run["originalUriBaseIds"]["SRCROOT"]["uri"] == f"{tmp_path.as_uri()}/%FF/"
 
 
 def test_the_probability_of_a_cause_is_told() -> None:

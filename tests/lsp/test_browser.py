@@ -193,6 +193,7 @@ async def test_a_urdf_becomes_a_document_with_remarks(client):
             "link 'a\ufffdb'",
         ),
         ("a.xml", "<mujoco/>", "MJCF cannot be read from one text, as .sdf or .urdf can"),
+        ("step", "", "a name without a suffix does not determine the format: use .sdf or .urdf"),
         ("a.step", "", "the suffix '.step' does not determine the format: use .sdf or .urdf"),
     ],
 )

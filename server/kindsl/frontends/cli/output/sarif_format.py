@@ -46,7 +46,7 @@ def render(outcome: RunOutcome) -> str:
     run = {
         "tool": {"driver": {"name": "kdsl-lint", "version": __version__, "rules": rules}},
         "columnKind": "unicodeCodePoints",
-        "originalUriBaseIds": {_ROOT: {"uri": f"file://{quote(os.getcwd())}/"}},
+        "originalUriBaseIds": {_ROOT: {"uri": f"file://{_quoted(os.getcwd())}/"}},
         "invocations": [_invocation(outcome, n_found - len(found))],
         "results": [_result(*each) for each in found],
     }

@@ -76,18 +76,22 @@ def _urdf(view: View) -> tuple[str, tuple[str, ...]]:
 
 def _document(name: PurePath, text: str) -> tuple[str, tuple[str, ...]]:
     from kindsl.language.text.phrases import alternatives
-    from kindsl.robots.interchange.format import AS_WRITTEN, FormatError, joints_dropped
+    from kindsl.robots.interchange.format import (
+        AS_WRITTEN,
+        FormatError,
+        joints_dropped,
+        suffix_unknown,
+    )
     from kindsl.robots.interchange.kindsl_writing import written_kindsl
     from kindsl.robots.interchange.registry import all_formats, format_of_suffix
 
     format = format_of_suffix(name.suffix)
     if format is None or format.parse is None:
-        known = alternatives(f.suffixes[0] for f in all_formats() if f.parse is not None)
+        known = [f.suffixes[0] for f in all_formats() if f.parse is not None]
         if format is None:
-            raise RequestFailed(
-                f"the suffix '{name.suffix}' does not determine the format: use {known}"
-            )
-        raise RequestFailed(f"{format.title} cannot be read from one text, as {known} can")
+            raise RequestFailed(suffix_unknown(name.suffix, known))
+        others = alternatives(known)
+        raise RequestFailed(f"{format.title} cannot be read from one text, as {others} can")
     try:
         written = written_kindsl(format.parse(text, name.stem, AS_WRITTEN))
     except FormatError as error:
