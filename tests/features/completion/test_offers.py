@@ -218,9 +218,9 @@ def test_a_bound_parameter_tells_its_value():
         snippets.link("l", 1),
         snippets.joint("r_joint", "j"),
         snippets.section("inertia"),
-        snippets.frames(),
+        snippets.section("frames"),
         snippets.section("joint_frame"),
-        snippets.children(),
+        snippets.children("link", "joint"),
     ],
 )
 def test_each_placeholder_of_a_block_is_visited_once_in_its_order(block):

@@ -23,13 +23,12 @@ from typing import TYPE_CHECKING
 
 from kindsl.frontends.cli.console import write
 from kindsl.frontends.cli.documents.choices import choices_of
-from kindsl.frontends.cli.documents.compared_robots import is_foreign, read_robots
+from kindsl.frontends.cli.documents.compared_robots import is_foreign, read_robots, read_versions
 from kindsl.frontends.cli.documents.document_reading import (
     CommandError,
     shown_name,
     skeleton_of_document,
 )
-from kindsl.frontends.cli.documents.versions import read_versions
 from kindsl.frontends.cli.options import add_parameter_arguments
 from kindsl.frontends.cli.outcome import Failure
 from kindsl.judgement.rules.base import Severity
@@ -92,20 +91,19 @@ def _joint_pair(text: str) -> tuple[str, str]:
 
 def _mechanics(args: argparse.Namespace) -> int:
     from kindsl.products.reports.mechanics import report_of
-    from kindsl.robots.comparison.mechanical import compared_mechanics, unknown_joints
+    from kindsl.robots.comparison.mechanical import unknown_joints
 
     read = read_robots((args.old, args.new), choices_of(args))
-    robots, joints = (read.old, read.new), dict(args.joint)
-    unknown = [Failure("--joint", sentence) for sentence in unknown_joints(*robots, joints)]
+    joints = dict(args.joint)
+    unknown = [Failure("--joint", each) for each in unknown_joints(read.old, read.new, joints)]
     if unknown:
         raise CommandError(unknown)
-    found = compared_mechanics(*robots, joints)
-    report = report_of(read.old, read.new, found)
+    report = report_of(read.old, read.new, joints)
     write(sys.stdout, _rendered_mechanics(report, args.output_format))
     write(sys.stderr, "".join(f"note: {printable(note)}\n" for note in read.notes))
     if read.failures:
-        return CommandError(list(read.failures)).tell()
-    return SAME if found.is_equal or args.exit_zero else CHANGED
+        return CommandError(read.failures).tell()
+    return SAME if report.found.is_equal or args.exit_zero else CHANGED
 
 
 def _rendered_mechanics(report: "MechanicsReport", output_format: str) -> str:

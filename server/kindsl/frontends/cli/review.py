@@ -18,13 +18,17 @@ from typing import TYPE_CHECKING
 
 from kindsl.frontends.cli.console import write
 from kindsl.frontends.cli.documents.choices import Choices, choices_of
-from kindsl.frontends.cli.documents.compared_robots import is_foreign, read_robots
+from kindsl.frontends.cli.documents.compared_robots import (
+    analysed_versions,
+    is_foreign,
+    read_robots,
+    read_versions,
+)
 from kindsl.frontends.cli.documents.document_reading import (
     CommandError,
     shown_name,
 )
 from kindsl.frontends.cli.documents.git_texts import commits_of, short, versions_of
-from kindsl.frontends.cli.documents.versions import analysed_versions, read_versions
 from kindsl.frontends.cli.documents.writing import unwritable
 from kindsl.frontends.cli.options import add_parameter_arguments
 from kindsl.language.text.printable import printable
@@ -104,10 +108,9 @@ def _files(args: argparse.Namespace) -> dict[str, str]:
 def _mechanics(files: list[str], choices: Choices) -> "Page":
     """Return a review of two robots of any formats."""
     from kindsl.products.reports.mechanics import report_of
-    from kindsl.robots.comparison.mechanical import compared_mechanics
 
     read = read_robots(files, choices)
-    report = report_of(read.old, read.new, compared_mechanics(read.old, read.new))
+    report = report_of(read.old, read.new)
     broken = dict.fromkeys(
         f"{failed.path} has errors: showing the rest" for failed in read.failures
     )

@@ -14,14 +14,9 @@ from kindsl.robots.mechanism.total_mass import UNKNOWN
 
 
 class CodeLens(NamedTuple):
-    """A line above a block.
+    """A line above the block of a name; `kind` is `preview`, `subtree` or `references`.
 
-    Attributes:
-        start: Start of the name that the lens belongs to.
-        end: End of that name.
-        title: Its text.
-        kind: `preview`, `subtree` or `references`.
-        places: For `references`, the places to show.
+    References have the places to show.
     """
 
     start: int

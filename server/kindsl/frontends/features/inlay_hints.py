@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from kindsl.frontends.features.wording import INERTIA, angle, number
+from kindsl.frontends.features.wording import INERTIA, angle, moments_text, number
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.declarations import Declarations, Link
 from kindsl.language.semantics.expressions import Expression
@@ -101,8 +101,7 @@ def _inertia_hints(analysis: Analysis, body: Link) -> Iterator[InlayHint]:
         return
     opening = next(c for c in body.inertia.node.children if c.kind == "{")
     principal = principal_moments_about_com(inertia)
-    moments = ", ".join(number(moment) for moment in principal)
-    tooltip = f"Principal moments about the centre of mass {moments} {INERTIA}"
+    tooltip = f"Principal moments about the centre of mass {moments_text(inertia)}"
     box = equivalent_box(inertia)
     text = _box_text(*box) if box is not None else ""
     if 0 < len(text) <= _LONGEST:

@@ -23,14 +23,7 @@ _LINKED = frozenset((EntityKind.LINK, EntityKind.JOINT, EntityKind.FRAME, Entity
 
 
 class Definition(NamedTuple):
-    """A place where something is defined.
-
-    Attributes:
-        start: Start of the whole construct, for peeking.
-        end: Its end.
-        name_start: Start of the name.
-        name_end: Its end.
-    """
+    """A place where something is defined: the whole construct, for peeking, and its name."""
 
     start: int
     end: int

@@ -12,17 +12,12 @@ _DEPTH = 100
 
 
 class DocumentSymbol(NamedTuple):
-    """An entry of the outline.
+    """An entry of the outline: a whole construct, and inside it its name.
 
     Attributes:
         name: As written, or a stand-in where the name is missing.
         detail: A few words beside the name.
         kind: `robot`, `base`, `link`, `joint` or `frame`.
-        start: Start of the whole construct.
-        end: Its end.
-        name_start: Start of the name, inside the construct.
-        name_end: Its end.
-        children: Entries below.
     """
 
     name: str

@@ -11,13 +11,7 @@ from kindsl.language.text.lines import line_start
 
 
 class Pasting(NamedTuple):
-    """A way to paste a text.
-
-    Attributes:
-        title: Its title, in the imperative.
-        edits: The change of the document as it was before.
-        is_certain: Whether it is the only way.
-    """
+    """A way to paste a text: edits of the document as it was before, certain if the only way."""
 
     title: str
     edits: tuple[TextEdit, ...]

@@ -17,13 +17,7 @@ _OPENING = frozenset("{([<")
 
 
 class Fold(NamedTuple):
-    """A stretch to fold, from the opening sign to the closing one.
-
-    Attributes:
-        start: Offset after `{`, or the start of a comment.
-        end: Offset of `}`, or the end of a comment.
-        kind: `block` or `comment`.
-    """
+    """A stretch to fold: a `block` between its braces, or a `comment` with its signs."""
 
     start: int
     end: int

@@ -25,7 +25,6 @@ class Renaming(NamedTuple):
     """The edits of a renaming.
 
     Attributes:
-        edits: Replacements in the document.
         bound_parameter: The old name of a parameter that has a value in `kindsl.toml` or in the
             settings, which must take the new name there too; None otherwise.
     """
@@ -102,13 +101,7 @@ def _clash_of_things(analysis: Analysis, new_name: str) -> str | None:
 
 
 def objection(word: str, kind: EntityKind, targets: frozenset[str]) -> str | None:
-    """Return why a word cannot name such a thing, or None if it can.
-
-    Args:
-        word: The wanted name.
-        kind: Kind of the named thing.
-        targets: The generators that must accept it.
-    """
+    """Return why a word cannot name such a thing for some generators, or None if it can."""
     if not _NAME.fullmatch(word):
         return (
             f"'{word}' is not a valid name: use letters, digits and '_', not starting with a digit"

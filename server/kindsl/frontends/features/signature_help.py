@@ -30,13 +30,9 @@ class SignatureParameter(NamedTuple):
 
 
 class Signature(NamedTuple):
-    """A vector that is being filled in.
+    """A vector that is being filled in, its label like `translation = (x, y, z)`.
 
-    Attributes:
-        label: `translation = (x, y, z)`.
-        documentation: A sentence on the vector.
-        parameters: Its components.
-        active: The number of the component at the cursor.
+    `active` is the number of the component at the cursor.
     """
 
     label: str

@@ -10,11 +10,9 @@ from kindsl.robots.mechanism.total_mass import Weight, added, body_mass, edge_ma
 
 
 class Subtree(NamedTuple):
-    """A link with all that it carries.
+    """A link with all that it carries: its weight, and the joints in it.
 
-    Attributes:
-        weight: Of all of it; a fixed base itself weighs nothing.
-        dof: Joints in it, the supporting joint of the link left out.
+    A fixed base itself weighs nothing; the supporting joint of the link is left out.
     """
 
     weight: Weight

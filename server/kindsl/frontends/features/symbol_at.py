@@ -39,12 +39,9 @@ class Role(StrEnum):
 
 
 class Entity(NamedTuple):
-    """A named thing of the document.
+    """A named thing of the document, its name without the escape `^`; the base counts as a link.
 
-    Attributes:
-        kind: Its kind; the base counts as a link.
-        name: Its name, without the escape `^`.
-        link: For a frame, the link that carries it.
+    A frame has the link that carries it.
     """
 
     kind: EntityKind

@@ -1,4 +1,7 @@
-"""The transforms document of a robot: completions, hovers, actions, edits of a renaming."""
+"""The transforms document of a robot: completions, hovers, actions, edits of a renaming.
+
+Offsets are code points of its text. The robot that it is about is None where that is not known.
+"""
 
 import re
 from collections.abc import Iterator
@@ -41,13 +44,7 @@ _REWRITE = "refactor.rewrite"
 
 
 def transforms_completions(text: str, offset: int, model: Model | None) -> Completions:
-    """Return what may be typed at an offset; nothing where a whole word stands.
-
-    Args:
-        text: The transforms document.
-        offset: The cursor, code points.
-        model: The robot that it is about, None if that is not known.
-    """
+    """Return what may be typed at an offset; nothing where a whole word stands."""
     word: str = _WORD_BEFORE.findall(text, 0, offset)[0]
     start = offset - len(word)
     end = offset + len(_BEHIND_WORD.split(text[offset:])[0])
@@ -94,14 +91,7 @@ def _frames(text: str, start: int, model: Model | None) -> Iterator[CompletionIt
 
 
 def transforms_actions(text: str, model: Model | None, start: int, end: int) -> list[CodeAction]:
-    """Return what can be done about a stretch of a transforms document.
-
-    Args:
-        text: The transforms document.
-        model: The robot that it is about, None if that is not known.
-        start: Where the stretch begins, code points.
-        end: Where it ends.
-    """
+    """Return what can be done about a stretch of a transforms document."""
     document = read_transforms(text)
     if not text.strip():
         if model is None or not model.name or not model.bodies:
@@ -191,13 +181,7 @@ def _edits(document: TransformsDocument, old: str, new: str) -> Iterator[TextEdi
 
 
 def transforms_hover(text: str, offset: int, model: Model | None) -> Hover | None:
-    """Return the meaning of the pair or frame at an offset, None where there is none.
-
-    Args:
-        text: The transforms document.
-        offset: The cursor, code points.
-        model: The robot that it is about, None if that is not known.
-    """
+    """Return the meaning of the pair or frame at an offset, None where there is none."""
     document = read_transforms(text)
     for name in document.frames:
         if name.start <= offset <= name.end:

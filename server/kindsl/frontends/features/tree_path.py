@@ -12,8 +12,6 @@ class TokenAt(NamedTuple):
     """A token and where it stands.
 
     Attributes:
-        token: The token.
-        island: The island it belongs to.
         origin: The island's absolute offset.
         path: The constructs that hold it, the outermost first; empty for a skipped token.
     """

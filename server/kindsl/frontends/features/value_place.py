@@ -21,8 +21,7 @@ class ValuePlace(NamedTuple):
 
     Attributes:
         meaning: Its section and component, their class and unit.
-        owner: Kind of its owner: `frame`, `link`, `base` or `joint`.
-        owner_name: Its name, empty where it is missing.
+        owner: The kind of its owner: `frame`, `link`, `base` or `joint`.
     """
 
     meaning: Meaning

@@ -1,16 +1,19 @@
 """Numbers with units, and the phrases that several features share."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from math import degrees
 from typing import NamedTuple, assert_never
 
+from kindsl.judgement.rules.base import Severity
 from kindsl.language.syntax.tables import ValueKind
+from kindsl.mechanics.rigid.body import MassDistribution, principal_moments_about_com
 from kindsl.mechanics.rigid.pose import PLAIN, RigidPose, angles
 
 METRES = "m"
 RADIANS = "rad"
 KILOGRAMS = "kg"
 INERTIA = "kg·m²"
+_MARKS = {Severity.ERROR: "✗ ", Severity.WARNING: "⚠ "}
 
 
 def pose_text(pose: RigidPose) -> str:
@@ -52,18 +55,31 @@ def vector(values: Iterable[float]) -> str:
     return f"({', '.join(number(0.0 if abs(v) < dust else v) for v in components)})"
 
 
+def inertia_lines(body: MassDistribution) -> Iterator[str]:
+    """Yield where a link's CoM is, and its principal moments about it."""
+    yield f"CoM {vector(body.com)} m in the link frame"
+    yield f"principal moments about the CoM {moments_text(body)}"
+
+
+def moments_text(body: MassDistribution) -> str:
+    """Return the principal moments about the CoM with their unit."""
+    return f"{', '.join(map(number, principal_moments_about_com(body)))} {INERTIA}"
+
+
+def finding_line(severity: Severity, message: str, code: str) -> str:
+    """Return a finding with a mark that shows how severe it is."""
+    return f"{_MARKS.get(severity, '')}{message} ({code})"
+
+
 def angle(value: float) -> str:
     """Return an angle given in radians, in degrees."""
     return f"{number(degrees(value))}°"
 
 
 def quantity(value: float, kind: ValueKind, unit: str = "") -> str:
-    """Return a value with its unit; an angle in radians and degrees.
+    """Return a value in SI units with its unit, which a dynamics value brings along.
 
-    Args:
-        value: In SI units.
-        kind: The class of the place where it stands.
-        unit: The unit of a dynamics value, whose class has several.
+    An angle is shown in radians and degrees.
     """
     match kind:
         case ValueKind.ANGLE:

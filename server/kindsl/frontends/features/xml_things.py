@@ -4,10 +4,11 @@ from collections.abc import Iterator, Sequence
 from math import degrees
 
 from kindsl.frontends.features.wording import (
-    INERTIA,
     KILOGRAMS,
     Hover,
     code,
+    finding_line,
+    inertia_lines,
     number,
     paragraph,
     pose_text,
@@ -19,12 +20,10 @@ from kindsl.judgement.rules.xml_bodies import XmlBody, XmlPart, xml_bodies
 from kindsl.language.semantics.declarations import Joint, Link
 from kindsl.language.semantics.lowering import declarations
 from kindsl.language.text.phrases import listed
-from kindsl.mechanics.rigid.body import principal_moments_about_com
 from kindsl.robots.interchange.robot_island import RobotIsland
 from kindsl.robots.interchange.xml_document import Connection, XmlDocument
 from kindsl.robots.interchange.xml_reading import XmlElement
 
-_MARKS = {Severity.ERROR: "✗ ", Severity.WARNING: "⚠ "}
 _UNLIMITED = "without limits"
 
 
@@ -86,9 +85,7 @@ def _place_lines(bodies: Sequence[XmlBody], index: int, part: XmlPart) -> Iterat
 def _mass_lines(bodies: Sequence[XmlBody], index: int, part: XmlPart) -> Iterator[str]:
     if part.mass is not None:
         yield f"mass {number(part.mass.mass)} {KILOGRAMS}"
-        yield f"CoM {vector(part.mass.com)} m in the link frame"
-        moments = (number(each) for each in principal_moments_about_com(part.mass))
-        yield f"principal moments about the CoM {', '.join(moments)} {INERTIA}"
+        yield from inertia_lines(part.mass)
     below = {index}
     for other, body in enumerate(bodies):
         if body.parent in below:
@@ -104,7 +101,7 @@ def _finding_lines(analysis: Analysis, link: Link) -> Iterator[str]:
     severities = list(Severity)
     here = [finding for finding in analysis.findings if start <= finding.start <= end]
     for finding in sorted(here, key=lambda each: severities.index(each.severity)):
-        yield f"{_MARKS.get(finding.severity, '')}{finding.message} ({finding.code})"
+        yield finding_line(finding.severity, finding.message, finding.code)
 
 
 def _of_joint(analysis: Analysis, joint: Joint) -> str:

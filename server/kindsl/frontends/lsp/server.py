@@ -12,11 +12,7 @@ from kindsl.language.text.modules import module_names
 
 
 class KindslLanguageServer(Editor):
-    """pygls with our handlers.
-
-    Attributes:
-        session: State that they share.
-    """
+    """pygls with our handlers, which share a session."""
 
     def __init__(self, surroundings: Surroundings | None = None) -> None:
         super().__init__()

@@ -9,12 +9,9 @@ from kindsl.language.text.printable import printable
 
 
 def finding_object(path: str, finding: Diagnostic, lines: LineIndex) -> dict[str, Any]:
-    """Return a finding; lines and columns from 1, offsets from 0, in code points.
+    """Return a finding in the text of these lines, the path as it is shown.
 
-    Args:
-        path: The document, as it is shown.
-        finding: With offsets in the document's text.
-        lines: Of that text.
+    Lines and columns count from 1, offsets from 0, in code points.
     """
     return {
         "path": path,

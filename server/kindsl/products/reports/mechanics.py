@@ -1,9 +1,9 @@
 """The comparison of two robots of any files, in text, Markdown and JSON."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
-from kindsl.robots.comparison.mechanical import MechanicalComparison
+from kindsl.robots.comparison.mechanical import MechanicalComparison, compared_mechanics
 from kindsl.robots.comparison.number_differences import NumberDifference
 from kindsl.robots.comparison.sentences import sentence_of, verdict, without_inertia
 from kindsl.robots.comparison.side import ComparedSide
@@ -30,8 +30,14 @@ class MechanicsReport(NamedTuple):
     base_parameters: tuple[int, int] = (0, 0)
 
 
-def report_of(old: ComparedSide, new: ComparedSide, found: MechanicalComparison) -> MechanicsReport:
-    """Return the report, with dynamics where NumPy is there and all joints match, if any move."""
+def report_of(
+    old: ComparedSide, new: ComparedSide, joints: Mapping[str, str] | None = None
+) -> MechanicsReport:
+    """Compare two robots, with dynamics where NumPy is there and all joints match, if any move.
+
+    Joints are names of the new robot's by the old one's, where neither names nor axes show them.
+    """
+    found = compared_mechanics(old, new, joints)
     matching = found.matching
     is_partial = matching.only_ours or matching.only_theirs or old.unknown or new.unknown
     if is_partial or not old.skeleton.n_links:

@@ -17,14 +17,9 @@ class MotionError(ValueError):
 
 
 class Motion(NamedTuple):
-    """One configuration.
+    """One configuration: positions, velocities, accelerations and forces of the joints.
 
-    Attributes:
-        q: Joint positions.
-        qd: Joint velocities.
-        qdd: Joint accelerations.
-        tau: Joint forces.
-        base_velocity: Of a floating base, angular part first.
+    The velocity of a floating base has its angular part first.
     """
 
     q: tuple[float, ...]

@@ -1,14 +1,18 @@
-"""Reads two robots of any formats, to compare their mechanics."""
+"""Reads what is compared: two robots of any formats, or two versions of a document."""
 
+import os
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+from kindsl.frontends.cli.documents.choices import Choices
 from kindsl.frontends.cli.documents.document_reading import (
     CommandError,
+    analysed_text,
     defect,
     read_document,
+    read_whole,
     require_parameters,
     require_syntax,
     shown_name,
@@ -16,31 +20,25 @@ from kindsl.frontends.cli.documents.document_reading import (
 )
 from kindsl.frontends.cli.documents.sources import STDIN, reason
 from kindsl.frontends.cli.outcome import Failure
+from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.config.robots import is_robot
 from kindsl.robots.comparison.side import ComparedSide
 from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.registry import format_of_suffix
 
 if TYPE_CHECKING:
-    from kindsl.frontends.cli.documents.choices import Choices
-    from kindsl.judgement.analysis.analysis import Analysis
     from kindsl.robots.interchange.descriptions import ReadDescription
+
+Versions = tuple[Analysis | None, Analysis | None]
 
 
 class ComparedRobots(NamedTuple):
-    """Two robots.
-
-    Attributes:
-        old: A robot.
-        new: Another.
-        notes: On how they were read.
-        failures: Defects of a document of which the rest is compared.
-    """
+    """Two robots, notes on how they were read, and defects of documents that are cut short."""
 
     old: ComparedSide
     new: ComparedSide
-    notes: tuple[str, ...]
-    failures: tuple[Failure, ...]
+    notes: list[str]
+    failures: list[Failure]
 
 
 def is_foreign(path: str) -> bool:
@@ -49,7 +47,7 @@ def is_foreign(path: str) -> bool:
     return is_other or (path != STDIN and Path(path).is_dir())
 
 
-def read_robots(paths: Sequence[str], choices: "Choices") -> ComparedRobots:
+def read_robots(paths: Sequence[str], choices: Choices) -> ComparedRobots:
     """Return two robots; the base of the other format is taken as that of the document.
 
     Raises:
@@ -74,9 +72,9 @@ def read_robots(paths: Sequence[str], choices: "Choices") -> ComparedRobots:
 
     foreign = read_foreign(others, sides.values(), read)
     sides |= {p: replace(read.robot, shown=shown_name(p)) for p, read in foreign.items()}
-    notes = tuple(note for read in foreign.values() for note in read.notes)
+    notes = [note for read in foreign.values() for note in read.notes]
     old, new = (sides[path] for path in paths)
-    return ComparedRobots(old, new, notes, tuple(failures))
+    return ComparedRobots(old, new, notes, failures)
 
 
 def _labels(names: Sequence[str]) -> Sequence[str]:
@@ -89,7 +87,7 @@ def _labels(names: Sequence[str]) -> Sequence[str]:
     return names
 
 
-def _document(path: str, label: str, analysis: "Analysis") -> tuple[ComparedSide, list[Failure]]:
+def _document(path: str, label: str, analysis: Analysis) -> tuple[ComparedSide, list[Failure]]:
     """Return the robot of a document, and its defects if only a part can be read."""
     from kindsl.judgement.analysis.compared_document import compared_document
     from kindsl.robots.mechanism.errors import ModelError, UnboundParameterError
@@ -126,3 +124,37 @@ def _foreign(path: str, label: str, floating: bool | None) -> "ReadDescription":
         raise CommandError.about(path, reason(path, error)) from None
     except FormatError as error:
         raise CommandError.about(path, str(error)) from None
+
+
+def read_versions(paths: Sequence[str], choices: Choices) -> Versions:
+    """Return two versions; /dev/null is a missing one, as in git.
+
+    Raises:
+        CommandError: A file or the configuration cannot be read, or no robot is in one.
+    """
+    texts = [None if path == os.devnull else read_whole(path) for path in paths]
+    if texts == [None, None]:
+        raise CommandError.about(os.devnull, "there is no document to compare")
+    return analysed_versions(paths[0 if texts[1] is None else 1], texts, choices, paths)
+
+
+def analysed_versions(
+    path: str, texts: Sequence[str | None], choices: Choices, paths: Sequence[str] = ()
+) -> Versions:
+    """Return two versions of a document from its texts; None is a missing one.
+
+    Args:
+        path: What errors name.
+        texts: Before and after.
+        choices: Decisions of the command line.
+        paths: Of the versions, where they are files of their own.
+
+    Raises:
+        CommandError: The configuration cannot be read, or no robot is in a text.
+    """
+    old, new = (
+        None if text is None else analysed_text(own, text, choices)
+        for text, own in zip(texts, paths or (path, path), strict=True)
+    )
+    require_parameters(path, *(version for version in (old, new) if version is not None))
+    return old, new

@@ -31,12 +31,9 @@ def commits_of(text: str) -> Commits:
 
 
 class Texts(NamedTuple):
-    """A file at two commits.
+    """The texts of a file at two commits, None where it is not there.
 
-    Attributes:
-        old: Its text at the first, None where it is not there.
-        new: Its text at the second, None where it is not there.
-        old_name: Its name at the first, from the repository's root, if that differs.
+    Its name at the first one, from the repository's root, is told if that differs.
     """
 
     old: str | None

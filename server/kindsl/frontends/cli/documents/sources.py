@@ -28,7 +28,7 @@ class NotText(NamedTuple):
     Attributes:
         message: Its nature, one sentence about the document without final period.
         text: The part of it that can be shown.
-        offset: Where in that text it shows.
+        offset: The place in that text at which its nature shows.
     """
 
     message: str

@@ -75,8 +75,7 @@ def _text(analysis: Analysis, kind: str) -> str:
         return f"{words_of(kind)[0]} = {next_id(analysis)}"
     if what == "list":
         return f"{words_of(kind)[0]} {{}}"
-    is_frames = what == "groups"
-    return without_placeholders(snippets.frames() if is_frames else snippets.section(kind))
+    return without_placeholders(snippets.section(kind))
 
 
 def _action(

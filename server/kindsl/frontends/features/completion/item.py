@@ -11,7 +11,6 @@ class CompletionItem(NamedTuple):
     """Something that may be typed.
 
     Attributes:
-        label: Its text in the list.
         kind: `keyword`, `snippet`, `link`, `joint`, `frame`, `parameter`, `constant` or `value`.
         text: The text to insert; with placeholders `${1:name}` and `$0` if it is a snippet.
         detail: A few words beside the label.

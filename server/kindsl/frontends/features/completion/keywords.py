@@ -91,7 +91,7 @@ def _section_text(analysis: Analysis, context: CompletionContext, kind: str) -> 
         return f"id = ${{1:{next_id(analysis, bodies_at(context))}}}"
     if kind == "children":
         return snippets.children(*first_child(analysis, context))
-    return snippets.frames() if kind == "frames" else snippets.section(kind)
+    return snippets.section(kind)
 
 
 _DETAILS = {

@@ -63,7 +63,9 @@ def section(kind: str, first: int = 1) -> str:
 
 def _lines(kind: str, numbers: Iterator[int]) -> Iterator[str]:
     what, words = KINDS[kind], WORDS[kind]
-    if what == "vector":
+    if what == "groups":
+        yield _in_braces(words[0], frame())
+    elif what == "vector":
         yield f"{words[0]} = {vector(next(numbers))}"
         next(numbers), next(numbers)
     elif what in _USUAL:
@@ -92,12 +94,7 @@ def frame(name: str = "name") -> str:
     return _in_braces(f"${{1:{name}}}", pose(2))
 
 
-def frames() -> str:
-    """Return a section with one optional frame."""
-    return _in_braces("frames", frame())
-
-
-def children(link: str = "link", joint: str = "joint") -> str:
+def children(link: str, joint: str) -> str:
     """Return a section with one child."""
     return _in_braces("children", f"${{1:{link}}} via ${{2:{joint}}}")
 

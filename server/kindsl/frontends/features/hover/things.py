@@ -5,9 +5,10 @@ from itertools import islice
 
 from kindsl.frontends.features.subtree import subtree_of
 from kindsl.frontends.features.wording import (
-    INERTIA,
     KILOGRAMS,
     code,
+    finding_line,
+    inertia_lines,
     number,
     paragraph,
     pose_text,
@@ -24,13 +25,11 @@ from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.places import Located
 from kindsl.language.semantics.unknown import Unknown
 from kindsl.language.text.phrases import counted, listed
-from kindsl.mechanics.rigid.body import principal_moments_about_com
 from kindsl.mechanics.rigid.pose import RigidPose
 from kindsl.robots.mechanism.link_inertia import link_inertia
 from kindsl.robots.mechanism.total_mass import UNKNOWN, Weight, own_mass, total_mass
 
 _CODES = frozenset(("KD301", "KD302", "KD303", "KD305"))
-_MARKS = {Severity.ERROR: "✗ ", Severity.WARNING: "⚠ "}
 _CONSISTENT = "✓ physically consistent"
 
 _Reports = Iterator[tuple[Rule, Located, Severity | None, str]]
@@ -101,9 +100,7 @@ def _mass_lines(analysis: Analysis, body: Link) -> Iterator[str]:
     if isinstance(inertia, Unknown):
         yield f"mass properties are not known: {inertia.reason}"
         return
-    yield f"CoM {vector(inertia.com)} m in the link frame"
-    moments = (number(moment) for moment in principal_moments_about_com(inertia))
-    yield f"principal moments about the CoM {', '.join(moments)} {INERTIA}"
+    yield from inertia_lines(inertia)
     if body.is_base and not body.is_floating:
         yield "the inertia of a fixed base does not matter"
     else:
@@ -124,8 +121,8 @@ def _verdicts(analysis: Analysis, body: Link) -> Iterator[str]:
     found = [*islice(_defects(analysis, body), 1)] or [*_doubts(analysis, body)]
     for rule, at, severity, message in found:
         if not analysis.is_silenced(rule.code, at):
-            mark = _MARKS.get(severity_of(rule, severity, analysis.settings), "")
-            yield f"{mark}{message} ({rule.code})"
+            shown = severity_of(rule, severity, analysis.settings)
+            yield finding_line(shown, message, rule.code)
     if not found:
         yield _CONSISTENT
 

@@ -48,13 +48,7 @@ class Analyses:
 
 
 class Version(NamedTuple):
-    """A document under the settings that hold for it.
-
-    Attributes:
-        document: One version of it.
-        settings: The decisions of project and editor.
-        worker: Makes the analysis.
-    """
+    """One version of a document under the settings that hold for it."""
 
     document: Document
     settings: "Settings"

@@ -22,13 +22,7 @@ _NO_FILE = "the configuration file cannot be written"
 
 
 class ConfigurationEdit(NamedTuple):
-    """An edit of a configuration file.
-
-    Attributes:
-        document: The file, empty if it is to be made.
-        is_new: Whether it is to be made.
-        edit: The edit of the file.
-    """
+    """An edit of a configuration file; one that is to be made is empty."""
 
     document: Document
     is_new: bool

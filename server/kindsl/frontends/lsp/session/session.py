@@ -19,13 +19,7 @@ _LONG = 200_000
 
 
 class Session(State):
-    """Answers questions about documents; handlers are asked with a view of one version.
-
-    Attributes:
-        previews: The live previews.
-        publisher: Pushes diagnostics.
-        closed: Reports problems of configuration files that are not open.
-    """
+    """Answers questions about documents; handlers are asked with a view of one version."""
 
     def __init__(self, editor: Editor, surroundings: Surroundings) -> None:
         super().__init__(editor, surroundings)

@@ -17,12 +17,7 @@ _MARKS = re.compile(r"\*\*|`|\\(?=[^\w\s])")
 
 
 class Sight:
-    """One version of a document, of whatever kind.
-
-    Attributes:
-        document: The text.
-        state: The settings, the client, the other documents.
-    """
+    """One version of a document, of whatever kind."""
 
     __slots__ = ("document", "state")
 
@@ -67,11 +62,7 @@ class Sight:
 
 
 class View(Sight):
-    """One version of a robot with its analysis.
-
-    Attributes:
-        analysis: The analysis of that version.
-    """
+    """One version of a robot with its analysis."""
 
     __slots__ = ("analysis",)
 

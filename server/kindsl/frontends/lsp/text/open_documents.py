@@ -18,11 +18,10 @@ _BOM = "\ufeff"
 class Documents:
     """Open documents by URI; listeners hear of each that opens, changes or closes.
 
+    They are called with the latest version.
+
     Attributes:
         encoding: How the client counts columns.
-        on_open: Called with the document.
-        on_change: Called with the new version.
-        on_close: Called with the last version.
     """
 
     __slots__ = ("_files", "_open", "encoding", "on_change", "on_close", "on_open")

@@ -31,12 +31,7 @@ class DiagnosticParts(NamedTuple):
 
 
 class Client:
-    """The capabilities that handlers ask for, by name.
-
-    Attributes:
-        capabilities: All, as sent.
-        options: `initializationOptions`, as sent.
-    """
+    """The capabilities that handlers ask for, by name, and `initializationOptions`, as sent."""
 
     __slots__ = ("capabilities", "options")
 

@@ -23,10 +23,7 @@ def workspace_edit(
 ) -> types.WorkspaceEdit:
     """Return edits of documents, tied to their versions if the client can check them.
 
-    Args:
-        client: Who makes them.
-        edits: The changes to each document.
-        new: The documents among them that are to be made first; see `makes_files`.
+    Those among them that are new are to be made first; see `makes_files`.
     """
     merged: dict[str, tuple[Document, list[types.TextEdit]]] = {}
     for document, each in edits:

@@ -48,12 +48,7 @@ class Encoded(NamedTuple):
 
 
 class KindslProtocol(LanguageServerProtocol):
-    """Answers messages; keeps pygls' registry, types and capabilities.
-
-    Attributes:
-        documents: The open documents.
-        is_initialized: Whether the client has said who it is.
-    """
+    """Answers messages; keeps pygls' registry, types and capabilities."""
 
     is_initialized = False
 

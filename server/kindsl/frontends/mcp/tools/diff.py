@@ -16,7 +16,6 @@ from kindsl.frontends.mcp.folder import Folder, ToolError
 from kindsl.frontends.mcp.tool import Arguments, Content, Field, text
 from kindsl.judgement.analysis.compared_document import compared_document
 from kindsl.products.reports.mechanics import facts, lines, report_of
-from kindsl.robots.comparison.mechanical import compared_mechanics
 from kindsl.robots.comparison.side import ComparedSide
 from kindsl.robots.interchange.descriptions import (
     ReadDescription,
@@ -48,7 +47,7 @@ def run(arguments: DiffArguments, folder: Folder) -> list[Content]:
     sides |= {path: read.robot for path, read in foreign.items()}
     notes = [f"note: {note}" for read in foreign.values() for note in read.notes]
     old, new = (sides[path] for path in both)
-    report = report_of(old, new, compared_mechanics(old, new))
+    report = report_of(old, new)
     found = "\n".join((*lines(report), *notes))
     return [text(found), text(json.dumps(facts(report), indent=1))]
 

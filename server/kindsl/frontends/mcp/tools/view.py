@@ -16,7 +16,7 @@ from kindsl.judgement.analysis.body_doubts import body_doubts
 from kindsl.products.reports.drawing.robot import robot_drawing
 from kindsl.products.reports.drawing.shapes import Drawing
 from kindsl.products.reports.drawing.svg import svg_text
-from kindsl.products.reports.motions import ConfigurationSpace, MotionError, motion
+from kindsl.products.reports.motions import ConfigurationSpace, MotionError, motions_from
 from kindsl.robots.mechanism.linkage import Linkage
 from kindsl.robots.scene.picture import picture
 
@@ -48,8 +48,7 @@ def run(arguments: ViewArguments, folder: Folder) -> list[Content]:
 def _moved(skeleton: Linkage, q: list[float] | dict[str, float] | None) -> Linkage:
     space = ConfigurationSpace(skeleton.joint_names, skeleton.is_floating)
     try:
-        names = dict.fromkeys(("q", "qd", "qdd", "tau"), "'q'")
-        return skeleton.moved_to(motion({"q": q}, space, names).q)
+        return skeleton.moved_to(motions_from({"q": q}, space)[0].q)
     except MotionError as error:
         raise ToolError(str(error)) from None
 

@@ -21,10 +21,7 @@ class Paragraph(NamedTuple):
 class Table(NamedTuple):
     """Rows of plain text under a header; blanks that begin a cell are kept.
 
-    Attributes:
-        header: One cell a column.
-        rows: As many cells each.
-        right: Columns that are flush right, numbers.
+    Columns of numbers are flush right.
     """
 
     header: tuple[str, ...]
@@ -33,13 +30,7 @@ class Table(NamedTuple):
 
 
 class Figure(NamedTuple):
-    """A drawing.
-
-    Attributes:
-        name: Stem of a file's name for it.
-        drawing: The drawing.
-        caption: Plain text.
-    """
+    """A drawing with its caption, plain text, and the stem of a file's name for it."""
 
     name: str
     drawing: Drawing
@@ -47,12 +38,7 @@ class Figure(NamedTuple):
 
 
 class Matrix(NamedTuple):
-    """A matrix of formulas.
-
-    Attributes:
-        label: Its label, plain text.
-        rows: Entries as a program would write them: `2*sin(q)`.
-    """
+    """A matrix of formulas as a program would write them, `2*sin(q)`; the label is plain text."""
 
     label: str
     rows: tuple[tuple[str, ...], ...]

@@ -22,15 +22,9 @@ _NEAR = 1e-4
 
 
 class WrittenChange(NamedTuple):
-    """A number that changed.
+    """A number, such as `"translation x"`, of a joint, frame or link that changed, as written.
 
-    Attributes:
-        kind: `"joint"`, `"frame"` or `"link"`.
-        name: Of the thing, now.
-        number: Which of its numbers: `"translation x"`, `"Ixy"`.
-        old: As it was written, empty if it was not.
-        new: As it is written, empty if it is not.
-        remark: The likely cause, empty if none is known.
+    The remark is the likely cause. A text is empty where there is nothing to tell.
     """
 
     kind: str
