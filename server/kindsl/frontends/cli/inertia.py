@@ -13,8 +13,8 @@ examples:
 
 import argparse
 import sys
-from collections.abc import Callable
 from decimal import Decimal, InvalidOperation
+from functools import partial
 from typing import TYPE_CHECKING
 
 from kindsl.frontends.cli.console import write
@@ -51,11 +51,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("report", metavar="REPORT", nargs="?", help="a file with the report, or '-' for stdin")
     shapes = parser.add_argument_group("shapes")
+    add_shape = partial(shapes.add_argument, dest="shapes", action="append", default=[])
     for name, sizes in _SIZES.items():
         sides = "its sides" if name == "box" else "R: its radius"
         sides += ", L: its length" if "L" in sizes else ""
         sides += " without the caps" if name == "capsule" else ""
-        shapes.add_argument(f"--{name}", metavar=sizes, type=_sizes(sizes), help=sides)
+        read = partial(_shape, name, sizes)
+        add_shape(f"--{name}", metavar=sizes, type=read, help=sides)
     shapes.add_argument("--stl", metavar="FILE", help="a closed mesh, in its own frame")
     shapes.add_argument(
         "--scale",
@@ -94,26 +96,18 @@ def run(args: argparse.Namespace) -> int:
 
 def _check(args: argparse.Namespace) -> None:
     """Raise CommandError unless there is one body, with what it needs."""
-    sources = [name for name in ("report", "stl", *map(_attribute, _SIZES)) if _given(args, name)]
-    if len(sources) != 1:
+    is_report = args.report is not None
+    if is_report + (args.stl is not None) + len(args.shapes) != 1:
         options = alternatives(("REPORT", *(f"--{name}" for name in _SIZES), "--stl"))
         raise CommandError.about("kindsl inertia", f"give one of {options}")
     n_given = (args.mass is not None) + (args.density is not None)
-    if sources == ["report"] and n_given:
+    if is_report and n_given:
         message = "--mass and --density belong to a shape or a mesh, not to a report"
         raise CommandError.about(_name(args), message)
-    if sources != ["report"] and n_given != 1:
+    if not is_report and n_given != 1:
         raise CommandError.about(_name(args), "give either --mass or --density")
     if (args.document is None) != (args.link is None):
         raise CommandError.about("kindsl inertia", "--document and --link must be used together")
-
-
-def _given(args: argparse.Namespace, name: str) -> bool:
-    return getattr(args, name) is not None
-
-
-def _attribute(name: str) -> str:
-    return name.replace("-", "_")
 
 
 def _name(args: argparse.Namespace) -> str:
@@ -122,7 +116,7 @@ def _name(args: argparse.Namespace) -> str:
         return shown_name(args.report)
     if args.stl is not None:
         return str(args.stl)
-    return next(f"--{name}" for name in _SIZES if _given(args, _attribute(name)))
+    return f"--{args.shapes[0][0]}"
 
 
 def _found(args: argparse.Namespace) -> "MassProperties":
@@ -162,10 +156,10 @@ def _of_mesh(args: argparse.Namespace) -> "MassProperties":
 def _of_shape(args: argparse.Namespace) -> "MassProperties":
     from kindsl.robots.cad.shape import kind_called, shape_properties
 
-    name = next(name for name in _SIZES if _given(args, _attribute(name)))
+    ((name, sizes),) = args.shapes
     kind = kind_called(name)
     assert kind is not None, "each option is the name of a shape"
-    return shape_properties(kind, getattr(args, _attribute(name)), args.mass, args.density)
+    return shape_properties(kind, sizes, args.mass, args.density)
 
 
 def _link(args: argparse.Namespace) -> "Link | None":
@@ -194,13 +188,8 @@ def _number(text: str) -> Decimal:
     return number
 
 
-def _sizes(names: str) -> Callable[[str], list[Decimal]]:
-    """Return what reads as many numbers as a shape has sizes."""
-
-    def read(text: str) -> list[Decimal]:
-        numbers = [_number(part) for part in text.split(",")]
-        if len(numbers) != len(names.split(",")):
-            raise argparse.ArgumentTypeError(f"'{text}' is not {names}")
-        return numbers
-
-    return read
+def _shape(name: str, wanted: str, text: str) -> tuple[str, list[Decimal]]:
+    sizes = [_number(part) for part in text.split(",")]
+    if len(sizes) != len(wanted.split(",")):
+        raise argparse.ArgumentTypeError(f"'{text}' is not {wanted}")
+    return name, sizes

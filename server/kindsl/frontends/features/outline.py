@@ -6,7 +6,7 @@ from typing import NamedTuple
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.declarations import Frame, Joint, Link
 from kindsl.language.semantics.kinematic_tree import Edge
-from kindsl.language.semantics.places import Construct, Located, Name
+from kindsl.language.semantics.places import Construct
 
 _DEPTH = 100
 
@@ -58,17 +58,17 @@ def body_symbol(
 ) -> DocumentSymbol:
     """Return the entry of a link or base."""
     kind = "base" if body.is_base else "link"
-    return _entry(analysis, body, body.name, kind, detail, children)
+    return _entry(analysis, body, kind, detail, children)
 
 
 def joint_symbol(analysis: Analysis, joint: Joint) -> DocumentSymbol:
     """Return the entry of a joint."""
-    return _entry(analysis, joint, joint.name, "joint", joint.kind)
+    return _entry(analysis, joint, "joint", joint.kind)
 
 
 def frame_symbol(analysis: Analysis, frame: Frame) -> DocumentSymbol:
     """Return the entry of an optional frame."""
-    return _entry(analysis, frame, frame.name, "frame", "frame")
+    return _entry(analysis, frame, "frame", "frame")
 
 
 def id_detail(body: Link) -> str:
@@ -94,15 +94,14 @@ def _closing_braces(analysis: Analysis) -> Iterator[int]:
 
 def _entry(
     analysis: Analysis,
-    at: Located,
-    name: Name,
+    thing: Link | Joint | Frame,
     kind: str,
     detail: str,
     children: tuple[DocumentSymbol, ...] = (),
 ) -> DocumentSymbol:
-    start, end = analysis.resolver.span(at)
-    name_start, name_end = analysis.resolver.span(name)
-    shown = str(name) or f"({kind} without a name)"
+    start, end = analysis.resolver.span(thing)
+    name_start, name_end = analysis.resolver.span(thing.name)
+    shown = str(thing.name) or f"({kind} without a name)"
     return DocumentSymbol(shown, detail, kind, start, end, name_start, name_end, children)
 
 

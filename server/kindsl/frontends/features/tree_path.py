@@ -1,6 +1,7 @@
 """The token at an offset, and the constructs that hold it."""
 
 from bisect import bisect_right
+from collections.abc import Callable, Sequence
 from itertools import takewhile
 from typing import NamedTuple
 
@@ -57,15 +58,8 @@ def index_after(island: Island, local: int) -> int:
 
 def path_to(island: Island, token: Token) -> tuple[Node, ...]:
     """Return the constructs that hold a token, the outermost first."""
-    path: list[Node] = []
-    row: tuple[Node | Token, ...] | list[Node | Token] = island.nodes
-    while True:
-        holder = next((c for c in row if isinstance(c, Node) and _holds(c, token)), None)
-        if holder is None:
-            is_own = bool(path) and any(child is token for child in path[-1].children)
-            return tuple(path) if is_own else ()
-        path.append(holder)
-        row = holder.children
+    path = _path(island, lambda node: node.start <= token.start and token.end <= node.end)
+    return path if path and any(child is token for child in path[-1].children) else ()
 
 
 def path_at(island: Island, local: int) -> tuple[Node, ...]:
@@ -73,23 +67,23 @@ def path_at(island: Island, local: int) -> tuple[Node, ...]:
 
     An offset at a construct's edge lies in it, unless a neighbour begins there.
     """
+    return _path(island, lambda node: node.start <= local <= node.end)
+
+
+def _path(island: Island, holds: Callable[[Node], bool]) -> tuple[Node, ...]:
+    """Return the last constructs that hold something, each in the one before it."""
     path: list[Node] = []
-    row: tuple[Node | Token, ...] | list[Node | Token] = island.nodes
+    row: Sequence[Node | Token] = island.nodes
     while True:
-        around = [
-            c for c in row if isinstance(c, Node) and c.children and c.start <= local <= c.end
-        ]
-        if not around:
+        around = (c for c in reversed(row) if isinstance(c, Node) and c.children and holds(c))
+        node = next(around, None)
+        if node is None:
             return tuple(path)
-        path.append(around[-1])
-        row = around[-1].children
+        path.append(node)
+        row = node.children
 
 
 def is_word(token: Token) -> bool:
     """Return whether a token is a name, a keyword or a number, not a sign."""
     first = token.text[:1]
     return first.isalnum() or first in ("_", "^") or token.text[-1:].isdigit()
-
-
-def _holds(node: Node, token: Token) -> bool:
-    return bool(node.children) and node.start <= token.start and token.end <= node.end

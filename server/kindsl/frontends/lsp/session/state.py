@@ -29,15 +29,6 @@ class State:
     """The state of one session; it decides nothing.
 
     Attributes:
-        editor: Who is told and asked.
-        surroundings: The machine and the clock.
-        client: Capabilities of the editor.
-        documents: The open documents.
-        worker: Does the long work.
-        helper: Does the long work about closed files.
-        workspace: The folders and their settings.
-        analyses: The analysis of each version of a document.
-        calm: Holds back findings while someone types.
         quiet: Set while no question is open.
         news: Set when files or settings may have changed.
         refused: Documents of which the user was told that they are too broken to format.
