@@ -83,7 +83,7 @@ def run(args: argparse.Namespace) -> int:
     note_errors(args.file, analysis)
     robot = ConfigurationSpace(mechanism.bodies.joint_names, mechanism.bodies.is_floating)
     try:
-        motions = motions_of(args, robot, analysis.settings)
+        motions = _motions_of(args, robot, analysis.settings)
     except MotionError as error:
         raise CommandError.about("kindsl compute", str(error)) from None
     write_output(args.output or STDIN, _computed(args, analysis, mechanism, motions))
@@ -122,14 +122,9 @@ def _gravity(text: str) -> tuple[float, float, float]:
     return numbers[0], numbers[1], numbers[2]
 
 
-def motions_of(
+def _motions_of(
     args: argparse.Namespace, robot: ConfigurationSpace, settings: Settings
 ) -> list[Motion]:
-    """Return the configurations that the options give.
-
-    Raises:
-        MotionError: One does not fit the robot, or the file cannot be read.
-    """
     options = {key: f"--{key.replace('_', '-')}" for key in KEYS}
     given = {key: getattr(args, key) for key in KEYS if getattr(args, key) is not None}
     if args.tau is not None and not args.forward:

@@ -126,7 +126,6 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _refused_option(args: argparse.Namespace) -> str | None:
-    """Return an option that the language does not support."""
     asked = {
         "--real float": args.real == "float", "--single-header": args.single_header,
         "--layout": args.layout != LAYOUTS[0], "--runtime": args.runtime,
@@ -246,7 +245,6 @@ def _check(args: argparse.Namespace, source: "Source") -> int:
 
 @contextmanager
 def _generation_errors(args: argparse.Namespace, source: "Source") -> Iterator[None]:
-    """Report why code cannot be generated."""
     from kindsl.products.codegen.library import GenerationError
 
     try:

@@ -111,7 +111,6 @@ def _check(args: argparse.Namespace) -> None:
 
 
 def _name(args: argparse.Namespace) -> str:
-    """Return what to call the source in messages."""
     if args.report is not None:
         return shown_name(args.report)
     if args.stl is not None:
@@ -163,7 +162,6 @@ def _of_shape(args: argparse.Namespace) -> "MassProperties":
 
 
 def _link(args: argparse.Namespace) -> "Link | None":
-    """Return the link of the document that the block is for."""
     if args.document is None:
         return None
     if args.document == STDIN and args.report == STDIN:

@@ -19,8 +19,7 @@ class Failure(NamedTuple):
     Attributes:
         path: The file or folder, as shown.
         message: Why not: one sentence without final period.
-        line: From 1, None where no place is known.
-        column: From 1, code points.
+        line: From 1, as the column is; None where no place is known.
     """
 
     path: str
@@ -39,11 +38,7 @@ class LintedFile:
     Attributes:
         path: As shown.
         text: The text that the findings' offsets refer to, after fixes if any were made.
-        findings: In the order of the text.
-        parameters: Names of the parameters that it uses.
-        joints: Names of its joints.
         verdicts: Those of the generators, where they are asked for.
-        n_fixed: How many findings were fixed.
         n_known: How many findings are left out, since the baseline knows them.
         n_stale: How many findings the baseline knows that are no longer there.
         original: The text before fixes.

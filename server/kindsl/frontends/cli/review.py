@@ -91,7 +91,6 @@ def _documents(
 
 
 def _files(args: argparse.Namespace) -> dict[str, str]:
-    """Return the texts of the review's files."""
     choices = choices_of(args)
     if args.git is None and len(args.files) == 2 and any(map(is_foreign, args.files)):
         page = _mechanics(args.files, choices)

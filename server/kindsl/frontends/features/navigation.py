@@ -40,12 +40,11 @@ def definitions(analysis: Analysis, offset: int) -> tuple[Definition, ...]:
     symbol = symbol_at(analysis, offset)
     if symbol is None:
         return ()
-    places = defining_places(analysis, symbol.entity)
+    places = _defining_places(analysis, symbol.entity)
     return tuple(_definition(analysis, place) for place in places)
 
 
-def defining_places(analysis: Analysis, entity: Entity) -> tuple[Symbol, ...]:
-    """Return the places that give an entity its meaning."""
+def _defining_places(analysis: Analysis, entity: Entity) -> tuple[Symbol, ...]:
     places = occurrences(analysis, entity)
     defining = tuple(place for place in places if place.role is not Role.READ)
     if not defining and entity.kind is EntityKind.PARAMETER:

@@ -71,8 +71,7 @@ def frame_symbol(analysis: Analysis, frame: Frame) -> DocumentSymbol:
     return _entry(analysis, frame, "frame", "frame")
 
 
-def id_detail(body: Link) -> str:
-    """Return a link's number, or what kind of a base it is, for people."""
+def _id_detail(body: Link) -> str:
     if body.is_base:
         return "floating base" if body.is_floating else "base"
     return "" if body.id is None else f"id {body.id}"
@@ -81,7 +80,7 @@ def id_detail(body: Link) -> str:
 def _blocks(analysis: Analysis) -> Iterator[DocumentSymbol]:
     for body in analysis.model.bodies:
         frames = tuple(frame_symbol(analysis, frame) for frame in body.frames)
-        yield body_symbol(analysis, body, id_detail(body), frames)
+        yield body_symbol(analysis, body, _id_detail(body), frames)
     for joint in analysis.model.joints:
         yield joint_symbol(analysis, joint)
 
@@ -136,9 +135,9 @@ def _body(
 
 def _detail(body: Link, edge: Edge | None) -> str:
     if edge is None:
-        return id_detail(body)
+        return _id_detail(body)
     kind = f" ({edge.joint.kind})" if edge.joint is not None else ""
-    return ", ".join(part for part in (f"via {edge.child.joint}{kind}", id_detail(body)) if part)
+    return ", ".join(part for part in (f"via {edge.child.joint}{kind}", _id_detail(body)) if part)
 
 
 class WorkspaceSymbol(NamedTuple):

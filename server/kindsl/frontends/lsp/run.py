@@ -62,7 +62,7 @@ def _watch_parent(process_id: int | None, reading: "asyncio.Future[None]") -> No
         return
 
     async def watch() -> None:
-        while is_alive(process_id):
+        while _is_alive(process_id):
             await asyncio.sleep(_POLL_SECONDS)
         reading.cancel()
 
@@ -70,8 +70,7 @@ def _watch_parent(process_id: int | None, reading: "asyncio.Future[None]") -> No
     reading.add_done_callback(lambda _: task.cancel())
 
 
-def is_alive(process_id: int) -> bool:
-    """Return whether a process of that id exists."""
+def _is_alive(process_id: int) -> bool:
     if sys.platform == "win32":
         return _is_alive_on_windows(process_id)
     try:

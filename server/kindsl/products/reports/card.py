@@ -30,11 +30,7 @@ from kindsl.robots.scene.picture import Picture, picture
 
 
 def card_page(analysis: Analysis, pose: str | None = None) -> Page:
-    """Return the page of a document; of a broken one, a partial page.
-
-    Args:
-        analysis: The document.
-        pose: A name of the configuration: how the picture shows the robot, None for at zero.
+    """Return the page of a document, pictured in a pose or at zero; of a broken one, a part.
 
     Raises:
         PoseError: The configuration has no such pose for this robot.

@@ -107,12 +107,7 @@ def compute(
 ) -> Results:
     """Return all quantities for all configurations.
 
-    Args:
-        analysis: The document.
-        mechanism: Its bodies.
-        motions: The configurations.
-        gravity: In base coordinates, m/s^2.
-        is_forward: Whether accelerations follow from forces, instead of the reverse.
+    Gravity is in base coordinates, m/s^2. Forward, accelerations follow from forces.
 
     Raises:
         ValueError: A quantity is not defined: nothing resists a motion.

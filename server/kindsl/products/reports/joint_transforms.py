@@ -16,9 +16,7 @@ Rows = tuple[tuple[str, ...], ...]
 def joint_transform(joint: Joint, values: Mapping[str, float]) -> Rows | None:
     """Return the 4 rows of the link's pose in its predecessor, None if the pose is not whole.
 
-    Args:
-        joint: A joint.
-        values: Of parameters by name, and of constants by `<name>`.
+    Values are those of parameters by name, and of constants by `<name>`.
     """
     at = affine_vector(joint.pose.translation, values)
     turned = affine_vector(joint.pose.rotation, values)

@@ -65,7 +65,7 @@ def robot_facts(analysis: Analysis) -> dict[str, Any]:
             {"name": str(c.name), "value": values.get(f"<{c.name}>"), **place(c.name)}
             for c in model.constants
         ],
-        "findings": severity_counts(analysis.findings),
+        "findings": _severity_counts(analysis.findings),
         "verdicts": {
             verdict.target: {
                 "reads": verdict.reads,
@@ -152,17 +152,12 @@ def _parameter(parameter: Parameter, analysis: Analysis, place: _Place) -> dict[
 def health_facts(
     findings: Sequence[Diagnostic], place: Callable[[int], dict[str, int]]
 ) -> dict[str, Any]:
-    """Return a verdict and what it rests on.
-
-    Args:
-        findings: Findings of the rules.
-        place: Line, column and offset of an absolute offset.
-    """
+    """Return a verdict and what it rests on, places as line, column and offset."""
     serious = [f for f in findings if f.severity in (Severity.ERROR, Severity.WARNING)]
     return {
         "verdict": _verdict(serious),
         "subjects": {
-            name: severity_counts([f for f in findings if f.code.startswith(prefix)])
+            name: _severity_counts([f for f in findings if f.code.startswith(prefix)])
             for prefix, name in _SUBJECTS.items()
         },
         "findings": [
@@ -183,7 +178,6 @@ def _verdict(serious: Sequence[Diagnostic]) -> str:
     return "suspect" if serious else "good"
 
 
-def severity_counts(findings: Sequence[Diagnostic]) -> dict[str, int]:
-    """Return how many findings there are of each severity."""
+def _severity_counts(findings: Sequence[Diagnostic]) -> dict[str, int]:
     counts = Counter(finding.severity for finding in findings)
     return {severity.value: counts[severity] for severity in Severity}

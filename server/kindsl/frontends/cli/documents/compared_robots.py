@@ -143,11 +143,7 @@ def analysed_versions(
 ) -> Versions:
     """Return two versions of a document from its texts; None is a missing one.
 
-    Args:
-        path: What errors name.
-        texts: Before and after.
-        choices: Decisions of the command line.
-        paths: Of the versions, where they are files of their own.
+    Errors name the path, unless the versions have paths of their own.
 
     Raises:
         CommandError: The configuration cannot be read, or no robot is in a text.

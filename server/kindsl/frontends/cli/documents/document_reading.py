@@ -123,11 +123,7 @@ def read_named(args: "Namespace") -> Analysis:
 def analysed_text(path: str, text: str, choices: Choices, file: Path | None = None) -> Analysis:
     """Return the analysis of a robot's text, whatever its format.
 
-    Args:
-        path: What it is called, `-` for stdin.
-        text: The text.
-        choices: Decisions of the command line.
-        file: Where it is read from with the files that it names; None for the text alone.
+    With a file, those that it names are read too.
 
     Raises:
         CommandError: The configuration cannot be read, or no robot is in the text.
@@ -172,11 +168,8 @@ def _failures(name: str, text: str, findings: Iterable[Diagnostic]) -> list[Fail
 def require_parameters(path: str, *documents: Analysis) -> None:
     """Raise CommandError for a value on the command line of an unknown parameter.
 
-    Not where the syntax is broken: the parameter may stand in what cannot be read.
-
-    Args:
-        path: The path that the error names.
-        documents: One, or two that are compared; a parameter of either may be given.
+    Not where the syntax is broken: the parameter may stand in what cannot be read. Of two documents
+    that are compared, either may have it.
     """
     models = [analysis.model for analysis in documents]
     if any(model.broken_islands for model in models):

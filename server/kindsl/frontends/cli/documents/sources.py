@@ -45,12 +45,7 @@ def read_source(path: str, shown: str) -> str | Failure:
 
 
 def read_text(path: str, shown: str) -> str | NotText | Failure:
-    """Return the text of a file, undecodable bytes as surrogates, line ends untouched.
-
-    Args:
-        path: The file, or `-` for stdin.
-        shown: Its name in messages.
-    """
+    """Return the text of a file or stdin, undecodable bytes as surrogates, line ends untouched."""
     try:
         return _text_of(sys.stdin.buffer.read() if path == STDIN else content_of(path))
     except OSError as error:

@@ -19,13 +19,8 @@ def documents(
 ) -> Iterator[str | Failure]:
     """Yield each document once: files as named, folders with all documents below.
 
-    `.gitignore` files and exclusions hold for what a folder brings, not for what is named.
-
-    Args:
-        paths: Files, folders, `-`.
-        excluded: Names of folders to leave out.
-        suffixes: How documents in folders end.
-        is_wanted: Whether one of a folder counts.
+    `.gitignore` files, excluded names, suffixes and whether one is wanted hold for what a folder
+    brings, not for what is named.
     """
     seen: set[str] = set()
     for path in paths:

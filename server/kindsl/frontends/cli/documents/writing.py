@@ -13,16 +13,10 @@ from kindsl.language.text.writing import write_file, write_files
 
 
 def write_text(path: str, shown: str, old: str, new: str) -> Failure | None:
-    """Replace a file's text, keeping its mode, and the links that lead to it.
-
-    Args:
-        path: The file.
-        shown: Its name in messages.
-        old: Its content when it was read; if that has changed since, it stays.
-        new: Its new content; line ends are written as they are.
+    """Replace a file's text, keeping its mode, its line ends, and the links that lead to it.
 
     Returns:
-        None, or why it could not be written.
+        None, or why it could not be written, such as that it is no longer the old text.
     """
     try:
         with open(path, "rb") as file:
@@ -35,12 +29,7 @@ def write_text(path: str, shown: str, old: str, new: str) -> Failure | None:
 
 
 def write_output(path: str, content: str | bytes, beside: Mapping[str, str] = {}) -> None:
-    """Write output to a file, or to stdout for `-`.
-
-    Args:
-        path: The file.
-        content: Its new content.
-        beside: Texts of files that are written with it, all or none.
+    """Write output to a file, with texts of files beside it, all or none; to stdout for `-`.
 
     Raises:
         CommandError: It cannot be written; a file that was there is as it was.

@@ -11,12 +11,9 @@ _MOST_NAMES = 4
 
 
 def rendered_notes(path: str, remarks: Iterable[str], *, is_verbose: bool) -> str:
-    """Return notes for a terminal; nothing where there are none.
+    """Return notes about a file for a terminal, one for all that differ in their names only.
 
-    Args:
-        path: The file that they are about.
-        remarks: Sentences with names in quotes, the thing that each is about first.
-        is_verbose: Whether each is shown, and not one for all that differ in their names only.
+    Remarks are sentences with names in quotes, the thing that each is about first.
     """
     shown = list(remarks) if is_verbose else folded(remarks)
     notes = "".join(f"  note: {printable(remark)}\n" for remark in shown)

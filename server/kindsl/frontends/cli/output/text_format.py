@@ -53,7 +53,7 @@ def _lines(file: LintedFile, finding: Diagnostic, paint: Paint) -> Iterator[str]
         f"{_place(file, finding.start, paint)} {paint(f'{level}[{finding.code}]', level)} "
         f"{printable(finding.message)}"
     )
-    yield from excerpt(file, finding.start, finding.end, paint, level)
+    yield from _excerpt(file, finding.start, finding.end, paint, level)
     for related in finding.related:
         place = _place(file, related.start, paint)
         yield f"{place} {paint('note:', 'note')} {printable(related.message)}"
@@ -67,8 +67,7 @@ def _place(file: LintedFile, offset: int, paint: Paint) -> str:
     return f"{paint(printable(file.path), 'path')}:{line}:{column}:"
 
 
-def excerpt(file: LintedFile, start: int, end: int, paint: Paint, level: str) -> Iterator[str]:
-    """Yield the source line of a place, and carets under the place."""
+def _excerpt(file: LintedFile, start: int, end: int, paint: Paint, level: str) -> Iterator[str]:
     number, column = file.lines.position(start)
     first = file.lines.starts[number]
     line = file.text[first : _line_end(file, number)]

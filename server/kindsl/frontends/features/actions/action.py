@@ -19,16 +19,13 @@ class CodeAction(NamedTuple):
     """A change that an editor offers.
 
     Attributes:
-        title: Its title, in the imperative.
         kind: `quickfix`, `refactor.extract`, `refactor.inline`, `refactor.rewrite`,
             `source.fixAll.kindsl`, `refactor.rewrite.suppress` and the like.
-        edits: The change, disjoint.
         diagnostics: The findings that it fixes.
         is_preferred: Whether an editor may do it unasked, by one key.
         bindings: Values to give to parameters in `kindsl.toml` along with the change; without
             them the document does not mean the same.
         other_file: The path of another file to change, empty for none.
-        other_edits: The changes there.
     """
 
     title: str

@@ -18,7 +18,7 @@ _ORIGIN = (0.0, 0.0, 0.0)
 def create_missing(analysis: Analysis, finding: Diagnostic) -> Iterator[CodeAction]:
     """Offer the link, joint or frame that a finding misses, unless its own fix is that."""
     if finding.code == _FRAME:
-        yield from add_referenced_frame(analysis, finding)
+        yield from _add_referenced_frame(analysis, finding)
     elif finding.code in (_LINK, _JOINT):
         fix = _block(analysis, finding)
         if fix is not None and (finding.fix is None or finding.fix.title != fix.title):
@@ -37,7 +37,7 @@ def _block(analysis: Analysis, finding: Diagnostic) -> Fix | None:
     return None
 
 
-def add_referenced_frame(analysis: Analysis, finding: Diagnostic) -> Iterator[CodeAction]:
+def _add_referenced_frame(analysis: Analysis, finding: Diagnostic) -> Iterator[CodeAction]:
     """Offer the frame that the `ref_frame` at a finding names, at the origin of its link.
 
     Not where something else has the name.

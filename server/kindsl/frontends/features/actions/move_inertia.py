@@ -55,14 +55,9 @@ def move_inertia(analysis: Analysis, start: int, _end: int) -> Iterator[CodeActi
 
 
 class _Moving(NamedTuple):
-    """An inertia that is moved.
+    """An inertia that is moved, of a link whose island starts at `origin`.
 
-    Attributes:
-        link: Its link.
-        inertia: The section.
-        body: The mass distribution, in the link's frame.
-        origin: Where the link's island starts.
-        decimals: How many its moments have, None for as many as are computed.
+    The body is in the link's frame. Moments have `decimals`, None for as many as are computed.
     """
 
     link: Link

@@ -41,8 +41,7 @@ def offer(view: View, params: types.CodeActionParams) -> list[types.CodeAction]:
     """Offer what can be done about a selection, of the kinds that are asked for."""
     from kindsl.frontends.features.actions.code_actions import code_actions, fix_all_action
 
-    start, end = view.offset(params.range.start), view.offset(params.range.end)
-    found = [*code_actions(view.analysis, start, end), fix_all_action(view.analysis)]
+    found = [*code_actions(view.analysis, *view.span(params.range)), fix_all_action(view.analysis)]
     return _wanted(view, found, params.context.only)
 
 
@@ -53,8 +52,7 @@ def offer_for_transforms(
     """Offer what can be done about a selection in a transforms document."""
     from kindsl.frontends.features.transforms import transforms_actions
 
-    start, end = view.offset(params.range.start), view.offset(params.range.end)
-    found = transforms_actions(view.document.text, view.model, start, end)
+    found = transforms_actions(view.document.text, view.model, *view.span(params.range))
     return _wanted(view, found, params.context.only)
 
 
@@ -63,8 +61,8 @@ def offer_for_xml(view: View, params: types.CodeActionParams) -> list[types.Code
     """Offer what can be done about a selection in a robot in XML."""
     from kindsl.frontends.features.actions.code_actions import xml_actions
 
-    start, end = view.offset(params.range.start), view.offset(params.range.end)
-    return _wanted(view, xml_actions(view.analysis, start, end), params.context.only)
+    found = xml_actions(view.analysis, *view.span(params.range))
+    return _wanted(view, found, params.context.only)
 
 
 def _wanted(

@@ -45,7 +45,7 @@ async def initialized(session: Session, _: types.InitializedParams) -> None:
         await asked(session.editor.client_register_capability_async(params))
     if session.surroundings.has_files:
         start_task(session.closed.watch(lambda: refresh(session)))
-    await ask_for_settings(session)
+    await _ask_for_settings(session)
 
 
 @handlers.session(types.WORKSPACE_DID_CHANGE_CONFIGURATION)
@@ -55,7 +55,7 @@ async def change_configuration(
     """Take new settings, or ask for them."""
     if isinstance(params.settings, dict) and any(params.settings.values()):
         session.workspace.set_editor_settings(params.settings)
-    await ask_for_settings(session)
+    await _ask_for_settings(session)
     refresh(session)
 
 
@@ -64,7 +64,7 @@ async def change_folders(session: Session, params: types.DidChangeWorkspaceFolde
     """Open and close folders."""
     session.workspace.add_folders(params.event.added)
     session.workspace.remove_folders(params.event.removed)
-    await ask_for_settings(session)
+    await _ask_for_settings(session)
     refresh(session)
 
 
@@ -95,8 +95,7 @@ def save(session: Session, params: types.DidSaveTextDocumentParams) -> None:
         refresh(session)
 
 
-async def ask_for_settings(session: Session) -> None:
-    """Ask for the section `kindsl`, once for all and once a folder; check again if it is new."""
+async def _ask_for_settings(session: Session) -> None:
     if session.client.can("workspace.configuration"):
         scopes = [None, *session.workspace.folders.values()]
         items = [types.ConfigurationItem(scope_uri=scope, section=_SECTION) for scope in scopes]

@@ -55,7 +55,7 @@ async def pull(session: Session, params: types.DocumentDiagnosticParams) -> Repo
         findings = await version.findings_without_twins(Urgency.ANSWER)
         if session.documents.is_current(document):
             findings = session.calm.shown(document, findings)
-    result_id = result_id_of(document, findings)
+    result_id = _result_id_of(document, findings)
     if result_id == params.previous_result_id:
         return {"kind": "unchanged", "resultId": result_id}
     items = diagnostics(document, findings, session.client.shows_in_diagnostics)
@@ -136,7 +136,7 @@ async def _report(session: Session, document: Document) -> "_Report":
         else:
             findings = await version.findings(Urgency.BACKGROUND)
             items = diagnostics(document, findings, parts)
-            result_id = result_id_of(document, findings)
+            result_id = _result_id_of(document, findings)
         report = document.facts.keep(_REPORT, _Report(settings, result_id, items))
     return report
 
@@ -161,8 +161,7 @@ class _Report(NamedTuple):
     items: list[dict[str, Any]]
 
 
-def result_id_of(document: Document, findings: "tuple[Diagnostic, ...]") -> str:
-    """Return a name for these findings of this version."""
+def _result_id_of(document: Document, findings: "tuple[Diagnostic, ...]") -> str:
     known = document.facts.get(_RESULT_ID)
     if known is None or known[0] is not findings:
         known = document.facts.keep(_RESULT_ID, (findings, str(next(_SERIAL))))

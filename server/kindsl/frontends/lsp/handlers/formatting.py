@@ -30,7 +30,7 @@ def part(view: View, params: types.DocumentRangeFormattingParams) -> list[types.
     """Bring a part of a document into the one style."""
     from kindsl.language.formatting import format_range
 
-    span = Span(view.offset(params.range.start), view.offset(params.range.end))
+    span = view.span(params.range)
     return _formatted(view, lambda: format_range(view.analysis.syntax, span), view.refuse)
 
 

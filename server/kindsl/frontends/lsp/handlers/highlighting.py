@@ -35,8 +35,7 @@ def whole(view: View, _: types.SemanticTokensParams) -> dict[str, Any]:
 @handlers.document(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE, _OPTIONS)
 def part(view: View, params: types.SemanticTokensRangeParams) -> dict[str, Any]:
     """Tell the tokens of what is visible."""
-    start, end = view.offset(params.range.start), view.offset(params.range.end)
-    return {"data": _data(view, start, end)}
+    return {"data": _data(view, *view.span(params.range))}
 
 
 def _data(view: View, start: int = 0, end: int | None = None) -> list[int]:

@@ -111,12 +111,11 @@ def _range(session: Session, at: object) -> types.Range | None:
 def _ways(view: View, at: types.Range, text: str) -> list[dict[str, object]]:
     from kindsl.frontends.features.pasting import pastings
 
-    start, end = view.offset(at.start), view.offset(at.end)
     return [
         {
             "title": way.title,
             "edits": text_edits(view.document, way.edits),
             "isCertain": way.is_certain,
         }
-        for way in pastings(view.analysis, start, end, text)
+        for way in pastings(view.analysis, *view.span(at), text)
     ]

@@ -81,8 +81,8 @@ def inlay_hints(view: View, params: types.InlayHintParams) -> list[types.InlayHi
         return []
     known = {name: on for name, on in wanted.items() if name in DEFAULT_HINTS._fields}
     options = DEFAULT_HINTS._replace(**known)
-    start, end = view.offset(params.range.start), view.offset(params.range.end)
-    return [_hint(view, each) for each in inlay_hints(view.analysis, start, end, options)]
+    found = inlay_hints(view.analysis, *view.span(params.range), options)
+    return [_hint(view, each) for each in found]
 
 
 @handlers.document(types.TEXT_DOCUMENT_CODE_LENS, types.CodeLensOptions())

@@ -56,11 +56,9 @@ class Calm:
 
 
 class _Told(NamedTuple):
-    """The findings told of a version.
+    """The findings told of a version, and the line in which someone typed, from 0.
 
-    Attributes:
-        line: In which someone typed, from 0; None if all was told, for the edit left a line.
-        keys: Of the findings.
+    Without a line all was told, for the edit left one.
     """
 
     line: int | None

@@ -57,11 +57,7 @@ class ClosedConfigurations:
             await self.look()
 
     async def look(self, changed: Iterable[str] = ()) -> None:
-        """Report what has become of files: those that changed, and those that were broken.
-
-        Args:
-            changed: URIs of files that are to be read even if nobody has asked for them.
-        """
+        """Report what has become of files: those that changed, and those that were broken."""
         broken = map(uris.uri, tuple(self._state.workspace.project.broken))
         reported = (uri for uri, _ in self._reported.values())
         candidates = {uris.key(uri): uri for uri in (*broken, *changed, *reported)}

@@ -20,11 +20,7 @@ if TYPE_CHECKING:
 
 
 class TransformsView(Sight):
-    """One version of a transforms document.
-
-    Attributes:
-        model: The robot that it is about, None where that is not known.
-    """
+    """One version of a transforms document; the model is None where no robot is known for it."""
 
     __slots__ = ("model",)
 

@@ -106,7 +106,6 @@ class _LostError(Exception):
 
 
 def _end(process: "subprocess.Popen[bytes]") -> None:
-    """End a process and close its pipes."""
     process.kill()
     with contextlib.suppress(OSError), process:
         pass

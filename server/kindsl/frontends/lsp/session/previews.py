@@ -60,9 +60,7 @@ class Previews:
     async def open(self, uri: str, origin: object = None) -> str:
         """Show a document and return the address of its page.
 
-        Args:
-            uri: The document.
-            origin: Where else than on this machine's loopback the page is seen.
+        The origin is where else than on this machine's loopback the page is seen.
 
         Raises:
             RequestFailed: There is no such document, no such origin, or something is not installed.

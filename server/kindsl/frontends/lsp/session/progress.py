@@ -25,12 +25,8 @@ PATIENCE = 0.5
 class Progress:
     """`async with Progress(...)` shows a title until the end; says nothing to others.
 
-    With a token of the client's it is shown at once, else when the work has taken half a second.
-
-    Args:
-        state: Of the session.
-        title: The work in progress.
-        token: The client's, if it gave one; else one is asked for, if the client can show it.
+    With a token of the client's it is shown at once, else when the work has taken half a second
+    and the client, which is asked for a token, can show it.
     """
 
     def __init__(self, state: State, title: str, token: types.ProgressToken | None) -> None:

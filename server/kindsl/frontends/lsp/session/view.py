@@ -8,6 +8,7 @@ from lsprotocol import types
 from kindsl.frontends.lsp.session.state import State
 from kindsl.frontends.lsp.text.document import Document
 from kindsl.frontends.lsp.wire.client import Client
+from kindsl.language.text.span import Span
 
 if TYPE_CHECKING:
     from kindsl.judgement.analysis.analysis import Analysis
@@ -28,6 +29,10 @@ class Sight:
     def offset(self, position: types.Position) -> int:
         """Return the code point that a client's position means."""
         return self.document.offset(position)
+
+    def span(self, at: types.Range) -> Span:
+        """Return the stretch of code points that a client's range means."""
+        return Span(self.offset(at.start), self.offset(at.end))
 
     @property
     def client(self) -> Client:

@@ -3,7 +3,7 @@
 Clients count columns in code units of UTF-8, UTF-16 or UTF-32, everybody else in code points.
 """
 
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 
 from lsprotocol import types
@@ -33,7 +33,7 @@ class Lines(Row):
     @property
     def last(self) -> int:
         """Number of the last line."""
-        return self.ends.total
+        return self.ends[-1]
 
     def start(self, line: int) -> int:
         """Return the offset at which a line begins; the text's end for a line past it."""
@@ -41,7 +41,7 @@ class Lines(Row):
             return 0
         if line > self.last:
             return self.length
-        number = self.ends.first_from(line) - 1
+        number = bisect_left(self.ends, line) - 1
         within = _starts(self.pieces[number])[line - self.ends[number]]
         return self.lengths[number] + within
 

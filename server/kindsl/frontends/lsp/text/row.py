@@ -5,7 +5,7 @@ derived from it; what all of them add up to is kept as running sums, so that a n
 copy of three lists and what it touches.
 """
 
-from bisect import bisect_left, bisect_right
+from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import accumulate
 from typing import Protocol, Self
@@ -33,47 +33,6 @@ class PlainPiece:
         self.facts = Facts()
 
 
-class Sums:
-    """The sum of all numbers before each place of a row; the last is that of all."""
-
-    __slots__ = ("_sums",)
-
-    def __init__(self, numbers: Iterable[int]) -> None:
-        self._sums = [0, *accumulate(numbers)]
-
-    def copy(self) -> "Sums":
-        """Return the same sums, to be changed apart from these."""
-        copied = Sums(())
-        copied._sums = self._sums.copy()
-        return copied
-
-    def __getitem__(self, place: int) -> int:
-        """Return the sum of the numbers before a place."""
-        return self._sums[place]
-
-    @property
-    def total(self) -> int:
-        """The sum of all numbers."""
-        return self._sums[-1]
-
-    def last_up_to(self, value: int) -> int:
-        """Return the last place whose sum is at most a value."""
-        return bisect_right(self._sums, value) - 1
-
-    def first_from(self, value: int) -> int:
-        """Return the first place whose sum is at least a value."""
-        return bisect_left(self._sums, value)
-
-    def replace(self, first: int, last: int, numbers: Iterable[int]) -> None:
-        """Put numbers for those from `first` to `last`, exclusive."""
-        new = list(accumulate(numbers, initial=self._sums[first]))
-        shift = new[-1] - self._sums[last]
-        self._sums[first : last + 1] = new
-        if shift:
-            behind = first + len(new)
-            self._sums[behind:] = [each + shift for each in self._sums[behind:]]
-
-
 class Row:
     """Pieces whose texts joined are a text; changed only until it is handed out.
 
@@ -81,16 +40,16 @@ class Row:
 
     Attributes:
         pieces: In the order of the text.
-        lengths: Of the pieces, in code points.
-        ends: How many lines end in each.
+        lengths: Of the text before each piece, then of all, in code points.
+        ends: How many lines end before each piece, then in all.
     """
 
     __slots__ = ("_n_wide", "ends", "lengths", "pieces")
 
     def __init__(self, pieces: Sequence[Piece]) -> None:
         self.pieces = list(pieces)
-        self.lengths = Sums(len(piece.text) for piece in pieces)
-        self.ends = Sums(map(_line_ends, pieces))
+        self.lengths = [0, *accumulate(len(piece.text) for piece in pieces)]
+        self.ends = [0, *accumulate(map(_line_ends, pieces))]
         self._n_wide = sum(map(_is_wide, pieces))
 
     def copy(self) -> Self:
@@ -103,7 +62,7 @@ class Row:
     @property
     def length(self) -> int:
         """Of the text, in code points."""
-        return self.lengths.total
+        return self.lengths[-1]
 
     @property
     def is_ascii(self) -> bool:
@@ -112,7 +71,7 @@ class Row:
 
     def piece_at(self, offset: int) -> int:
         """Return the number of the piece that holds an offset, the last for the text's end."""
-        return min(self.lengths.last_up_to(max(offset, 0)), len(self.pieces) - 1)
+        return min(bisect_right(self.lengths, max(offset, 0)) - 1, len(self.pieces) - 1)
 
     def text(self, start: int, end: int) -> str:
         """Return the text between two offsets."""
@@ -149,17 +108,24 @@ class Row:
     def _put(self, first: int, last: int, pieces: Sequence[Piece]) -> None:
         self._n_wide += sum(map(_is_wide, pieces)) - sum(map(_is_wide, self.pieces[first:last]))
         self.pieces[first:last] = pieces
-        self.lengths.replace(first, last, [len(piece.text) for piece in pieces])
-        self.ends.replace(first, last, map(_line_ends, pieces))
+        replace_in_sums(self.lengths, first, last, [len(piece.text) for piece in pieces])
+        replace_in_sums(self.ends, first, last, map(_line_ends, pieces))
+
+
+def replace_in_sums(sums: list[int], first: int, last: int, numbers: Iterable[int]) -> None:
+    """Put numbers for those from `first` to `last`, exclusive, in the sums up to each number."""
+    new = list(accumulate(numbers, initial=sums[first]))
+    shift = new[-1] - sums[last]
+    sums[first : last + 1] = new
+    if shift:
+        behind = first + len(new)
+        sums[behind:] = [each + shift for each in sums[behind:]]
 
 
 def edits_between(pieces: Sequence[Piece], starts: Sequence[int], row: Row) -> Iterator[TextEdit]:
     """Yield disjoint edits that lead from a text in pieces to one that shares most of them.
 
-    Args:
-        pieces: Of the text before.
-        starts: Their offsets, and its length.
-        row: The text after.
+    The starts of the pieces end with the length of the text before.
     """
     before, after = in_common([*pieces], row.pieces)
     stop = len(pieces) - after

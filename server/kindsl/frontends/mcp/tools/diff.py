@@ -41,9 +41,9 @@ class DiffArguments(Arguments):
 def run(arguments: DiffArguments, folder: Folder) -> list[Content]:
     """Return what differs."""
     both, values = (arguments.a, arguments.b), arguments.parameters
-    sides = {p: compared_robot(p, folder, values) for p in both if p.endswith(".kindsl")}
+    sides = {p: _compared_robot(p, folder, values) for p in both if p.endswith(".kindsl")}
     others = [path for path in both if path not in sides]
-    foreign = read_foreign(others, sides.values(), partial(read_other, folder))
+    foreign = read_foreign(others, sides.values(), partial(_read_other, folder))
     sides |= {path: read.robot for path, read in foreign.items()}
     notes = [f"note: {note}" for read in foreign.values() for note in read.notes]
     old, new = (sides[path] for path in both)
@@ -52,12 +52,7 @@ def run(arguments: DiffArguments, folder: Folder) -> list[Content]:
     return [text(found), text(json.dumps(facts(report), indent=1))]
 
 
-def compared_robot(given: str, folder: Folder, parameters: Mapping[str, float]) -> ComparedSide:
-    """Return the robot of a document, its parameters with these values.
-
-    Raises:
-        ToolError: It cannot be read, or is no tree of bodies.
-    """
+def _compared_robot(given: str, folder: Folder, parameters: Mapping[str, float]) -> ComparedSide:
     arguments = BoundArguments(path=given, text=None, parameters=dict(parameters))
     path, analysis = document(arguments, folder)
     return compared_document(
@@ -65,7 +60,7 @@ def compared_robot(given: str, folder: Folder, parameters: Mapping[str, float]) 
     )
 
 
-def read_other(folder: Folder, given: str, floating: bool | None) -> ReadDescription:
+def _read_other(folder: Folder, given: str, floating: bool | None) -> ReadDescription:
     """Return the robot of another format, or of a folder of generated code.
 
     The root floats as `floating` says where the file leaves that open; None if nobody says.

@@ -36,18 +36,12 @@ _NO_TREE = "does not describe a tree of links"
 
 
 def review_page(before: Analysis | None, after: Analysis | None, names: tuple[str, str]) -> Page:
-    """Return the page.
-
-    Args:
-        before: The document before, None if it was not there.
-        after: The document after, None if it is not there.
-        names: Names of both.
-    """
+    """Return the page about two documents, None for one that is not there."""
     if before is not None and after is not None and before.text == after.text:
         return (Paragraph(f"{names[0]} and {names[1]}: nothing changed."),)
     found = compared(before, after)
     old, new = before or analyse(""), after or analyse("")
-    joints = renamed_joints(old, new, found.difference)
+    joints = _renamed_joints(old, new, found.difference)
     return (
         Heading(f"{new.model.name or old.model.name or '(unnamed)'}: {names[0]} to {names[1]}", 1),
         *([Paragraph(f"The document is not in {names[0]}: it is new.")] if before is None else []),
@@ -63,7 +57,7 @@ def review_page(before: Analysis | None, after: Analysis | None, names: tuple[st
     )
 
 
-def renamed_joints(old: Analysis, new: Analysis, found: Difference | None) -> dict[str, str]:
+def _renamed_joints(old: Analysis, new: Analysis, found: Difference | None) -> dict[str, str]:
     """Return new names of joints that carry the same link as before, by the old names."""
     links = _renamed_links(found)
     carriers = _carriers(new)
