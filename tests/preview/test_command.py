@@ -18,9 +18,8 @@ from kindsl.robots.interchange.format import ORDINARY
 from kindsl.robots.interchange.registry import format_named
 
 DRIVER = (
-    "import argparse, sys; from kindsl.frontends.cli import preview;"
-    "parser = argparse.ArgumentParser();"
-    "preview.add_arguments(parser); sys.exit(preview.run(parser.parse_args()))"
+    "import sys; from kindsl.frontends.cli.main import main;"
+    "sys.exit(main(['preview', *sys.argv[1:]]))"
 )
 PATIENCE = 60.0
 
@@ -99,7 +98,7 @@ async def test_saving_reloads_and_a_click_prints_the_place(tmp_path, file):
 async def test_a_document_on_stdin_is_not_followed(tmp_path):
     status, out, err = await run(tmp_path, "-", "--edit")
     told = "a document on stdin cannot be followed; name a file, or use --export"
-    assert (status, out, err) == (2, "", f"kindsl preview: {told}\n")
+    assert (status, out, err) == (2, "", f"kindsl preview: error: {told}\n")
 
 
 async def test_a_broken_save_keeps_the_model(tmp_path, file):
@@ -195,7 +194,8 @@ async def test_without_a_browser_a_screenshot_says_so(tmp_path, file, monkeypatc
     monkeypatch.setenv("PATH", str(tmp_path))
     code, out, err = await run(tmp_path, file, "--screenshot", tmp_path / "arm.png")
     assert (code, out) == (2, "")
-    assert err == "kindsl preview: a screenshot needs Chromium or Chrome, and there is none\n"
+    told = "a screenshot needs Chromium or Chrome, and there is none"
+    assert err == f"kindsl preview: error: {told}\n"
 
 
 @pytest.mark.parametrize(
@@ -203,7 +203,7 @@ async def test_without_a_browser_a_screenshot_says_so(tmp_path, file, monkeypatc
     [
         (["nowhere.kindsl"], "nowhere.kindsl: error: no such file or folder"),
         (["{file}", "--compare", "nowhere.kindsl"], "nowhere.kindsl: error: no such file"),
-        (["{file}", "--export", "/nowhere/x.html"], "/nowhere/x.html: No such file or directory"),
+        (["{file}", "--export", "/nowhere/x.html"], "there is no folder '/nowhere'"),
         (["{file}", "--config", "nowhere.toml"], "nowhere.toml"),
         (["{file}", "--port", "70000"], "'70000' is not a port"),
     ],

@@ -21,7 +21,6 @@ from kindsl.frontends.cli.documents.document_reading import (
     CommandError,
     read_document,
     read_whole,
-    report_error,
 )
 from kindsl.frontends.cli.documents.sources import STDIN, read_source
 from kindsl.frontends.cli.documents.writing import write_output, write_text
@@ -29,8 +28,6 @@ from kindsl.frontends.cli.options import add_floating_argument, add_parameter_ar
 from kindsl.frontends.cli.outcome import Failure
 from kindsl.judgement.config.configuration import ConfigurationError
 from kindsl.language.text.edits import apply_edits
-from kindsl.language.text.encodings import encoded
-from kindsl.language.text.writing import write_file
 
 if TYPE_CHECKING:
     from kindsl.frontends.preview.comparing import OtherRobot
@@ -42,7 +39,6 @@ if TYPE_CHECKING:
 
 SUMMARY = "show the robot in 3D while its document is edited"
 RUNS_LONG = True
-PROBLEM = 2
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -73,17 +69,6 @@ def run(args: argparse.Namespace) -> int:
     Returns:
         0, or 2 when a file cannot be read or written, or something needed is missing.
     """
-    try:
-        return _run(args)
-    except (CommandError, ConfigurationError, ModuleNotFoundError) as error:
-        return report_error(error)
-    except OSError as error:
-        return _fail(f"{error.filename or args.file}: {error.strerror or error}")
-    except KeyboardInterrupt:
-        return 0
-
-
-def _run(args: argparse.Namespace) -> int:
     from kindsl.frontends.preview.assets import PreviewUnavailableError
     from kindsl.judgement.analysis.settings import PoseError
 
@@ -92,13 +77,19 @@ def _run(args: argparse.Namespace) -> int:
         if args.export or args.screenshot:
             _write(args, other)
         elif args.file == STDIN:
-            return _fail("a document on stdin cannot be followed; name a file, or use --export")
+            message = "a document on stdin cannot be followed; name a file, or use --export"
+            raise CommandError.about("kindsl preview", message)
         else:
             _serve(args, other)
     except PreviewUnavailableError as error:
-        return _fail(str(error))
+        raise CommandError.about("kindsl preview", str(error)) from None
     except PoseError as error:
-        return _fail(f"{args.file}: {error}")
+        raise CommandError.about(args.file, str(error)) from None
+    except OSError as error:
+        path, what = error.filename or args.file, error.strerror or error
+        raise CommandError.about(str(path), str(what)) from None
+    except KeyboardInterrupt:
+        pass  # which is how it ends
     return 0
 
 
@@ -143,7 +134,7 @@ def _write(args: argparse.Namespace, other: "OtherRobot | None") -> None:
     formulas = formula_messages(analysis.model, analysis.context.values)
     page = exported_page([*state, *formulas, *mesh_data(document.mesh_files)])
     if args.export:
-        write_file(args.export, encoded(page))
+        write_output(args.export, page)
     if args.screenshot:
         from kindsl.frontends.preview.screenshot import take_screenshot
 
@@ -282,8 +273,3 @@ def _port(text: str) -> int:
     if not text.isdecimal() or int(text) > 65535:
         raise argparse.ArgumentTypeError(f"'{text}' is not a port: 0 to 65535")
     return int(text)
-
-
-def _fail(problem: str) -> int:
-    print(f"kindsl preview: {problem}", file=sys.stderr)
-    return PROBLEM

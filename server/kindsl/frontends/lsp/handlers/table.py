@@ -20,8 +20,7 @@ class Handlers:
     """The handlers of one module."""
 
     def __init__(self) -> None:
-        self._methods: dict[str, tuple[Any, _Ask | None]] = {}
-        self._handlers: dict[str, _Handler] = {}
+        self._methods: dict[str, tuple[_Handler, Any, _Ask | None]] = {}
         self._commands: dict[str, _Handler] = {}
         self._of_transforms: dict[str, _Handler] = {}
         self._of_xml: dict[str, _Handler] = {}
@@ -56,8 +55,8 @@ class Handlers:
 
     def register(self, session: Session) -> None:
         """Announce everything to the editor."""
-        for method, (options, ask) in self._methods.items():
-            answer = _bound(session, self._handlers[method], ask)
+        for method, (handler, options, ask) in self._methods.items():
+            answer = _bound(session, handler, ask)
             others = self._of_transforms.get(method), self._of_xml.get(method)
             chosen = _by_kind(session, answer, *others) if any(others) else answer
             session.editor.feature(method, options)(chosen)
@@ -65,8 +64,11 @@ class Handlers:
             session.editor.command(name)(_bound(session, handler))
 
     def _add(self, method: str, options: Any, ask: _Ask | None) -> Callable[[F], F]:
-        self._methods[method] = options, ask
-        return _kept_in(self._handlers, method)
+        def keep(handler: F) -> F:
+            self._methods[method] = handler, options, ask
+            return handler
+
+        return keep
 
 
 def _kept_in(table: dict[str, _Handler], name: str) -> Callable[[F], F]:
