@@ -109,13 +109,7 @@ def _in_node(
 
 
 def gaps(pieces: Iterable[Lexeme], length: int, newline: str) -> Iterator[TextEdit]:
-    """Yield every gap of a document, absolute, with its proper blanks.
-
-    Args:
-        pieces: All tokens and comments, in order; at least one.
-        length: Of the text, code points.
-        newline: The document's line end.
-    """
+    """Yield every gap of a document, absolute, with its proper blanks."""
     before: Lexeme | None = None
     done = depth = 0
     for piece in pieces:

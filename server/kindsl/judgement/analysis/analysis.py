@@ -44,7 +44,6 @@ class Analysis:
     """An immutable document; everything else about it is computed when asked for, once.
 
     Attributes:
-        settings: Decisions of the user.
         facts: What others derive from it.
     """
 

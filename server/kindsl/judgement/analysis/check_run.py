@@ -28,8 +28,6 @@ class _Known(NamedTuple):
 
     Attributes:
         key: What that depends on.
-        found: What it found.
-        islands: All islands to which that points.
     """
 
     key: _Key
@@ -38,13 +36,7 @@ class _Known(NamedTuple):
 
 
 class Readers(NamedTuple):
-    """Rules that read the same of a document.
-
-    Attributes:
-        reads: What.
-        reads_twins: Whether they read other files of the robot, too.
-        rules: The rules.
-    """
+    """Rules that read the same of a document."""
 
     reads: Aspect
     reads_twins: bool
@@ -57,13 +49,7 @@ _OF_DOCUMENT = Fact[dict[tuple[Aspect, bool], _Known]]("findings of documents")
 
 
 class RunningRules(NamedTuple):
-    """The rules that run, by what they see.
-
-    Attributes:
-        of_islands: Those that see one island at a time.
-        of_bodies: Those that see one body and the joints on it.
-        of_documents: Those that see the whole model.
-    """
+    """The rules that run, by what they see."""
 
     of_islands: tuple[Rule, ...]
     of_bodies: tuple[Rule, ...]
@@ -198,7 +184,6 @@ class CheckRun:
             fact: What chunks and islands keep it as.
             key_of_part: What it depends on besides the islands of a chunk.
             key_of_island: What it depends on besides one island.
-            check: Finds it in what an island declares.
         """
         found: Found = []
         for chunk, part in zip(self._model.document.chunks, self._model.parts, strict=True):

@@ -55,7 +55,6 @@ class Contents(NamedTuple):
         blocks: The links in their order, which may be that of the joint variables, and the other
             blocks; those of one name in their order.
         remarks: The words of comments, without what silences findings.
-        unread: The words that nothing reads.
     """
 
     numbers: dict[Place, Number]

@@ -27,7 +27,6 @@ class Diagnostic(NamedTuple):
     """A finding as it is shown; offsets in code points of the document, `end` exclusive.
 
     Attributes:
-        subject: The thing that it is about.
         probability: Of the cause that the message names, where one was weighed against others.
         also: Other things of which it says the same.
     """
@@ -54,11 +53,7 @@ class Diagnostic(NamedTuple):
 
 
 class Findings(tuple[Diagnostic, ...]):
-    """Findings of one text, in its order; a notebook shows them with their source lines.
-
-    Attributes:
-        text: The text.
-    """
+    """Findings of one text, in its order; a notebook shows them with their source lines."""
 
     text: str
 

@@ -24,8 +24,6 @@ class Fixed(NamedTuple):
     """The result of fixing a document.
 
     Attributes:
-        analysis: Of the text with fixes applied.
-        n_findings: How many findings they fixed.
         rounds: The edits that were made at once, each in the text that the round before left.
     """
 

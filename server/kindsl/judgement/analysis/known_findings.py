@@ -21,8 +21,6 @@ class Apart(NamedTuple):
     """The findings of a document.
 
     Attributes:
-        told: Those that are reported.
-        known: Those that the baseline knows.
         stale: Findings of the baseline, of rules that ran, that are no longer there.
     """
 

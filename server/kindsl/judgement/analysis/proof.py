@@ -32,8 +32,6 @@ def effect(before: SyntaxDocument, after: SyntaxDocument, *, within_digits: bool
     """Return the effect of edits on a document.
 
     Args:
-        before: The document.
-        after: The same after the edits.
         within_digits: Whether a number keeps its value where the digits written are the new one's.
     """
     old, new = _differing(before.islands, after.islands)

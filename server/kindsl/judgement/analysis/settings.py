@@ -22,11 +22,9 @@ class Settings(NamedTuple):
         select: Codes or prefixes to run; empty for the default ones.
         ignore: Codes or prefixes to leave out.
         severity: Severity by code or prefix, the longest match wins.
-        bindings: Values of parameters.
         joints: Limits of joints.
         poses: Positions of joints by the names of poses, radians or metres.
         known: How often the baseline knows each finding of the document, by its identity.
-        version: The robot's version.
         twins: Other files of the same robot.
     """
 

@@ -22,9 +22,6 @@ def without_silenced(
     """Return what comments do not silence; rules that ran tell of comments in vain.
 
     Args:
-        found: All findings.
-        document: The document.
-        silenced: What its comments silence.
         codes: Those of the rules that ran.
         resolve: Gives findings absolute offsets.
     """

@@ -11,7 +11,6 @@ class TextFix:
     """A change of the document's text.
 
     Attributes:
-        title: Its title, in the imperative.
         edits: Disjoint, in the order of the text.
         is_within_digits: Whether it may give a number a value that has the digits written.
     """

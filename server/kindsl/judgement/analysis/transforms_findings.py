@@ -27,9 +27,7 @@ def transforms_findings(
     """Return the findings, in the order of the text.
 
     Args:
-        text: The transforms document.
         model: The robot that it is about, None if that is not known.
-        settings: Decisions of the user.
     """
     document = read_transforms(text)
     found: list[tuple[Rule, Severity, Iterable[Defect]]] = [

@@ -54,7 +54,6 @@ def read_file(path: str, label: str, floating: bool | None = None) -> ComparedSi
 
     Args:
         path: The file, or a folder of generated code; read anew only after a change.
-        label: What to call it.
         floating: Whether its base floats, where the file leaves that open.
     """
     files = (path, *(str(Path(path, name)) for name in _OF_FOLDER))

@@ -17,7 +17,6 @@ class TargetVerdict(NamedTuple):
     """A generator's verdict on a document.
 
     Attributes:
-        target: `robcogen` or `robcogen2`.
         places: Those that it refuses, in the order of the text; empty where it reads the document.
     """
 

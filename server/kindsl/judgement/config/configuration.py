@@ -16,7 +16,6 @@ class DocumentTable(NamedTuple):
 
     Attributes:
         pattern: The documents it is for, in the manner of `.gitignore`.
-        decisions: Its decisions about them.
     """
 
     pattern: str
@@ -27,10 +26,8 @@ class Configuration(NamedTuple):
     """A valid configuration file.
 
     Attributes:
-        path: The file.
         text: Its text, for showing places in it.
         common: Settings of all documents below the file's folder.
-        documents: Settings of some of them; later ones win.
         places: Where each key stands, by its path of keys and list indices.
         root: The keys before ours: `("tool", "kindsl")` in a pyproject.toml.
         baseline: The file of known findings, from the file's folder; empty without one.

@@ -29,8 +29,6 @@ class TwinTable(NamedTuple):
 
     Attributes:
         pattern: The documents it is for, in the manner of `.gitignore`.
-        twin: Another file of their robot.
-        place: Where that file is named.
     """
 
     pattern: str

@@ -29,8 +29,6 @@ def with_joints(
     Args:
         file: The configuration file's path, which tells its kind.
         text: Its content; empty for a new one.
-        document: The document's path.
-        joints: Properties to write, by joint name.
 
     Raises:
         ConfigurationError: The file says something wrong.
@@ -59,8 +57,6 @@ def with_pose(
     Args:
         file: The configuration file's path, which tells its kind.
         text: Its content; empty for a new one.
-        document: The document's path.
-        name: Of the pose.
         joints: Positions by joint name, radians or metres.
 
     Raises:

@@ -16,10 +16,7 @@ class ConfigurationProblem(NamedTuple):
     """An error in a configuration file.
 
     Attributes:
-        path: The file.
-        place: Where in it.
         key: The key in question, dotted; empty where the file as a whole is meant.
-        message: One sentence without final period.
     """
 
     path: str
@@ -32,11 +29,7 @@ class ConfigurationProblem(NamedTuple):
 
 
 class ConfigurationError(Exception):
-    """A configuration file cannot be used.
-
-    Attributes:
-        problems: All that is wrong with it, in the order of the file.
-    """
+    """A configuration file cannot be used."""
 
     def __init__(self, problems: tuple[ConfigurationProblem, ...]) -> None:
         super().__init__("\n".join(map(str, problems)))

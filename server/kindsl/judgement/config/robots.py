@@ -21,12 +21,7 @@ _VERSION_CONTROL = frozenset((".bzr", ".git", ".git-rewrite", ".hg", ".jj", ".sv
 
 
 class Obstacle(NamedTuple):
-    """A possible robot, or folder of robots, that cannot be read.
-
-    Attributes:
-        path: The file or folder.
-        reason: The system's message.
-    """
+    """A possible robot, or folder of robots, that cannot be read."""
 
     path: str
     reason: OSError

@@ -43,7 +43,6 @@ class Mistake(NamedTuple):
     """A wrong key or value.
 
     Attributes:
-        keys: Its path.
         sentence: What is wrong; empty where there is a predicate.
         predicate: The same without its subject, which is the key.
     """
@@ -54,13 +53,7 @@ class Mistake(NamedTuple):
 
 
 class Given(NamedTuple):
-    """A value as it was given, of any type; None where the key is missing.
-
-    Attributes:
-        value: The value.
-        keys: Its path.
-        mistakes: Collects what is wrong.
-    """
+    """A value as it was given, of any type; None where the key is missing."""
 
     value: Any
     keys: KeyPath

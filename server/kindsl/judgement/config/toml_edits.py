@@ -38,9 +38,6 @@ def binding_edit(
 
     Args:
         file: The configuration file's path, which tells its kind.
-        text: Its content.
-        document: The document's path.
-        values: Names and values.
     """
     bound = text
     for name, value in values:
@@ -57,13 +54,7 @@ def binding_edit(
 
 
 def with_other_numbers(text: str, keys: KeyPath, numbers: Mapping[str, float]) -> str | None:
-    """Return a text whose table has these numbers and no others; None if it cannot be so written.
-
-    Args:
-        text: Valid TOML.
-        keys: The path of the table.
-        numbers: All that is to stand in it.
-    """
+    """Return a text whose table has these numbers and no others; None if it cannot be so written."""
     expected = tomllib.loads(text)
     table = _at(expected, keys)
     table.clear()

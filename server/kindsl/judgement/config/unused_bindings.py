@@ -53,8 +53,6 @@ def unused_bindings(
     """Return the unused bindings, in the order of the file.
 
     Args:
-        configuration: The file.
-        settings: Decisions about the rule.
         used: The names in documents that it holds for, by path.
         others: Paths of all documents below its folder; asked, and read, if need be.
     """
@@ -78,8 +76,6 @@ def unreadable_twins(
     """Return the twins that cannot be read, in the order of the file.
 
     Args:
-        configuration: The file.
-        settings: Decisions about the rule.
         may_read: Whether a file may be read here; None where all may.
     """
     if not (configuration.twins and is_enabled(UNREADABLE, settings)):
@@ -105,9 +101,8 @@ def _message(bound: _Bound, used: Mapping[str, Names]) -> str:
         return f"there is no document '{bound.pattern}': its twin is not compared"
     each = (names.parameters if kind == "parameter" else names.joints for names in used.values())
     known = sorted(frozenset[str]().union(*each))
-    told = {unused.name: unused.message for unused in vain_bindings([name], known, kind)}
     where = "" if bound.pattern is None else f" that '{bound.pattern}' names"
-    return told.get(name, f"no document{where} has a {kind} '{name}'")
+    return vain_bindings([name], known, kind).get(name, f"no document{where} has a {kind} '{name}'")
 
 
 def _unused(

@@ -46,8 +46,6 @@ class Fix(NamedTuple):
     """The fix of a finding.
 
     Attributes:
-        title: Its title, in the imperative.
-        changes: Disjoint replacements.
         is_safe: Whether it keeps what the document means. The claim is tested: a fix that
             changes a number, or may change one, is not safe.
         is_within_digits: Whether it may give a number a value that has the digits written.
@@ -74,13 +72,9 @@ class Finding(NamedTuple):
     """Something that a rule found.
 
     Attributes:
-        at: Where.
         message: One sentence without final period: what is wrong, names quoted, with units.
-        related: Other places.
-        fix: The edit that fixes it.
         choices: Edits that fix it where several things may be meant; then there is no `fix`.
         severity: Where it differs from the rule's.
-        tag: How to draw it.
         explains: Codes of findings at the same place that it makes needless, but for their fixes
             where it has none.
         subject: The thing that it is about, if not the one in whose text `at` lies.
@@ -118,10 +112,6 @@ class Rule(NamedTuple):
 
     Attributes:
         module: Where it is, which is named after its code and its name.
-        severity: Unless configured otherwise.
-        check_document: See above.
-        check_island: See above.
-        check_body: See above.
         reads: All that `check_document` reads of the document besides its structure.
         reads_twins: Whether `check_document` reads other files of the robot, too.
         is_default: Whether it runs without being selected or needed by a target.

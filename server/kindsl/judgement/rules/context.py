@@ -22,7 +22,6 @@ class Context:
     """The surroundings of a check.
 
     Attributes:
-        targets: The generators that the document must be accepted by.
         bindings: Values given to parameters from outside the document, with their ranges.
         values: Value of each bound parameter by name, and of each constant by `<name>`.
     """

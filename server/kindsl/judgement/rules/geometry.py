@@ -39,8 +39,6 @@ def converted(vector: Vector, factor: float, *, is_com: bool) -> Fix | None:
     """Return the fix that gives a vector in metres, None where that is doubtful.
 
     Args:
-        vector: A vector that is in another unit.
-        factor: Of the unit.
         is_com: Whether it is a centre of mass, else it places a joint.
     """
     written = [component.literal or 0.0 for component in vector.components]

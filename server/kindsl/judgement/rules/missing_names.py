@@ -22,11 +22,7 @@ def missing_names(
     earlier reference takes it; else a new block is.
 
     Args:
-        names: The references.
-        kind: Kind of the named things, in a word.
         idle: Names that nothing refers to; these are meant first.
-        declared: All things of the kind.
-        new_block: Makes the fix that declares a name.
     """
     idle_names = [str(thing.name) for thing in idle]
     free = set(idle_names)

@@ -15,7 +15,7 @@ from kindsl.judgement.rules.duplicates import repeated_names
 from kindsl.language.semantics.declarations import Joint, Link
 from kindsl.language.semantics.kinematic_tree import Edge
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.places import has_problem_within
+from kindsl.language.semantics.places import Name, has_problem_within
 from kindsl.language.text.facts import kept
 from kindsl.language.text.nearest import nearest_name, nearest_names
 
@@ -27,10 +27,7 @@ class ReferenceDefects(NamedTuple):
     """The defects of parents and children.
 
     Attributes:
-        undefined_links: Pairs whose link does not exist.
-        undefined_joints: Pairs whose joint does not exist.
         swapped: Pairs that name a joint for the link and a link for the joint.
-        bases: Pairs that name the base as a child.
         loops: Kinematic loops, each as the edges around it.
         repeated: Pairs whose link the same body carries already, after the first such pair.
         extra_parents: Pairs whose link another body carries already, after the first such pair.
@@ -209,18 +206,16 @@ def _unexcused(things: list[_Thing], wrong: list[str], others: int) -> list[_Thi
 
 
 def _excuse_duplicates(model: Model, found: ReferenceDefects) -> None:
-    """Drop undefined names that a declaration with a repeated name can be meant to have."""
     if found.undefined_links:
-        surplus = len(repeated_names(model.links))
-        names = dict.fromkeys(edge.child.link for edge in found.undefined_links)
-        excused = set(list(names)[:surplus])
-        found.undefined_links[:] = [
-            edge for edge in found.undefined_links if edge.child.link not in excused
-        ]
+        names = [edge.child.link for edge in found.undefined_links]
+        _excuse(found.undefined_links, names, len(repeated_names(model.links)))
     if found.undefined_joints:
-        surplus = len(repeated_names(model.joints))
-        names = dict.fromkeys(edge.child.joint for edge in found.undefined_joints)
-        excused = set(list(names)[:surplus])
-        found.undefined_joints[:] = [
-            edge for edge in found.undefined_joints if edge.child.joint not in excused
-        ]
+        names = [edge.child.joint for edge in found.undefined_joints]
+        _excuse(found.undefined_joints, names, len(repeated_names(model.joints)))
+
+
+def _excuse(undefined: list[Edge], names: list[Name], n_repeated: int) -> None:
+    """Drop undefined names that a declaration with a repeated name can be meant to have."""
+    excused = set(list(dict.fromkeys(names))[:n_repeated])
+    pairs = zip(undefined, names, strict=True)
+    undefined[:] = [edge for edge, name in pairs if name not in excused]

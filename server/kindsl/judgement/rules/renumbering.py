@@ -18,7 +18,6 @@ def renumbering(model: Model, findings: int = 1) -> Fix | None:
     """Return the fix that gives the links regular numbers, or None where the tree has defects.
 
     Args:
-        model: The model.
         findings: How many findings carry it; None when that would be too much text in total.
     """
     fix = _renumbering(model)

@@ -27,9 +27,6 @@ class Suppression(NamedTuple):
     """One code in one such comment.
 
     Attributes:
-        code: A code or a prefix of codes.
-        at: Where the code stands.
-        comment: The whole comment.
         start: Absolute start of what it silences.
         end: Absolute end of what it silences.
     """
@@ -53,7 +50,6 @@ class Directive(NamedTuple):
     """A comment that speaks to us.
 
     Attributes:
-        comment: The whole comment.
         at: From `kindsl:` to the end of what is understood.
         word: `ignore`, `ignore-file`, or empty for what is neither.
         codes: Texts between the brackets, with places; None without brackets.

@@ -19,24 +19,19 @@ if TYPE_CHECKING:
 _DIGITS = 15
 
 
-def of_structure(model: Model, each: "ComparedTwin") -> Iterator[Finding]:
-    """Yield what differs besides numbers, at the base."""
+def twin_findings(model: Model, each: "ComparedTwin") -> Iterator[Finding]:
+    """Yield what a twin has otherwise: at the base all but numbers, then these, with fixes."""
     if model.base is not None:
         for sentence in each.found.structure:
             yield Finding(model.base.name, sentence)
+    for number in each.found.numbers:
+        at = place_of(model, number)
+        if at is not None:
+            message = sentence_of(number, "here", f"in {_where(each.twin, number.places[1])}")
+            yield Finding(at, message, fix=_fix(each.twin, number))
 
 
-def of_number(model: Model, twin: "TwinFile", number: "NumberDifference") -> Finding | None:
-    """Return the finding of a number that differs, with what takes over the twin's."""
-    there = number.places[1]
-    at = place_of(model, number)
-    if at is None:
-        return None
-    message = sentence_of(number, "here", f"in {where(twin, there)}")
-    return Finding(at, message, fix=_fix(twin, number))
-
-
-def where(twin: "TwinFile", number: "WrittenNumber | None") -> str:
+def _where(twin: "TwinFile", number: "WrittenNumber | None") -> str:
     """Return the file of a twin, with the line of a number in it."""
     at = None if number is None else number.at
     line = getattr(at, "line", None)
@@ -62,12 +57,12 @@ def _fix(twin: "TwinFile", number: "NumberDifference") -> Fix | None:
     for own, value in number.our_changes:
         if not isinstance(own.at, Expression) or any(True for _ in symbols(own.at)):
             return None
-        found.append(Replacement(own.at, as_in_twin(number, value)))
-    text = as_in_twin(number, number.there)
+        found.append(Replacement(own.at, _as_in_twin(number, value)))
+    text = _as_in_twin(number, number.there)
     return Fix(f"Take {text} from {twin.label}", tuple(found)) if found else None
 
 
-def as_in_twin(number: "NumberDifference", value: float) -> str:
+def _as_in_twin(number: "NumberDifference", value: float) -> str:
     """Return a number for the document, with the twin's digits if it stands there."""
     other = number.there_number
     if other is not None and other.value == value and not other.is_implied:

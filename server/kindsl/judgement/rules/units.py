@@ -27,8 +27,6 @@ class NumberWithUnit(NamedTuple):
 
     Attributes:
         place: Of both.
-        text: As written.
-        number: The number alone, as written.
         in_si: The number in metres, kilograms or radians.
     """
 

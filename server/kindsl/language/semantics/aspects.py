@@ -27,15 +27,12 @@ class Aspect(Flag):
     MASSES = auto()
     SYMBOLS = auto()
     LAYOUT = auto()
+    NUMBERS = PLACES | MASSES
     ALL = STRUCTURE | PLACES | MASSES | SYMBOLS | LAYOUT
 
 
 class Edition:
-    """A version of a document, compared with the one looked at before.
-
-    Attributes:
-        islands: Its islands.
-    """
+    """A version of a document, compared with the one looked at before."""
 
     def __init__(self, islands: Sequence[Island], before: "Edition | None") -> None:
         self.islands = islands

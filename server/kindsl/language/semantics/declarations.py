@@ -21,13 +21,7 @@ _NO_POSE = Pose(None, None)
 
 
 class Link(LinkSections):
-    """A link, or the robot's base, whose `id` is 0 without a place.
-
-    Attributes:
-        is_base: Whether it is the `RobotBase`.
-        is_floating: Whether it is a floating base.
-        facts: Results that later layers derived from it.
-    """
+    """A link, or the robot's base, whose `id` is 0 without a place."""
 
     __slots__ = ("facts", "is_base", "is_floating")
 

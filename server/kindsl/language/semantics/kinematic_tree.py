@@ -19,12 +19,7 @@ class Edge(NamedTuple):
 
 
 class KinematicTree:
-    """The edges of a document, each looked up once.
-
-    Attributes:
-        edges: In the order of the document.
-        below: The edges that leave a body.
-    """
+    """The edges of a document, each looked up once."""
 
     def __init__(
         self,

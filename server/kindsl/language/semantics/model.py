@@ -29,16 +29,9 @@ class ModelPart(NamedTuple):
     """Declarations and uses in the islands of a chunk, in their order.
 
     Attributes:
-        declared: Declarations of each.
-        symbols: Names that each uses.
         robot: The first name of a robot, empty where there is none.
-        bases: The bases.
-        links: The links.
-        joints: The joints.
         link_named: Links by name, of equal names the first.
         joint_named: Joints by name, of equal names the first.
-        parameters: All uses of parameters.
-        constants: All uses of constants.
         broken_islands: Islands whose text is not in the language.
     """
 
@@ -81,13 +74,9 @@ class Model:
     """Links, joints, frames and parameters of a document, whole or broken.
 
     Attributes:
-        document: Its syntax.
-        parts: Declarations of its chunks.
         name: The robot's name, empty where it is missing.
         base: The robot's base, the first if there are several.
-        bases: All bases.
         links: The links without the base, in the order of the document.
-        joints: The joints in the order of the document.
         edition: This version, as it follows the one before.
         facts: Results of later layers, kept as long as the model lives.
     """

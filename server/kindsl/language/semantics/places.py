@@ -52,12 +52,7 @@ class Name(str):
 
 
 class Construct:
-    """The meaning of a node of the syntax; it lies where the node lies.
-
-    Attributes:
-        node: Its syntax.
-        island: Where it stands.
-    """
+    """The meaning of a node of the syntax; it lies where the node lies."""
 
     __slots__ = ("island", "node")
 

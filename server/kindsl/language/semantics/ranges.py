@@ -27,7 +27,6 @@ def bounds_of(
     """Return bounds of a value, None where a name is unbound or a divisor may be zero.
 
     Args:
-        expression: The value.
         known: Bounds of parameters by name, and of constants by `<name>`.
         written: Gives the bounds of a number by its text.
 

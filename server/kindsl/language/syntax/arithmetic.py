@@ -16,8 +16,6 @@ class Arithmetic(NamedTuple, Generic[T]):
 
     Attributes:
         number: Reads a decimal number as written.
-        pi: The number pi.
-        negate: Minus a number.
         operations: Sums, differences, products and quotients by the forms of the grammar.
     """
 
@@ -50,9 +48,7 @@ def evaluate(node: Node, names: Mapping[str, T], by: Arithmetic[T]) -> T | None:
     """Return the value of an expression, None where a name is unbound or nothing is defined.
 
     Args:
-        node: The expression.
         names: Values of parameters by name, and of constants by `<name>`.
-        by: How to compute.
     """
     if is_signed_product(node):
         left, right = (_value(cast(Node, child), names, by) for child in node.children[::2])

@@ -28,9 +28,6 @@ class Stack:
     repairs are sought by reading on from it in many ways, in one text after another.
 
     Attributes:
-        made: How many there have been.
-        state: The innermost state.
-        below: The others.
         innermost: The last states, enough to distinguish the stacks that matter.
     """
 

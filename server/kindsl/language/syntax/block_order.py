@@ -19,8 +19,6 @@ class PlacedProblem:
     """A problem of the document as a whole, reported at a place in one of its islands.
 
     Attributes:
-        index: The island's number in the document.
-        island: The island.
         problem: The problem; offsets count from the island's start, a repair may reach beyond it.
     """
 

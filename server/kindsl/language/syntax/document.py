@@ -44,11 +44,7 @@ class PlacedIsland:
 
 
 class Chunk:
-    """Some neighbouring islands; never changed once made.
-
-    Attributes:
-        facts: Results that later layers derived from it alone, kept as long as it lives.
-    """
+    """Some neighbouring islands; never changed once made."""
 
     __slots__ = ("_letters", "facts", "islands", "length", "offsets", "open_comments")
 
@@ -75,10 +71,8 @@ class SyntaxDocument:
     All offsets are code points from the start of the text.
 
     Attributes:
-        chunks: Its islands, some neighbours at a time.
         versions: Results about the version that was last looked at: shared by all that
             edits have made of each other.
-        is_xml: Whether it is an XML file, which other rules concern.
     """
 
     is_xml = False

@@ -32,7 +32,6 @@ def expected_at(island: Island, offset: int) -> Expected:
     """Return what the grammar allows at an offset of an island.
 
     Args:
-        island: The island.
         offset: Code points from the island's start; a word that ends there is being typed.
     """
     before = _before(island, offset)

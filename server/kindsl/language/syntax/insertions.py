@@ -19,7 +19,6 @@ def inserted_section(
 
     Args:
         text: The island's text, which the edit's offsets refer to.
-        block: The construct in braces.
         behind: The section to put it behind; behind the opening brace if None.
         lines: The section's lines, indented from zero by four blanks a level.
     """

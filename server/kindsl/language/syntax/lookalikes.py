@@ -50,7 +50,6 @@ def as_meant(text: str, spans: Sequence[tuple[int, int]]) -> str:
     """Return a text of the same length with each lookalike replaced by the character it stands for.
 
     Args:
-        text: The text.
         spans: Its comments, which stay as they are.
     """
     if not _STRANGE.search(text):

@@ -152,8 +152,6 @@ def recover(text: str, tokens: Sequence[Token], *, is_cut: bool) -> RepairProgre
     """Read tokens that the grammar does not take as they are.
 
     Args:
-        text: The island's text.
-        tokens: Its tokens.
         is_cut: Whether a comment without an end hides the rest of it.
     """
     island = RepairProgress(text, list(tokens), is_cut)

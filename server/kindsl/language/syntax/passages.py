@@ -59,7 +59,6 @@ class Passage(NamedTuple):
     """A passage of another format.
 
     Attributes:
-        kind: Which one.
         start: Where its first line has its first character, code points.
         end: Where its last line ends.
     """

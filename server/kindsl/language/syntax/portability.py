@@ -42,11 +42,7 @@ class PortabilityNote(NamedTuple):
     """A construct that one target refuses.
 
     Attributes:
-        target: The target that refuses it, `robcogen` or `robcogen2`.
         kind: Its kind, in kebab case; `missing-inertia` is also a rule of its own.
-        message: One sentence.
-        start: Code points from the island's start.
-        end: End, exclusive.
         repair: A rewrite that both targets take, where there is one.
     """
 

@@ -25,11 +25,7 @@ class TwoReadings(NamedTuple):
     """A value that means something else to one generator than to the other, or than it looks like.
 
     Attributes:
-        start: Code points from the island's start.
-        end: End, exclusive.
         kind: `power`, `product` or `pi`.
-        text: As written.
-        robcogen: The reading of robcogen.
         other: The reading of robcogen2, or of a person.
     """
 

@@ -34,8 +34,6 @@ def section_problems(text: str, block: Node, touched: frozenset[int]) -> Iterato
     """Yield the problems of the sections of a block and of the blocks in it.
 
     Args:
-        text: The island's text.
-        block: A link, a joint, a base.
         touched: `id` of the nodes that a repair has changed; they are taken as they are.
     """
     yield from _empty_frames(block, touched)

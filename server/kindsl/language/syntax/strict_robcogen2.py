@@ -37,7 +37,6 @@ class StrictReading(NamedTuple):
 
     Attributes:
         blocks: A letter for each block that it reads, of `LETTERS`.
-        tokens: Its input, of the kinds that the grammar's tables have.
         failure: Where it stops, code points from the start; None where it reads all.
     """
 

@@ -58,8 +58,6 @@ class TransformsDocument(NamedTuple):
     """The content of a transforms document, as far as it can be read.
 
     Attributes:
-        robot: The robot's name, None if it is missing.
-        frames: The frames that it declares.
         transforms: The transforms wanted; pairs that lack a frame are left out.
         jacobians: The Jacobians wanted, likewise.
         defects: The stretches that do not fit, in order.
@@ -132,7 +130,6 @@ class _Recovery:
     """Mends what does not fit, and notes each stretch that did not.
 
     Attributes:
-        defects: The stretches so far.
         expected: The words that may stand at the end of the text, if it ends too early.
     """
 

@@ -123,8 +123,6 @@ class Problem(NamedTuple):
     Attributes:
         code: The rule it is reported under, `KD001` to `KD011`.
         message: One sentence, no final period.
-        start: Code points from the island's start.
-        end: End, exclusive.
         repair: The edit that fixes it, where that is known.
         choices: Edits that fix it where two things may be meant; then there is no `repair`.
     """
@@ -151,8 +149,6 @@ class Island:
         nodes: The blocks found in it, mostly one: `head`, `base`, `link`, `joint`, `end`.
         tokens: All tokens in order, the missing and the skipped ones left out of neither.
         skipped: Tokens that fit nowhere; they are in no node.
-        comments: Spans of the comments.
-        problems: Its problems.
         facts: Results that later layers derived from it alone, kept as long as it lives.
     """
 

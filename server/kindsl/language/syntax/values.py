@@ -168,8 +168,6 @@ def meaning_problems(text: str, nodes: Sequence[Node], touched: frozenset[int]) 
     """Return the problems of sections and values.
 
     Args:
-        text: The island's text.
-        nodes: Its blocks.
         touched: Ids of the nodes that were repaired, about which less is known.
     """
     problems: list[Problem] = []

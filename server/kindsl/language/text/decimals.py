@@ -39,7 +39,6 @@ def rounded_decimal(value: float, scale: float) -> str:
     """Return a computed number with 15 digits.
 
     Args:
-        value: The number.
         scale: Size of the numbers that it was computed from; what is dust beside it becomes zero.
     """
     return significant_decimal(value, _EXACT) if abs(value) > 4e-16 * scale else "0.0"

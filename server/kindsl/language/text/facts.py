@@ -8,11 +8,7 @@ T = TypeVar("T")
 
 
 class Fact(Generic[T]):
-    """A key for one kind of fact, under which its owner keeps and finds it.
-
-    Attributes:
-        name: A name for people.
-    """
+    """A key for one kind of fact, under which its owner keeps and finds it."""
 
     __slots__ = ("name",)
 
@@ -45,9 +41,7 @@ class Facts:
         """Return a fact that depends on something else too; it is derived anew when that changes.
 
         Args:
-            fact: What it is kept as.
             given: All that it is made of besides the thing.
-            make: Makes it.
         """
         known = self.get(fact)
         if known is None or known[0] != given:

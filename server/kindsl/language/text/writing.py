@@ -78,9 +78,7 @@ class _Staged(NamedTuple):
     """Text that is ready to be put in its place.
 
     Attributes:
-        target: The file.
         temporary: The neighbour that holds the content, None where the target is written to.
-        content: The target's new content.
     """
 
     target: str

@@ -45,5 +45,5 @@ def unused_on_command_line(files: Sequence[LintedFile], choices: Choices) -> lis
     known: frozenset[str] = frozenset().union(*(file.parameters for file in files))
     given = choices.decisions.bindings
     names = [name for name in given if given[name].origin == "--param"]
-    unused = vain_bindings(names, sorted(known)) if files else ()
-    return [f"warning: --param {one.name}: {one.message}" for one in unused]
+    unused = vain_bindings(names, sorted(known)) if files else {}
+    return [f"warning: --param {name}: {message}" for name, message in unused.items()]

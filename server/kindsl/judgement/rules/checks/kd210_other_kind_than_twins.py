@@ -72,6 +72,4 @@ def _type(joint: Joint) -> Place | None:
     return island.place(island.element, "type") if isinstance(island, RobotIsland) else None
 
 
-RULE = Rule(
-    __name__, Severity.WARNING, check_document=check_document, reads=Aspect.PLACES | Aspect.MASSES
-)
+RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.NUMBERS)

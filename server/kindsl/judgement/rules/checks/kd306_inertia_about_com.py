@@ -36,23 +36,15 @@ product `Ixy`, and so on, in the author's precision. Offered only
 where no other cause is left. Unsafe: it is a guess, though a likely one.
 """
 
-from collections.abc import Iterator
+from functools import partial
 
-from kindsl.judgement.rules.base import Finding, Rule, Severity
-from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.base import Rule, Severity
 from kindsl.judgement.rules.inertia.told_causes import explained
 from kindsl.language.semantics.aspects import Aspect
-from kindsl.language.semantics.model import Model
-
-
-def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each inertia that is possible if given about the CoM."""
-    yield from explained(model, context, "KD306")
-
 
 RULE = Rule(
     __name__,
     Severity.INFORMATION,
-    check_document=check_document,
-    reads=Aspect.PLACES | Aspect.MASSES,
+    check_document=partial(explained, code="KD306"),
+    reads=Aspect.NUMBERS,
 )

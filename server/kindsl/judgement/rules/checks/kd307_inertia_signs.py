@@ -27,23 +27,15 @@ Changes these signs, or the order. Offered only where no other cause is left. Un
 though a likely one.
 """
 
-from collections.abc import Iterator
+from functools import partial
 
-from kindsl.judgement.rules.base import Finding, Rule, Severity
-from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.base import Rule, Severity
 from kindsl.judgement.rules.inertia.told_causes import explained
 from kindsl.language.semantics.aspects import Aspect
-from kindsl.language.semantics.model import Model
-
-
-def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each inertia that is possible with other signs."""
-    yield from explained(model, context, "KD307")
-
 
 RULE = Rule(
     __name__,
     Severity.INFORMATION,
-    check_document=check_document,
-    reads=Aspect.PLACES | Aspect.MASSES,
+    check_document=partial(explained, code="KD307"),
+    reads=Aspect.NUMBERS,
 )

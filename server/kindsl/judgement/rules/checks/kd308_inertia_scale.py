@@ -26,23 +26,15 @@ for that target, where it would treat one that matters as zero. Unsafe: it is a 
 likely one.
 """
 
-from collections.abc import Iterator
+from functools import partial
 
-from kindsl.judgement.rules.base import Finding, Rule, Severity
-from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.base import Rule, Severity
 from kindsl.judgement.rules.inertia.told_causes import explained
 from kindsl.language.semantics.aspects import Aspect
-from kindsl.language.semantics.model import Model
-
-
-def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each inertia that a power of ten makes a body's."""
-    yield from explained(model, context, "KD308")
-
 
 RULE = Rule(
     __name__,
     Severity.INFORMATION,
-    check_document=check_document,
-    reads=Aspect.PLACES | Aspect.MASSES,
+    check_document=partial(explained, code="KD308"),
+    reads=Aspect.NUMBERS,
 )

@@ -197,6 +197,4 @@ def _shared(group: list[tuple[Link, Inertia]]) -> Finding:
     return Finding(keyword(inertia), message, tuple(related))
 
 
-RULE = Rule(
-    __name__, Severity.WARNING, check_document=check_document, reads=Aspect.PLACES | Aspect.MASSES
-)
+RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.NUMBERS)

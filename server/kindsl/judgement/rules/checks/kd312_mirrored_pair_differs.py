@@ -53,6 +53,4 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     yield from unlike_pairs(model, context.values, link_inertia, is_told)
 
 
-RULE = Rule(
-    __name__, Severity.WARNING, check_document=check_document, reads=Aspect.PLACES | Aspect.MASSES
-)
+RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.NUMBERS)

@@ -26,23 +26,15 @@ Converts the mass. Offered only where no other cause is left. Unsafe: it is a gu
 one.
 """
 
-from collections.abc import Iterator
+from functools import partial
 
-from kindsl.judgement.rules.base import Finding, Rule, Severity
-from kindsl.judgement.rules.context import Context
+from kindsl.judgement.rules.base import Rule, Severity
 from kindsl.judgement.rules.inertia.told_causes import explained
 from kindsl.language.semantics.aspects import Aspect
-from kindsl.language.semantics.model import Model
-
-
-def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each inertia whose mass is the suspect."""
-    yield from explained(model, context, "KD314")
-
 
 RULE = Rule(
     __name__,
     Severity.INFORMATION,
-    check_document=check_document,
-    reads=Aspect.PLACES | Aspect.MASSES,
+    check_document=partial(explained, code="KD314"),
+    reads=Aspect.NUMBERS,
 )

@@ -16,24 +16,16 @@ forarm_length = 0.35
 where the parameter is called `forearm_length`.
 """
 
-from collections.abc import Iterable, Iterator
-from typing import NamedTuple
+from collections.abc import Iterable
 
 from kindsl.judgement.rules.base import Rule, Severity
 from kindsl.language.text.nearest import hint, nearest_name
 
 
-class UnusedBinding(NamedTuple):
-    """A name that is bound in vain, and what to say of it."""
-
-    name: str
-    message: str
-
-
 def unused_bindings(
     bound: Iterable[str], used: Iterable[str], kind: str = "parameter"
-) -> Iterator[UnusedBinding]:
-    """Yield the bound names that are not used.
+) -> dict[str, str]:
+    """Return the bound names that are not used, with what to say of each.
 
     Args:
         bound: Names that the configuration gives values to, or limits.
@@ -44,10 +36,11 @@ def unused_bindings(
     known = dict.fromkeys(used)
     names = list(bound)
     free = [name for name in known if name not in names]
-    for name in names:
-        if name not in known:
-            meant = nearest_name(name, free)
-            yield UnusedBinding(name, f"no document {lacking} '{name}'{hint(meant)}")
+    return {
+        name: f"no document {lacking} '{name}'{hint(nearest_name(name, free))}"
+        for name in names
+        if name not in known
+    }
 
 
 RULE = Rule(__name__, Severity.WARNING)

@@ -61,6 +61,4 @@ def _is_long(value: Expression) -> bool:
     return value.literal is not None and significant_digits(value.text) > _KEPT
 
 
-RULE = Rule(
-    __name__, Severity.HINT, check_document=check_document, reads=Aspect.PLACES | Aspect.MASSES
-)
+RULE = Rule(__name__, Severity.HINT, check_document=check_document, reads=Aspect.NUMBERS)

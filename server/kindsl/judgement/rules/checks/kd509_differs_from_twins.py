@@ -218,6 +218,4 @@ def _are_impossible(model: Model, context: Context, peers: tuple[str, ...]) -> b
     return any(is_impossible(model.body_named[name], context.values) for name in peers)
 
 
-RULE = Rule(
-    __name__, Severity.WARNING, check_document=check_document, reads=Aspect.PLACES | Aspect.MASSES
-)
+RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.NUMBERS)

@@ -107,6 +107,4 @@ def _texts(
     return retyped(own, [peer], repair.meant, limb_slips(model, context).assignments)
 
 
-RULE = Rule(
-    __name__, Severity.WARNING, check_document=check_document, reads=Aspect.PLACES | Aspect.MASSES
-)
+RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.NUMBERS)

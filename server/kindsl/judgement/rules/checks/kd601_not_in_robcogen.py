@@ -18,24 +18,17 @@ translation = (1.0e-3, 0.0, 0.0)
 Writes an equivalent that both generators support, if there is one: `0.001`. Safe: the value stays.
 """
 
-from collections.abc import Iterator
+from functools import partial
 
-from kindsl.judgement.rules.base import Finding, Rule, Severity
-from kindsl.judgement.rules.context import ROBCOGEN, Context
+from kindsl.judgement.rules.base import Rule, Severity
+from kindsl.judgement.rules.context import ROBCOGEN
 from kindsl.judgement.rules.refusals import refused_by
 from kindsl.language.semantics.aspects import Aspect
-from kindsl.language.semantics.model import Model
-
-
-def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each construct that RobCoGen refuses."""
-    yield from refused_by(ROBCOGEN, model, context)
-
 
 RULE = Rule(
     __name__,
     Severity.ERROR,
-    check_document=check_document,
+    check_document=partial(refused_by, ROBCOGEN),
     reads=Aspect.SYMBOLS | Aspect.LAYOUT,
     is_default=False,
 )

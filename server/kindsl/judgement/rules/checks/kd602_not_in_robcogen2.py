@@ -19,24 +19,17 @@ translation = (2.0 reach, 0.0, 0.0)
 Writes an equivalent that both generators support, if there is one. Safe: the value stays.
 """
 
-from collections.abc import Iterator
+from functools import partial
 
-from kindsl.judgement.rules.base import Finding, Rule, Severity
-from kindsl.judgement.rules.context import ROBCOGEN2, Context
+from kindsl.judgement.rules.base import Rule, Severity
+from kindsl.judgement.rules.context import ROBCOGEN2
 from kindsl.judgement.rules.refusals import refused_by
 from kindsl.language.semantics.aspects import Aspect
-from kindsl.language.semantics.model import Model
-
-
-def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each construct that RobCoGen2 refuses."""
-    yield from refused_by(ROBCOGEN2, model, context)
-
 
 RULE = Rule(
     __name__,
     Severity.ERROR,
-    check_document=check_document,
+    check_document=partial(refused_by, ROBCOGEN2),
     reads=Aspect.SYMBOLS | Aspect.LAYOUT,
     is_default=False,
 )

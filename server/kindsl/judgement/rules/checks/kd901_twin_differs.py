@@ -35,24 +35,18 @@ from kindsl.language.semantics.model import Model
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each number that a twin has otherwise."""
-    if not context.twins:
-        return
-    # Imported for twins only, since it delays the linter's start.
-    from kindsl.judgement.rules.twin_findings import of_number, of_structure
-
     for each in context.twins:
         if not each.is_generated:
-            yield from of_structure(model, each)
-            for number in each.found.numbers:
-                finding = of_number(model, each.twin, number)
-                if finding is not None:
-                    yield finding
+            # Imported for twins only, since it delays the linter's start.
+            from kindsl.judgement.rules.twin_findings import twin_findings
+
+            yield from twin_findings(model, each)
 
 
 RULE = Rule(
     __name__,
     Severity.WARNING,
     check_document=check_document,
-    reads=Aspect.PLACES | Aspect.MASSES | Aspect.SYMBOLS,
+    reads=Aspect.NUMBERS | Aspect.SYMBOLS,
     reads_twins=True,
 )

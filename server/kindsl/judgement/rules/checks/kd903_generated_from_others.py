@@ -17,42 +17,32 @@ file = "generated/quadrotor"
 """
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 
-if TYPE_CHECKING:
-    from kindsl.robots.comparison.mechanical import ComparedTwin
-
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each folder whose numbers are others."""
     for each in context.twins:
         if each.is_generated:
-            yield from _findings(model, each)
+            # Imported for twins only, since it delays the linter's start.
+            from kindsl.judgement.rules.twin_findings import twin_findings
 
-
-def _findings(model: Model, each: "ComparedTwin") -> Iterator[Finding]:
-    # Imported for twins only, since it delays the linter's start.
-    from kindsl.judgement.rules.twin_findings import of_number, of_structure
-
-    structure = list(of_structure(model, each))
-    found = [of_number(model, each.twin, number) for number in each.found.numbers]
-    findings = [*structure, *(finding for finding in found if finding is not None)]
-    if findings:
-        first, *rest = findings
-        more = f", and {len(rest)} more" if rest else ""
-        message = f"'{each.twin.label}' was generated from other numbers: {first.message}{more}"
-        yield Finding(first.at, message)
+            findings = list(twin_findings(model, each))
+            if findings:
+                first, *rest = findings
+                more = f", and {len(rest)} more" if rest else ""
+                message = f"'{each.twin.label}' was generated from other numbers: "
+                yield Finding(first.at, f"{message}{first.message}{more}")
 
 
 RULE = Rule(
     __name__,
     Severity.WARNING,
     check_document=check_document,
-    reads=Aspect.PLACES | Aspect.MASSES | Aspect.SYMBOLS,
+    reads=Aspect.NUMBERS | Aspect.SYMBOLS,
     reads_twins=True,
 )

@@ -44,7 +44,6 @@ class Rewrite(NamedTuple):
         tokens: What to read; of the tokens that are in none of these is left out.
         at: Where the problem is; None for no problem.
         words: Words that the habit's sentence and title quote.
-        edits: The edits that fix it, if any.
         message: A sentence that fits better than the habit's.
     """
 
@@ -58,14 +57,7 @@ class Rewrite(NamedTuple):
 
 
 class Sighting:
-    """The place where a pattern was found.
-
-    Attributes:
-        text: The island's text.
-        tokens: All its tokens.
-        kinds: Their letters and the line ends between them.
-        match: Where in these.
-    """
+    """The place where a pattern was found."""
 
     def __init__(self, row: "_Row", match: re.Match[str]) -> None:
         self._row = row
@@ -101,11 +93,7 @@ class Habit(NamedTuple):
     Attributes:
         example: An instance, in a link or joint where it is one.
         pattern: Its tokens.
-        meaning: Yields what is meant, in the order of the text.
         message: The sentence; `{0}` and so on are what it quotes.
-        title: Of the repair.
-        is_safe: Whether the repair may be made unasked.
-        code: The rule that reports it.
     """
 
     example: str
@@ -121,8 +109,6 @@ class Adapted(NamedTuple):
     """Tokens put right.
 
     Attributes:
-        tokens: Tokens to read.
-        skipped: Tokens left out.
         problems: Problems to report; malformed numbers are reported later.
     """
 

@@ -42,10 +42,8 @@ class Opening(NamedTuple):
     """The opening of a block.
 
     Attributes:
-        start: The construct it begins.
         replaces: The tokens that stand there and are not as they should be.
         tokens: Tokens read in their place.
-        problem: The problem to report.
     """
 
     start: str

@@ -35,8 +35,6 @@ def lost_head(
     Args:
         start: The construct being read, empty behind its end.
         read: Its tokens.
-        tokens: All tokens of the island.
-        index: The token that comes next.
     """
     if len(read) < 3 or read[-1].kind in _HEADS or read[-2].kind in _HEADS:
         return None

@@ -33,11 +33,8 @@ def repair_problem(
     """Return what to say about a group of changes.
 
     Args:
-        text: The island's text.
         read: Tokens of the block up to the first change.
         tokens: All tokens of the island, which the changes count.
-        changes: The repair.
-        words: The words that each change writes.
         wanted: The keywords that could stand where the first change is made.
     """
     group = _first_group(changes)

@@ -29,13 +29,7 @@ class Prices:
     """
 
     def __init__(self, read: Sequence[Token], tokens: Sequence[Token], index: int) -> None:
-        """Look at the surroundings of a place.
-
-        Args:
-            read: Tokens of the block so far.
-            tokens: All tokens of the island.
-            index: The first token that does not fit.
-        """
+        """Look at the surroundings of a place."""
         self._tokens = tokens
         self._words = words = _section_words(read, tokens, index)
         self._present = {word_kind(word) for word in words}

@@ -14,11 +14,8 @@ class RepairProgress:
     """The tokens of an island, and the tree made of them so far.
 
     Attributes:
-        text: The island's text.
         tokens: Its tokens, changed where they are read as others.
         is_cut: Whether a comment without an end hides the rest of it.
-        index: Which token is next.
-        nodes: The blocks so far.
         written: All tokens so far, in order: read, supplied and skipped.
         skipped: Those that are in no node.
         problems: One for each repair but those in `leftovers`.

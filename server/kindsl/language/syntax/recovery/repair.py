@@ -29,7 +29,6 @@ class RepairStep(NamedTuple):
 
     Attributes:
         action: `insert` before, `delete` or `replace` the token `index`.
-        at: The token's number.
         kind: The kind of what is inserted, or takes the token's place.
     """
 
@@ -81,10 +80,7 @@ class Search:
     """A search for the repair where the token `failed` does not fit.
 
     Attributes:
-        tokens: All tokens of the island.
         failed: The first token that does not fit; the number of tokens at the end.
-        start: The construct being read.
-        prices: The costs of changes.
         fair: The most that a repair may cost.
         limit: The most that one may cost that puts in what is lost at one place.
     """
