@@ -4,16 +4,16 @@ from pathlib import Path
 
 import pytest
 
-from kindsl.judgement.rules import page_files
+from kindsl.judgement.rules import registry
 
 
 @pytest.mark.parametrize("folder", ["server/kindsl/docs/rules", "docs/rules"])
 def test_pages_are_in_the_package_or_in_the_checkout(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, folder: str
 ) -> None:
-    module = tmp_path / "server" / "kindsl" / "judgement" / "rules" / "page_files.py"
-    monkeypatch.setattr(page_files, "__file__", str(module))
-    address = page_files.page_address.__wrapped__
+    module = tmp_path / "server" / "kindsl" / "judgement" / "rules" / "registry.py"
+    monkeypatch.setattr(registry, "__file__", str(module))
+    address = registry.page_address.__wrapped__
     page = tmp_path / folder / "kd301.md"
     assert address("KD301") is None
     page.parent.mkdir(parents=True)

@@ -64,19 +64,9 @@ class Contents(NamedTuple):
     unread: Counter[str]
 
 
-class _Piece(NamedTuple):
-    """The contents of one island; what occurs again is told apart only beyond it."""
-
-    numbers: tuple[tuple[Place, Number], ...]
-    references: tuple[Place, ...]
-    blocks: tuple[FoundBlock, ...]
-    remarks: Counter[str]
-    unread: Counter[str]
-
-
 def contents(islands: Sequence[Island]) -> Contents:
     """Return what some neighbouring islands say."""
-    pieces = [_piece(island) for island in islands]
+    pieces = list(map(_piece, islands))
     numbers: dict[Place, Number] = {}
     seen: Counter[Place] = Counter()
     remarks: Counter[str] = Counter()
@@ -97,28 +87,19 @@ def _order(block: FoundBlock) -> Place:
     return ("link",) if is_link else block.place
 
 
-@kept
-def _piece(island: Island) -> _Piece:
-    return _Walk(island).piece()
-
-
-class _Walk:
-    """Walks the blocks of one island."""
+class _Piece:
+    """The contents of one island; what occurs again is told apart only beyond it."""
 
     def __init__(self, island: Island) -> None:
         self.island = island
-        self.unread = sorted((token.start, token.end, token.text) for token in island.skipped)
         self.numbers: list[tuple[Place, Number]] = []
         self.references: list[Place] = []
         self.blocks: list[FoundBlock] = []
-
-    def piece(self) -> _Piece:
-        for block in declarations(self.island).blocks:
+        self.remarks = _words(_remarks(island))
+        self.unread = _words(token.text for token in island.skipped)
+        self._skipped = sorted((token.start, token.end, token.text) for token in island.skipped)
+        for block in declarations(island).blocks:
             self._walk(block, ())
-        numbers, references = tuple(self.numbers), tuple(self.references)
-        remarks, unread = _remarks(self.island), (token.text for token in self.island.skipped)
-        words = _words(remarks), _words(unread)
-        return _Piece(numbers, references, tuple(self.blocks), *words)
 
     def _walk(self, block: Block, around: Place) -> None:
         owner = (*around, block.node.kind, str(block.name))
@@ -159,12 +140,17 @@ class _Walk:
     def _unread_among(self, tokens: Sequence[Token]) -> Iterator[str]:
         """Yield what nothing reads between tokens, and what is visible right beside them."""
         first, last, text = tokens[0], tokens[-1], self.island.text
-        for start, end, unread in self.unread:
+        for start, end, unread in self._skipped:
             is_between = first.start <= start < last.end
             is_before = end <= first.start and not text[end : first.start].strip()
             is_behind = last.end <= start and not text[last.end : start].strip()
             if is_between or ((is_before or is_behind) and _is_visible(unread)):
                 yield unread
+
+
+@kept
+def _piece(island: Island) -> _Piece:
+    return _Piece(island)
 
 
 def _is_visible(text: str) -> bool:

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from kindsl.judgement.analysis.text_fix import TextFix
 from kindsl.judgement.rules.base import Finding, Fix, Rule, Severity, Tag
-from kindsl.judgement.rules.page_files import page_address
+from kindsl.judgement.rules.registry import page_address
 from kindsl.judgement.rules.subject import DOCUMENT, Subject, subject_at
 from kindsl.language.semantics.places import Located, Place
 from kindsl.language.syntax.document import SyntaxDocument

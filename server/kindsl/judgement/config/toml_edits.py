@@ -54,7 +54,7 @@ def binding_edit(
 
 
 def with_other_numbers(text: str, keys: KeyPath, numbers: Mapping[str, float]) -> str | None:
-    """Return a text whose table has these numbers and no others; None if it cannot be so written."""
+    """Return a text whose table has these numbers alone; None if that cannot be written."""
     expected = tomllib.loads(text)
     table = _at(expected, keys)
     table.clear()

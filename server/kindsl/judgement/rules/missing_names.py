@@ -3,10 +3,10 @@
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from kindsl.judgement.rules.base import Finding, Fix, renaming
-from kindsl.judgement.rules.reference_defects import suggestions
+from kindsl.judgement.rules.reference_defects import MOST_SUGGESTIONS
 from kindsl.language.semantics.declarations import Joint, Link
 from kindsl.language.semantics.places import Name
-from kindsl.language.text.nearest import hint
+from kindsl.language.text.nearest import hint, nearest_names
 
 
 def missing_names(
@@ -25,9 +25,11 @@ def missing_names(
         idle: Names that nothing refers to; these are meant first.
     """
     idle_names = [str(thing.name) for thing in idle]
+    all_names = [str(thing.name) for thing in declared]
     free = set(idle_names)
     for number, name in enumerate(names):
-        meant = suggestions(name, number, idle_names, (str(thing.name) for thing in declared))
+        meant = nearest_names(name, idle_names) or nearest_names(name, all_names)
+        meant = meant if number < MOST_SUGGESTIONS else ()
         message = f"{kind} '{name}' does not exist{hint(meant)}"
         choices = tuple(renaming(name, name, each) for each in meant)
         if len(choices) > 1:

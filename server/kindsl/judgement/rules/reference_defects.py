@@ -7,7 +7,7 @@ and a link that is missing altogether excuses all: it may carry them. A wrong li
 may close a loop, excuses no joint, and no link where a joint is left over besides.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple, TypeVar
 
 from kindsl.judgement.rules.broken_text import is_cut_off
@@ -17,9 +17,10 @@ from kindsl.language.semantics.kinematic_tree import Edge
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Name, has_problem_within
 from kindsl.language.text.facts import kept
-from kindsl.language.text.nearest import nearest_name, nearest_names
+from kindsl.language.text.nearest import nearest_name
 
-_MOST_SUGGESTIONS = 20
+# A document in which more is lost has no slips in names.
+MOST_SUGGESTIONS = 20
 _Thing = TypeVar("_Thing", Link, Joint)
 
 
@@ -50,18 +51,6 @@ class ReferenceDefects(NamedTuple):
     orphans: list[Link]
     idle_joints: list[Joint]
     idle_links: list[Link]
-
-
-def suggestions(
-    name: str, position: int, idle: Iterable[str], others: Iterable[str]
-) -> tuple[str, ...]:
-    """Return what the undefined name number `position` probably means; idle things first.
-
-    From some number on it is nothing: a document in which so much is lost has no slips in names.
-    """
-    if position >= _MOST_SUGGESTIONS:
-        return ()
-    return nearest_names(name, idle) or nearest_names(name, others)
 
 
 @kept
@@ -197,7 +186,7 @@ def _unexcused(things: list[_Thing], wrong: list[str], others: int) -> list[_Thi
     """Return the things left when each wrong reference has excused one of them."""
     left = dict.fromkeys(things)
     by_name = {str(thing.name): thing for thing in things}
-    for name in wrong[:_MOST_SUGGESTIONS]:
+    for name in wrong[:MOST_SUGGESTIONS]:
         meant = name if name in by_name else nearest_name(name, by_name)
         if meant is not None:
             left.pop(by_name.pop(meant), None)

@@ -68,5 +68,23 @@ def page_of(rule: Rule) -> str:
     return page + _IN_XML.replace("CODE", rule.code) if rule.code in OF_BOTH else page
 
 
+@cache
+def page_address(code: str) -> str | None:
+    """Return the `file:` address of a rule's page, None where the pages were not installed.
+
+    It is in the installed package, or in the checkout around it, so that a rule is explained
+    wherever it is reported, offline.
+    """
+    # pathlib costs the linter start-up time, and most runs show no address.
+    from pathlib import Path
+
+    package = Path(__file__).resolve().parents[2]
+    for folder in (package, package.parents[1]):
+        page = folder / "docs" / "rules" / f"{code.lower()}.md"
+        if page.is_file():
+            return page.as_uri()
+    return None
+
+
 def _module_names() -> list[str]:
     return [name for name in module_names(checks) if name.startswith("kd")]

@@ -15,19 +15,16 @@ _ENDINGS = frozenset({"KD002", "KD003"})
 _PLURALS = {"link": "links", "joint": "joints"}
 
 
-class PlacedProblem:
+class PlacedProblem(NamedTuple):
     """A problem of the document as a whole, reported at a place in one of its islands.
 
     Attributes:
         problem: The problem; offsets count from the island's start, a repair may reach beyond it.
     """
 
-    __slots__ = ("index", "island", "problem")
-
-    def __init__(self, index: int, island: Island, problem: Problem) -> None:
-        self.index = index
-        self.island = island
-        self.problem = problem
+    number: int
+    island: Island
+    problem: Problem
 
 
 class OrderedBlock(NamedTuple):
@@ -49,12 +46,13 @@ def order_problems(islands: Sequence[Island], starts: Sequence[int]) -> tuple[Pl
     if not blocks:
         is_empty = not any(island.text.strip() for island in islands)
         is_reported = is_empty or any(island.problems for island in islands)
-        return () if is_reported else (_empty(islands),)
+        problem = Problem("KD008", "document has no robot", 0, 0)
+        return () if is_reported else (PlacedProblem(0, islands[0], problem),)
     first, problems = _first_robot(blocks)
     problems += [*_surplus(first), *_wrong_order(first)]
     shown = islands if len(first) == len(blocks) else islands[: first[-1].number + 1]
-    problems += _lacking(shown, first, {problem.index for problem in problems})
-    return tuple(sorted(problems, key=lambda p: (p.index, p.problem.start)))
+    problems += _lacking(shown, first, {problem.number for problem in problems})
+    return tuple(sorted(problems, key=lambda p: (p.number, p.problem.start)))
 
 
 def _first_robot(
@@ -68,12 +66,8 @@ def _first_robot(
 
 def _second(block: OrderedBlock) -> PlacedProblem:
     """Return the problem of a block of which there is one before."""
-    message, end = f"second {title_of(block.node)} in one document", block.node.children[1].end
+    message, end = f"second {title(block.node)} in one document", block.node.children[1].end
     return _placed(block, Problem("KD009", message, block.node.start, end))
-
-
-def _empty(islands: Sequence[Island]) -> PlacedProblem:
-    return PlacedProblem(0, islands[0], Problem("KD008", "document has no robot", 0, 0))
 
 
 def _surplus(blocks: Sequence[OrderedBlock]) -> list[PlacedProblem]:
@@ -145,11 +139,11 @@ def _misplaced_run(
 ) -> PlacedProblem:
     first = known[run[0]]
     side, other, anchor = displacement(ranks, run)
-    what = title_of(first.node)
+    what = title(first.node)
     if len(run) > 1:
         what = f"{_PLURALS.get(first.node.kind, first.node.kind)} {_listed(known, run)}"
     verb = "stands" if len(run) == 1 else "stand"
-    message = f"{what} {verb} {side} {title_of(known[other].node)}"
+    message = f"{what} {verb} {side} {title(known[other].node)}"
     name = first.node.children[min(1, len(first.node.children) - 1)]
     repair = None if anchor is None else _move(known, run, anchor)
     problem = Problem("KD007", message, first.node.start, name.end, repair)
@@ -171,9 +165,9 @@ def _move(known: Sequence[OrderedBlock], run: Sequence[int], anchor: int) -> Rep
         edits.append(Edit(block.node.start + shift, block.node.end + shift, ""))
         moved += "\n\n" + block.island.text[block.node.start : block.node.end]
     behind = known[anchor].start + known[anchor].node.end - origin
-    title = f"Move {title_of(known[run[0]].node)}" if len(run) == 1 else f"Move {len(run)} blocks"
+    what = title(known[run[0]].node) if len(run) == 1 else f"{len(run)} blocks"
     is_safe = not any(known[i].island.comments for i in run)
-    return Repair(title, (*edits, Edit(behind, behind, moved)), is_safe)
+    return Repair(f"Move {what}", (*edits, Edit(behind, behind, moved)), is_safe)
 
 
 def _lacking(
@@ -185,7 +179,7 @@ def _lacking(
         if any(island.problems for island in islands[: first.number + 1]):
             return []
         start = first.node.start
-        message = f"expected 'Robot NAME {{' before {title_of(first.node)}"
+        message = f"expected 'Robot NAME {{' before {title(first.node)}"
         return [_placed(first, Problem("KD008", message, start, start))]
     if "end" not in kinds:
         if _explains_end(islands):
@@ -224,11 +218,6 @@ def _unclosed(blocks: Sequence[OrderedBlock]) -> Problem:
         repaired = position
     repair = Repair("Insert '}'", (Edit(repaired, repaired, text),), False)
     return Problem("KD002", f"expected '}}' to close {opened}", position, position, repair)
-
-
-def title_of(node: Node) -> str:
-    """Return how a message names a block."""
-    return f"robot '{_name(node)}'" if node.kind == "head" else title(node)
 
 
 def _name(node: Node) -> str:

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from kindsl.language.syntax.comment_problems import is_open
-from kindsl.language.syntax.moving import removed
+from kindsl.language.syntax.insertions import removed
 from kindsl.language.syntax.tables import HOLDS, ONLY
 from kindsl.language.syntax.token_names import shown
 from kindsl.language.syntax.tree import Edit, Island, Node, Repair, Token

@@ -78,9 +78,7 @@ def _island_as_read(island: Island, rewrite: _Rewrite) -> Island:
     found = two_readings(island)
     if not found:
         return island
-    as_read = island.facts.get(_AS_READ)
-    if as_read is None:
-        as_read = island.facts.keep(_AS_READ, {})
+    as_read = island.facts.get(_AS_READ) or island.facts.keep(_AS_READ, {})
     known = as_read.get(rewrite)
     if known is None:
         known = as_read[rewrite] = _rewritten_island(island, rewrite)

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from kindsl.language.syntax.moving import moved_behind, removed
+from kindsl.language.syntax.insertions import moved_behind, removed
 from kindsl.language.syntax.scanner import comments
 from kindsl.language.syntax.tables import HOLDS, NEITHER, ORDERS, WORDS
 from kindsl.language.syntax.tree import Edit, Node, Problem, Repair, Token
@@ -88,8 +88,8 @@ def displacement(ranks: Sequence[int], run: Sequence[int]) -> tuple[str, int, in
 def title(node: Node) -> str:
     """Return how a message names a block."""
     head = [child for child in node.children[:2] if isinstance(child, Token)]
-    if node.kind in BLOCKS:
-        return f"{node.kind} '{head[1].text}'"
+    if node.kind in ("head", *BLOCKS):
+        return f"{'robot' if node.kind == 'head' else node.kind} '{head[1].text}'"
     return f"'{head[0].text}'" if WORDS[node.kind] else f"{node.kind} '{head[0].text}'"
 
 

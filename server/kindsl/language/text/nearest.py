@@ -9,7 +9,6 @@ from collections.abc import Iterable, Sequence
 from math import inf
 
 _MOST_LETTERS = 40
-_NONE = (inf, "")
 _NO_DIGITS = str.maketrans("", "", "0123456789")
 
 
@@ -18,8 +17,7 @@ def nearest_word(word: str, vocabulary: Iterable[str]) -> str | None:
 
     Of equally near words it is the first of the alphabet.
     """
-    least, meant = min(((_remoteness(word, other), other) for other in vocabulary), default=_NONE)
-    return meant if least < inf else None
+    return next(iter(nearest_words(word, vocabulary)), None)
 
 
 def is_near(word: str, other: str) -> bool:

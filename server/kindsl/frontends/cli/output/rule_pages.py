@@ -4,8 +4,7 @@ from typing import Any
 
 from kindsl.frontends.cli.outcome import UnknownRuleError
 from kindsl.judgement.rules.base import Rule
-from kindsl.judgement.rules.page_files import page_address
-from kindsl.judgement.rules.registry import all_rules, page_of
+from kindsl.judgement.rules.registry import all_rules, page_address, page_of
 from kindsl.language.text.nearest import hint, nearest_word
 
 

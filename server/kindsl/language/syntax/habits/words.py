@@ -6,7 +6,7 @@ from itertools import pairwise
 
 from kindsl.language.syntax.habits.engine import Rewrite, Sighting
 from kindsl.language.syntax.habits.values import VECTOR
-from kindsl.language.syntax.moving import removed
+from kindsl.language.syntax.insertions import removed
 from kindsl.language.syntax.scanner import word_kind
 from kindsl.language.syntax.tables import KEYWORDS
 from kindsl.language.syntax.token_names import called, shown, supplied, unknown_keyword
