@@ -22,6 +22,7 @@ class Written(NamedTuple):
 
 leaves = st.sampled_from(
     [Written("{}", (text,)) for text in ("2.5", "0.125", "30.0", "7.25", "12", "1.5e1")]
+    + [Written(text, ("2.5",)) for text in ("{} x", "{} PI")]
     + [Written(text, ()) for text in ("x", "PI")]
 )
 

@@ -1,15 +1,18 @@
 """Values as written: what they mean, and how exactly they were given."""
 
 from collections.abc import Iterator, Mapping
+from math import pi
 from typing import NamedTuple, cast
 
 from kindsl.language.semantics.places import Construct, Name
-from kindsl.language.syntax.arithmetic import FLOATS, evaluate, name_token, number_of
+from kindsl.language.syntax.arithmetic import FLOATS, evaluate, name_of, name_token, number_of
 from kindsl.language.syntax.tree import Island, Node, Token
 from kindsl.language.syntax.value_forms import is_signed_product
 from kindsl.language.syntax.vocabulary import NO_MEANING, Meaning
 
 _MOST_DECIMALS = 300
+# What multiplies the number that a value begins with; None where that is a parameter.
+_SYMBOLS_BEHIND_NUMBERS = {"number": 1.0, "juxtaposed_pi": pi, "juxtaposed_parameter": None}
 # A zero without a point in XML is exact: as a decimal it has more digits than any number beside it.
 EXACT_ZERO = "0.000000000000000"
 
@@ -112,9 +115,10 @@ def _symbols(node: Node, island: Island) -> Iterator[ParameterUse | ConstantUse]
 
 
 def _rounding(node: Node, bindings: Mapping[str, float]) -> float:
-    if node.kind == "number":
-        token = node.children[0]
-        return half_unit(token.text) if isinstance(token, Token) and number_of(token) else 0.0
+    if node.kind in _SYMBOLS_BEHIND_NUMBERS:
+        token, symbol = node.children[0], _SYMBOLS_BEHIND_NUMBERS[node.kind]
+        factor = bindings.get(name_of(node), 0.0) if symbol is None else symbol
+        return abs(factor) * half_unit(cast(Token, token).text) if number_of(token) else 0.0
     parts = [child for child in node.children if isinstance(child, Node)]
     if is_signed_product(node):
         factor = evaluate(parts[1], bindings, FLOATS) or 0.0
