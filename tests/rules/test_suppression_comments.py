@@ -109,6 +109,13 @@ def test_a_comment_without_codes_is_given_those_of_its_findings(
     assert (f"// kindsl: {left}" in after) if left else ("kindsl" not in after)
 
 
+def test_brackets_before_a_suppression_hold_no_codes() -> None:
+    text = commented("// as in [1] kindsl: ignore[KD304, KD301]")
+    (finding,) = found("KD704", text)
+    assert finding.fix is not None
+    assert apply_edits(text, finding.fix.edits) == text.replace(", KD301", "")
+
+
 @pytest.mark.parametrize(
     ("settings", "count"),
     [(Settings(), 1), (Settings(ignore=("KD301",)), 0), (Settings(ignore=("KD302",)), 1)],

@@ -48,7 +48,7 @@ _TAG = Tag.UNNECESSARY
 def without_code(comment: Place, at: Place) -> Fix:
     """Return the removal of a code, or of the comment with its only code."""
     text = comment.island.text
-    inside = text[comment.start :].partition("[")[2].partition("]")[0]
+    inside = text[text.rindex("[", comment.start, at.start) + 1 : text.index("]", at.end)]
     if len([code for code in inside.split(",") if code.strip()]) < 2:
         return without_comment(comment)
     start, end = at.start, at.end
