@@ -5,8 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from kindsl.judgement.rules.page_files import page_address
-from kindsl.judgement.rules.registry import all_rules
+from kindsl.judgement.rules.registry import all_rules, page_address
 
 ROOT = Path(__file__).parents[2]
 INVENTED = ("kindsl." + "github.io", "github.com/" + "kindsl", "kindsl/" + "kindsl@")

@@ -37,7 +37,6 @@ if TYPE_CHECKING:
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each link whose id is taken."""
     same_id = repeats(model.links, lambda link: link.id)
     pairs = [(first, again) for first, again in same_id if first.name != again.name]
     if not pairs:

@@ -23,7 +23,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each link whose name is taken."""
     for first, again in repeated_names(model.bodies):
         if not again.is_base:
             what = "the base" if first.is_base else "another link"

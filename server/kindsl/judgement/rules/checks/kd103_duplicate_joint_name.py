@@ -23,7 +23,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each joint whose name is taken."""
     for first, again in repeated_names(model.joints):
         message = f"joint '{again.name}' is already defined"
         yield Finding(again.name, message, (Related(first.name, f"joint '{first.name}'"),))

@@ -27,7 +27,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each frame whose name is taken."""
     for body in model.bodies:
         if len(body.frames) > 1:
             for first, again in repeated_names(body.frames):

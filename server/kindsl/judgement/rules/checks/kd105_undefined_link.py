@@ -30,7 +30,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each reference to a link that does not exist."""
     defects = reference_defects(model)
     names = [edge.child.link for edge in defects.undefined_links]
     parents = {str(e.child.link): e.predecessor.id or 0 for e in defects.undefined_links}

@@ -29,7 +29,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each reference to a joint that does not exist."""
     defects = reference_defects(model)
     names = (edge.child.joint for edge in defects.undefined_joints)
     add = partial(new_joint, model)

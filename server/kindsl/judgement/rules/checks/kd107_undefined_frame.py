@@ -31,7 +31,6 @@ from kindsl.language.text.nearest import hint, nearest_name
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each inertia that is given in no known frame."""
     known = {str(frame.name) for frame in model.frames}
     for body in model.bodies:
         name = body.inertia.frame if body.inertia is not None else None

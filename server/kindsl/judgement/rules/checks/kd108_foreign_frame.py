@@ -29,7 +29,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each inertia that is given in another link's frame."""
     named = {str(frame.name): frame for frame in reversed(model.frames)}
     severity = Severity.WARNING if context.targets == {ROBCOGEN2} else Severity.ERROR
     for body in model.bodies:

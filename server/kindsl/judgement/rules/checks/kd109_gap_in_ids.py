@@ -31,7 +31,6 @@ from kindsl.language.semantics.places import has_problem_within
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each run of missing ids."""
     certain = [(number, link) for link in model.links if (number := _certain_id(link))]
     by_id = dict(reversed(certain))
     count = len(by_id)

@@ -31,7 +31,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each pair of links that is numbered the wrong way round."""
     pairs = _reversed_pairs(model)
     if not pairs:
         return

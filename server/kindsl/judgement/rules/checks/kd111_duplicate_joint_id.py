@@ -23,7 +23,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each joint whose id is taken."""
     for first, again in repeats(model.joints, lambda joint: joint.id):
         if first.name == again.name:
             continue

@@ -27,7 +27,6 @@ from kindsl.language.semantics.places import Name
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each name that is already used."""
     first: dict[str, tuple[str, Name]] = {}
     for what, name in _names(model):
         if not name:

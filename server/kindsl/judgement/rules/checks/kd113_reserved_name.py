@@ -25,7 +25,6 @@ from kindsl.language.semantics.reserved_words import RESERVED_BY
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each reserved name."""
     for name in _names(model):
         if name in RESERVED_BY:
             yield Finding(name, f"'{name}' is a keyword of {RESERVED_BY[name]}")

@@ -28,7 +28,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each loop, at the pair that closes it."""
     for loop in reference_defects(model).loops:
         names = [str(edge.predecessor.name) for edge in loop]
         message = f"kinematic loop: {' -> '.join([*names, names[0]])}"

@@ -24,7 +24,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each further parent of a link."""
     for first, again in reference_defects(model).extra_parents:
         name, other = again.child.link, first.predecessor.name
         message = f"link '{name}' has two parents: '{other}' and '{again.predecessor.name}'"

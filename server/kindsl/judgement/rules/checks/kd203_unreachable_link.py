@@ -27,7 +27,6 @@ _MOST_RELATED = 20
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each link without a parent."""
     for body in reference_defects(model).orphans:
         below = model.tree.in_topological_order(body)
         message = f"link '{body.name}' has no parent"

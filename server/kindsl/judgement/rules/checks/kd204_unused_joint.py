@@ -23,7 +23,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each unused joint."""
     for joint in reference_defects(model).unused_joints:
         yield Finding(joint.name, f"joint '{joint.name}' is not used")
 

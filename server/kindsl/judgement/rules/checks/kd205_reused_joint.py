@@ -23,7 +23,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each pair whose joint is taken."""
     defects = reference_defects(model)
     for first, again in defects.reused_joints:
         name = again.child.joint

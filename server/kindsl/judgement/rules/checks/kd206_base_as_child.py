@@ -23,7 +23,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each pair that names the base."""
     for edge in reference_defects(model).bases:
         base = model.body_named[edge.child.link]
         message = f"the base '{base.name}' cannot be a child of '{edge.predecessor.name}'"

@@ -33,7 +33,6 @@ _BREAKS = ("\r", "\n")
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each repeated child."""
     for first, again in reference_defects(model).repeated:
         message = (
             f"link '{again.child.link}' is listed twice as a child of '{again.predecessor.name}'"

@@ -40,7 +40,6 @@ from kindsl.robots.limbs.attachments import Misplaced
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
-    """Yield a finding for each link that another body carries than its peers let expect."""
     names = limb_names(model)
     for finding, odd in elsewhere_findings(names, partial(place_of_parent, model)):
         moves = [_moved(model, each) for each in odd] if len(odd) == len(names.elsewhere) else []

@@ -37,7 +37,6 @@ from kindsl.robots.limbs.attachments import Misplaced
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
-    """Yield a finding for each link that moves by another joint than its peers let expect."""
     found = crossed_findings(limb_names(model), partial(place_of_joint, model))
     for finding, odd in found:
         fix = None if len(odd) < 2 else _exchanged(model, *odd)

@@ -36,7 +36,6 @@ _OTHER = {"revolute": "prismatic", "prismatic": "revolute"}
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each joint, or pair of joints, whose kinds differ."""
     for verdict in limb_slips(model, context).verdicts:
         if verdict.places[0].what == "kind":
             names = [place.link for place in verdict.places] + list(verdict.peers)

@@ -38,7 +38,6 @@ from kindsl.language.text.quantities import with_unit
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each inertia that no choice within its digits makes positive definite."""
     for found in judgements(declared, context.values):
         if found.verdict is Verdict.INDEFINITE:
             smallest = with_unit(found.moments[0], "kg·m²")

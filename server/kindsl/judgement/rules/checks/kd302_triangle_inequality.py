@@ -40,7 +40,6 @@ from kindsl.language.text.quantities import sum_below
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each inertia that is flatter than a plate."""
     for found in judgements(declared, context.values):
         if found.verdict in (Verdict.TRIANGLE, Verdict.WITHIN_ROUNDING):
             small, middle, large = found.moments

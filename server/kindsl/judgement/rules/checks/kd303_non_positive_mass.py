@@ -31,7 +31,6 @@ from kindsl.mechanics.rigid.body import eigensystem, second_moments_about_com
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each mass that is not positive."""
     for body in declared.bodies():
         inertia = body.inertia
         mass = inertia.mass if inertia is not None else None

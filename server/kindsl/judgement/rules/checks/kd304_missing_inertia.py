@@ -35,7 +35,6 @@ _MOST_RELATED = 20
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each body without inertia whose inertia matters, or one for all."""
     moving = [body for body in model.bodies if is_moving(body)]
     without = [b for b in moving if b.inertia is None and not b.island.problems]
     is_required = ROBCOGEN in context.targets

@@ -30,7 +30,6 @@ _NEGLIGIBLE = 1e-9
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each inertia that is singular but possible."""
     for found in judgements(declared, context.values):
         if found.verdict is Verdict.SINGULAR:
             message = f"inertia of '{found.link.name}' describes {_shape(found)}"

@@ -31,7 +31,6 @@ from kindsl.language.semantics.declarations import Joint, Link
 
 
 def check_body(body: Link, joints: tuple[Joint, ...], context: Context) -> Iterator[Finding]:
-    """Yield a finding where the mass of a link is not where the link is."""
     for at, verdict in shape_doubts(body, joints, context, "KD309"):
         yield Finding(at, verdict.sentence)
 

@@ -63,7 +63,6 @@ Numbers = tuple[float | None, ...]
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each unit inertia, and one for each inertia that many links have."""
     told = list(explained(model, context, "KD310"))
     yield from told
     found: list[Finding] = []

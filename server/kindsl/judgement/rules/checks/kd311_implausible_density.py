@@ -31,7 +31,6 @@ from kindsl.language.semantics.declarations import Declarations
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each inertia of a body of no known material."""
     for found in judgements(declared, context.values):
         if found.verdict is Verdict.IMPLAUSIBLE:
             verdict = density_verdict(str(found.link.name), found.body)

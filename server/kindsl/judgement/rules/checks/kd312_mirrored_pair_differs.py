@@ -41,7 +41,6 @@ from kindsl.robots.mechanism.link_inertia import link_inertia
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each mirrored pair in which one part has a slip."""
     yield from explained(model, context, "KD312")
     verdicts = limb_slips(model, context).verdicts
     told = {place.link for v in verdicts for place in v.places if place.what in OF_A_LINK}

@@ -43,7 +43,6 @@ _NEXT = (2, 0, 1, 5, 3, 4, 7, 8, 6)
 
 
 def check_body(body: Link, joints: tuple[Joint, ...], context: Context) -> Iterator[Finding]:
-    """Yield a finding where the mass of a link is a rod across the way to its only end."""
     for at, verdict in shape_doubts(body, joints, context, "KD313"):
         fix = _laid_along(body, joints, context)
         yield Finding(at, verdict.sentence, fix=fix)

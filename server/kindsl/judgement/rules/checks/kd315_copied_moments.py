@@ -27,7 +27,6 @@ _TENSOR = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each inertia with a number that was written twice."""
     for island, link in elements(model, "link"):
         inertia = link.find("inertial/inertia")
         numbers = [] if inertia is None else [island.value(inertia, name) for name in _TENSOR]

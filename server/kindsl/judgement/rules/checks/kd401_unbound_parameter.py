@@ -39,7 +39,6 @@ from kindsl.language.semantics.places import Place
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each parameter without a value, at its first place."""
     for parameter in model.parameters:
         name = str(parameter.name)
         is_known = name in context.values or name in model.body_named or name in model.joint_named

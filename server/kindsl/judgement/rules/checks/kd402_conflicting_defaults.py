@@ -21,7 +21,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each default that is not the first one's value."""
     for parameter in model.parameters:
         defaults = [use.default for use in parameter.uses if use.default is not None]
         for other in defaults[1:]:

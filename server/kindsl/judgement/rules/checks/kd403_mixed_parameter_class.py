@@ -27,7 +27,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each further class of a parameter, at its first place."""
     for parameter in model.parameters:
         known = {parameter.kind}
         for use in parameter.uses:

@@ -32,7 +32,6 @@ from kindsl.language.semantics.places import has_problem_within
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each inertia that is parametric in part."""
     for body in declared.bodies():
         inertia = body.inertia
         if inertia is None or not is_moving(body) or is_plain(inertia):

@@ -26,7 +26,6 @@ from kindsl.language.text.nearest import hint, nearest_name
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each constant that is never defined, at its first place."""
     for constant in model.constants:
         name = constant.name
         if name and not constant.definitions and not _may_be_lost(model, name):

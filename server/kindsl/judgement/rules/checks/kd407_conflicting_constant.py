@@ -20,7 +20,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each value that is not the first one."""
     for constant in model.constants:
         values = [use.value for use in constant.uses if use.value is not None]
         for other in values[1:]:

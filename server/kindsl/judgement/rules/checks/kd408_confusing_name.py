@@ -34,7 +34,6 @@ from kindsl.language.syntax.readings import two_readings
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each confusing name."""
     yield from _small_pi(model)
     for parameter in model.parameters:
         if is_doubtful(parameter):

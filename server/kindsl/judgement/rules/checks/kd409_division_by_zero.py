@@ -23,7 +23,6 @@ from kindsl.language.syntax.tree import Island, Node
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each divisor that is zero."""
     for value in declared.values():
         if value.literal is None:
             yield from _divisions(value.node, value.island, context.values)

@@ -28,7 +28,6 @@ from kindsl.language.semantics.parameters import Binding
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each parameter outside its range, at its first place."""
     for parameter in model.parameters:
         binding = context.bindings.get(parameter.name)
         value = context.values.get(parameter.name)

@@ -34,7 +34,6 @@ from kindsl.language.semantics.numbers import mass_distribution
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each inertia that is impossible somewhere in its range."""
     for body in declared.bodies():
         inertia = body.inertia
         if inertia is not None and is_moving(body) and not is_plain(inertia):

@@ -35,7 +35,6 @@ _CONVERTED = 4
 
 
 def check_island(declared: Declarations, _: Context) -> Iterator[Finding]:
-    """Yield a finding for each angle that is more than a whole turn."""
     for rotation in rotations(declared):
         for angle in rotation.components:
             if angle.literal is not None and inf > abs(angle.literal) > _WHOLE_TURN:

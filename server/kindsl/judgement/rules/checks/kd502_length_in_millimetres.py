@@ -43,7 +43,6 @@ _ANY = SuspectCom("mm", is_sure=True)
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each vector longer than a robot, and each CoM in another unit."""
     suspects = suspect_coms(model, context)
     long = [vector for chunk in model.document.chunks for vector in _long(chunk)]
     inertias = [b.inertia for b in model.bodies if b.inertia is not None] if long else []

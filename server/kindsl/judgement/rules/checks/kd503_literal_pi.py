@@ -33,7 +33,6 @@ _SAFE_DIGITS = 5
 
 
 def check_island(declared: Declarations, _: Context) -> Iterator[Finding]:
-    """Yield a finding for each number that is a fraction of pi."""
     for rotation in rotations(declared):
         for angle in rotation.components:
             # Most angles are short, and their digits need no counting.

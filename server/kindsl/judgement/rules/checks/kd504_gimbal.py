@@ -28,7 +28,6 @@ _RIGHT = 1e-4
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each rotation whose first and third axes coincide."""
     for rotation in rotations(declared):
         angles = triple(rotation, context.values)
         if angles is not None and angles[0] and angles[2] and abs(cos(angles[1])) < _RIGHT:

@@ -29,7 +29,6 @@ from kindsl.robots.limbs.names import label_of
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each joint that coincides with an earlier sibling."""
     for edges in model.tree.below.values():
         if len(edges) > 1:
             yield from _coincident(edges, context)

@@ -30,7 +30,6 @@ _COINCIDENT = 1e-6
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each joint that has the axis of the joint before it."""
     for edge in model.tree.edges:
         above = model.tree.supporting_edge(edge.predecessor)
         joint, before = edge.joint, above.joint if above is not None else None

@@ -27,7 +27,6 @@ from kindsl.language.text.phrases import counted
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each block with values that RobCoGen2 treats as zero."""
     if ROBCOGEN2 not in context.targets:
         return
     for body in declared.bodies():

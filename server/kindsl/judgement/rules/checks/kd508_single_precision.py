@@ -33,7 +33,6 @@ _KEPT = 9
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield one finding for all the numbers of a document that have too many digits."""
     if context.targets == {ROBCOGEN2}:
         return
     long = [value for chunk in model.document.chunks for value in _long_in(chunk)]

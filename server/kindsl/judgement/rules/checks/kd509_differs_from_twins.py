@@ -67,7 +67,6 @@ _THEIRS = "would be theirs"
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each limb that its peers outvote."""
     verdicts = limb_slips(model, context).verdicts
     accused = [model.body_named[v.places[0].link].inertia for v in verdicts if v.is_convicted]
     places = {keyword(inertia) for inertia in accused if inertia is not None}

@@ -39,7 +39,6 @@ from kindsl.robots.limbs.verdicts import LimbVerdict, MeantNumbers
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each left and right limb that one slip keeps from being alike."""
     yield from _of_copies(model, context)
     for verdict in limb_slips(model, context).verdicts:
         if not verdict.is_convicted and verdict.repairs:

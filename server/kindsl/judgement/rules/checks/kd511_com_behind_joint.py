@@ -38,7 +38,6 @@ _MOST = 0.9
 
 
 def check_body(body: Link, joints: tuple[Joint, ...], context: Context) -> Iterator[Finding]:
-    """Yield a finding where a rod goes the other way than its link."""
     for at, verdict in shape_doubts(body, joints, context, "KD511"):
         choices = tuple(_choices(body, joints, context)) if verdict.number < 0.0 else ()
         yield Finding(at, verdict.sentence, choices=choices)

@@ -21,7 +21,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each joint whose range is turned around."""
     for joint in limited_joints(model):
         if joint.lower is not None and joint.upper is not None and joint.lower > joint.upper:
             message = f"limits of joint '{joint.name}' are reversed: "

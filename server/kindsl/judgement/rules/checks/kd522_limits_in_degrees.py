@@ -28,7 +28,6 @@ _STEP = 5.0
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each joint whose limits look like degrees."""
     for joint in limited_joints(model):
         ends = [end for end in (joint.lower, joint.upper) if end is not None]
         if joint.kind == "revolute" and ends and _are_degrees(ends):

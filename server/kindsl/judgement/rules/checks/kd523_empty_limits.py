@@ -22,7 +22,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each joint that its limits keep at one place, one for all without any."""
     absent = []
     for joint in limited_joints(model):
         if joint.limit is None or joint.is_broken or not joint.is_needed:

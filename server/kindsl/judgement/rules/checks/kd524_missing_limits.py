@@ -31,7 +31,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield one finding for all joints of a file without limits, one for all without effort."""
     without = [joint for joint in limited_joints(model) if joint.is_needed and joint.limit is None]
     if without:
         names, related = told_together([(joint, "") for joint in without])

@@ -22,7 +22,6 @@ from kindsl.language.text.nearest import hint, nearest_name
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding for each joint that follows none."""
     joints = list(elements(model, "joint"))
     names = {island.full_name for island, _ in joints}
     follows: dict[str, str] = {}

@@ -21,7 +21,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield one finding for all joints of a file that may exert or move nothing."""
     still = [(joint, zeros) for joint in limited_joints(model) if (zeros := _zeros(joint))]
     if still:
         first, zeros = still[0]

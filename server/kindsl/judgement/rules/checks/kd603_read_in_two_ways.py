@@ -31,7 +31,6 @@ from kindsl.language.text.decimals import exact_decimal
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each value that is read in two ways."""
     for island in model.islands:
         for found in two_readings(island):
             is_refused = found.kind == "product" and context.targets == {ROBCOGEN2}

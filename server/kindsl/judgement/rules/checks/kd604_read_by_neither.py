@@ -23,7 +23,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding where both generators refuse a document that no other rule calls wrong."""
     is_whole = model.bases and model.links and model.joints and not model.broken_islands
     if context.targets or not is_whole:
         return

@@ -23,7 +23,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding at the first link that is out of order."""
     for before, body in pairwise(body for body in model.links if body.name):
         if before.id is not None and body.id is not None and body.id < before.id:
             message = f"links are not in order of id: '{body.name}' ({body.id}) follows"

@@ -27,7 +27,6 @@ from kindsl.language.syntax.token_names import SPELLINGS
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding at the first place of the rarer keyword."""
     places: dict[str, list[Place]] = {}
     for body in model.bodies:
         if body.inertia is not None:

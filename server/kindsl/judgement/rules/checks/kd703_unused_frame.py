@@ -21,7 +21,6 @@ from kindsl.language.semantics.declarations import Declarations, Frame
 
 
 def check_island(declared: Declarations, _: object) -> Iterator[Finding]:
-    """Yield a finding for each frame that is its link's frame."""
     for body in declared.bodies():
         used = body.inertia.frame if body.inertia is not None else None
         for frame in body.frames:

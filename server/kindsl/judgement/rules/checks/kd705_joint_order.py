@@ -23,7 +23,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
-    """Yield a finding at the first joint that is out of order."""
     for (before, id_before), (joint, link_id) in pairwise(_moving(model)):
         if link_id < id_before:
             message = f"joint '{joint.name}' moves link {link_id}, joint '{before.name}' before it"

@@ -34,7 +34,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each number that a twin has otherwise."""
     for each in context.twins:
         if not each.is_generated:
             # Imported for twins only, since it delays the linter's start.

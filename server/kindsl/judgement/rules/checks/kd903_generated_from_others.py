@@ -25,7 +25,6 @@ from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each folder whose numbers are others."""
     for each in context.twins:
         if each.is_generated:
             # Imported for twins only, since it delays the linter's start.
