@@ -58,13 +58,18 @@ def unused_bindings(
     """
     if not (configuration.has_bindings and is_enabled(RULE, settings)):
         return []
+    unused = _left(configuration, list(_bound(configuration)), used.items())
+    if unused:
+        unused = _left(configuration, unused, _words_in(others, used))
     severity = severity_of(RULE, None, settings)
-    findings = [
-        _finding(
-            severity, configuration.places.get(bound.keys, (0, 0)), bound, _message(bound, used)
-        )
-        for bound in _unused(configuration, used, others)
-    ]
+    findings = []
+    for bound in unused:
+        place, message = configuration.places.get(bound.keys, (0, 0)), _message(bound, used)
+        about = DOCUMENT
+        if bound.kind != _TWIN:
+            about = Subject(SubjectKind(bound.kind), str(bound.keys[-1]))
+        found = Diagnostic(RULE.code, RULE.name, severity, message, *place, subject=about)
+        findings.append(found)
     return sorted(findings, key=lambda finding: finding.start)
 
 
@@ -103,15 +108,6 @@ def _message(bound: _Bound, used: Mapping[str, Names]) -> str:
     known = sorted(frozenset[str]().union(*each))
     where = "" if bound.pattern is None else f" that '{bound.pattern}' names"
     return vain_bindings([name], known, kind).get(name, f"no document{where} has a {kind} '{name}'")
-
-
-def _unused(
-    configuration: Configuration,
-    used: Mapping[str, Names],
-    others: Iterable[str],
-) -> list[_Bound]:
-    unused = _left(configuration, list(_bound(configuration)), used.items())
-    return _left(configuration, unused, _words_in(others, used)) if unused else []
 
 
 def _words_in(paths: Iterable[str], used: Collection[str]) -> Iterator[tuple[str, Names]]:
@@ -155,9 +151,3 @@ def _of_table(pattern: str | None, keys: KeyPath, decisions: Decisions) -> Itera
     for pose, joints in decisions.poses.items():
         for name in joints:
             yield _Bound(pattern, "joint", (*keys, "poses", pose, name))
-
-
-def _finding(severity: Severity, span: tuple[int, int], bound: _Bound, message: str) -> Diagnostic:
-    is_named = bound.kind != _TWIN
-    subject = Subject(SubjectKind(bound.kind), str(bound.keys[-1])) if is_named else DOCUMENT
-    return Diagnostic(RULE.code, RULE.name, severity, message, *span, subject=subject)

@@ -25,7 +25,8 @@ def new_link(model: Model, name: str, *, parent_id: int = 0) -> Fix | None:
 
     It gets the least number that is missing, if its parent's is less, else the next number.
     """
-    text = _LINK.format(name=name, number=_free_id(model, parent_id))
+    free = _free_ids(model)
+    text = _LINK.format(name=name, number=free[bisect_right(free, parent_id)])
     return _new_block(model.links or model.bases, "link", name, text)
 
 
@@ -40,11 +41,6 @@ def _new_block(blocks: Sequence[Link | Joint], kind: str, name: str, text: str) 
         return None
     behind = Place(blocks[-1].island, blocks[-1].end, blocks[-1].end)
     return Fix(f"Create {kind} '{name}'", (Replacement(behind, text),))
-
-
-def _free_id(model: Model, parent_id: int) -> int:
-    free = _free_ids(model)
-    return free[bisect_right(free, parent_id)]
 
 
 @kept

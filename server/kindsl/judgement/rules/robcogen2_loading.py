@@ -5,7 +5,7 @@ numbers. It names no place; the findings here do.
 """
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from kindsl.judgement.rules.base import Finding
@@ -60,7 +60,6 @@ def _structural_defects(model: Model) -> Iterator[Finding]:
 
 
 def _references(model: Model) -> Iterator[Finding]:
-    """Yield references that resolve to nothing, or to more than one thing."""
     links = Counter(str(link.name) for link in model.links)
     joints = Counter(str(joint.name) for joint in model.joints)
     frames = Counter(str(frame.name) for frame in model.frames)
@@ -85,7 +84,6 @@ def _resolved(name: Name, known: Counter[str], what: str) -> Iterator[Finding]:
 
 
 def _numbering(model: Model) -> Iterator[Finding]:
-    """Yield where links and joints cannot be numbered."""
     pairs = _pairs(model)
     numbers = {str(body.name): body.id for body in model.bodies}
     connected = {name for pair in pairs for name in (pair.parent, pair.child)}
@@ -146,12 +144,7 @@ def _numbers(model: Model) -> Iterator[Finding]:
 
 @kept
 def _unconverted_in(chunk: Chunk) -> list[Finding]:
-    return [found for island in chunk.islands for found in _unconverted_of(island)]
-
-
-@kept
-def _unconverted_of(island: Island) -> list[Finding]:
-    return list(_unconverted(_tried(declarations(island))))
+    return [found for island in chunk.islands for found in _unconverted(island)]
 
 
 def _tried(declared: Declarations) -> Iterator[Expression]:
@@ -164,14 +157,16 @@ def _tried(declared: Declarations) -> Iterator[Expression]:
             yield from body.inertia.values()
 
 
-def _unconverted(values: Iterable[Expression]) -> Iterator[Finding]:
-    for value in values:
-        if value.literal is not None and value.node.children[0].kind != "INT":
-            continue
-        try:
-            _converted(value.node)
-        except (TypeError, ZeroDivisionError, OverflowError) as error:
-            yield Finding(value, f"value '{value.text}' has no number: {error}")
+@kept
+def _unconverted(island: Island) -> list[Finding]:
+    found = []
+    for value in _tried(declarations(island)):
+        if value.literal is None or value.node.children[0].kind == "INT":
+            try:
+                _converted(value.node)
+            except (TypeError, ZeroDivisionError, OverflowError) as error:
+                found.append(Finding(value, f"value '{value.text}' has no number: {error}"))
+    return found
 
 
 def _converted(node: Node) -> float | int | None:

@@ -29,7 +29,7 @@ inertia_params {
 ```
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain, starmap
 from operator import itemgetter
 
@@ -54,7 +54,8 @@ from kindsl.language.text.facts import kept
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.robots.limbs.names import LimbLabel, label_of
 
-_ENOUGH = 3
+# As many parts as one inertia cannot be of.
+_FEWEST_PARTS = 3
 _MOST_RELATED = 20
 # Of logarithms of likelihoods. 53 pairs of links that share a body in published robots are 0.2
 # apart at most; of 47 planted copies 28 are more than this, 29 than half of it, 23 than twice.
@@ -73,34 +74,23 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     for numbers, group in groups.items():
         if numbers[:4] == (1.0, 1.0, 1.0, 1.0):
             yield from starmap(_placeholder, group)
-        elif not (numbers[0] and None not in numbers and any(numbers[1:]) and _are_unlike(group)):
-            continue
-        elif not _is_one_part(model, [body for body, _ in group]):
-            found.append(_shared(group))
-    copied = (_copied(model, pair, context.values) for pair in _pairs(model))
-    found += filter(None, copied)
+        elif numbers[0] and None not in numbers and any(numbers[1:]):
+            bodies = [body for body, _ in group]
+            n_parts = len({_label(body).part for body in bodies})
+            if n_parts >= _FEWEST_PARTS and not _is_one_part(model, bodies):
+                found.append(_shared(group))
+    found += filter(None, (_copied(model, pair, context.values) for pair in _pairs(model)))
     places = {(id(each.at.island), each.at.start) for each in told}
     yield from (each for each in found if (id(each.at.island), each.at.start) not in places)
 
 
 @kept
 def _moving(chunk: Chunk) -> dict[Numbers, list[tuple[Link, Inertia]]]:
-    """Return the moving bodies of a chunk by their numbers."""
     part, found = model_part(chunk), dict[Numbers, list[tuple[Link, Inertia]]]()
     for body in (*part.bases, *part.links):
         if body.inertia is not None and is_moving(body):
             found.setdefault(_numbers(body), []).append((body, body.inertia))
     return found
-
-
-def _are_unlike(group: Iterable[tuple[Link, Inertia]]) -> bool:
-    """Return whether some bodies are as many parts as one inertia cannot be of."""
-    parts: set[tuple[str, ...]] = set()
-    for body, _ in group:
-        parts.add(_label(body).part)
-        if len(parts) >= _ENOUGH:
-            return True
-    return False
 
 
 def _is_one_part(model: Model, bodies: Sequence[Link]) -> bool:

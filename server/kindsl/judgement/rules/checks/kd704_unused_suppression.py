@@ -31,18 +31,11 @@ def unused_suppressions(
 ) -> Iterator[Finding]:
     """Yield a finding for each suppression of an enabled rule."""
     enabled = tuple(enabled_codes)
-    by_comment: dict[Place, list[Suppression]] = {}
     for suppression in unused:
-        by_comment.setdefault(suppression.comment, []).append(suppression)
-    for comment, group in by_comment.items():
-        for suppression in group:
-            if any(code.startswith(suppression.code.upper()) for code in enabled):
-                message = f"unused suppression of {suppression.code}"
-                fix = without_code(comment, suppression.at)
-                yield Finding(suppression.at, message, fix=fix, tag=_TAG)
-
-
-_TAG = Tag.UNNECESSARY
+        if any(code.startswith(suppression.code.upper()) for code in enabled):
+            message = f"unused suppression of {suppression.code}"
+            fix = without_code(suppression.comment, suppression.at)
+            yield Finding(suppression.at, message, fix=fix, tag=Tag.UNNECESSARY)
 
 
 def without_code(comment: Place, at: Place) -> Fix:
