@@ -77,6 +77,14 @@ def test_pi_and_a_signed_product() -> None:
     assert "pi" not in [str(p.name) for p in analysed(ROTATED).model.parameters]
 
 
+@pytest.mark.parametrize("written", ["2.0 - PI", "2.0 − PI", "2.0 /* - */ - PI"])
+def test_the_factors_of_a_signed_product_are_told(written: str) -> None:
+    (found,) = [
+        f for f in analysed(ROTATED.replace("2.0 - PI", written)).findings if f.code == "KD603"
+    ]
+    assert found.message == f"robcogen reads '{written}' as the product of 2.0 and -PI"
+
+
 def test_a_blank_document_is_wrong_for_a_target_only() -> None:
     for text in ("", " \n\t\r\n"):
         assert list(analysed(text).findings) == []

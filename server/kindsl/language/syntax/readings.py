@@ -149,8 +149,8 @@ def _read_in_two_ways(island: Island) -> Iterator[TwoReadings]:
             meaning = f"{power[1]} times a parameter '{power[2]}'"
             yield TwoReadings(start, end, "power", written, meaning, f"{float(written):.15g}")
         elif is_signed_product(node):
-            left, _, right = written.partition("-") if written[0] not in "+-" else _split(written)
-            meaning = f"the product of {left.strip()} and -{right.strip()}"
+            left, _, right = (island.text[c.start : c.end] for c in node.children)
+            meaning = f"the product of {left} and -{right}"
             yield TwoReadings(start, end, "product", written, meaning, "a difference")
         else:
             for token in node.tokens():
@@ -159,8 +159,3 @@ def _read_in_two_ways(island: Island) -> Iterator[TwoReadings]:
                     yield TwoReadings(
                         token.start, token.end, "pi", token.text, meaning, "the number pi"
                     )
-
-
-def _split(written: str) -> tuple[str, str, str]:
-    left, minus, right = written[1:].partition("-")
-    return written[0] + left, minus, right
