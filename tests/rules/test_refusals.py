@@ -5,14 +5,15 @@ from tests.support.examples import link, robot
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.settings import Settings
-from kindsl.judgement.rules.refusals import load_refusal
+from kindsl.judgement.rules.refusals import refused_by
 
 ONE, TWO = "arm via elbow", "arm via elbow hand via wrist"
 
 
 def refusals(target: str, text: str, *targets: str) -> list[str]:
     analysis = analyse(text, Settings(frozenset(targets)))
-    return [f.message for f in load_refusal(target, analysis.model, analysis.context)]
+    found = refused_by(target, analysis.model, analysis.context)
+    return [f.message for f in found if f.message.startswith("not supported by")]
 
 
 def arms(base: str, arm: str = "", hand: str = "", joints: str = "elbow wrist") -> str:

@@ -32,12 +32,6 @@ def refused_by(target: str, model: Model, context: Context) -> Iterator[Finding]
     severity = Severity.ERROR if target in context.targets else Severity.HINT
     for finding in _constructs(target, model):
         yield finding._replace(severity=severity)
-    if target in context.targets:
-        yield from load_refusal(target, model, context)
-
-
-def load_refusal(target: str, model: Model, context: Context) -> Iterator[Finding]:
-    """Yield the first defect at which a named target stops after all that it parses."""
     stop = _stop(target, model, context) if target in context.targets else None
     if stop is not None:
         message = f"not supported by {target}: {stop.message}"
@@ -46,17 +40,11 @@ def load_refusal(target: str, model: Model, context: Context) -> Iterator[Findin
 
 def first_refusal(target: str, model: Model, context: Context) -> Finding | None:
     """Return why a generator refuses a document; an error if another rule reports it as well."""
-    construct = next(_constructs(target, model), None)
-    return construct or (None if is_blank(model) else _stop(target, model, context))
-
-
-def is_blank(model: Model) -> bool:
-    """Return whether nothing is written yet."""
-    return not any(island.text.strip(_BLANKS) for island in model.islands)
+    return next(_constructs(target, model), None) or _stop(target, model, context)
 
 
 def _stop(target: str, model: Model, context: Context) -> Finding | None:
-    if is_blank(model):
+    if not any(island.text.strip(_BLANKS) for island in model.islands):
         return Finding(Place(model.islands[0], 0, 0), "the document is empty")
     if target == ROBCOGEN:
         return next(_of_rules(_STOPPING[target], model, context), None)

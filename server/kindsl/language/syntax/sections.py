@@ -1,7 +1,7 @@
 """The sections of a block: each that must be there, once, in the order of the grammar."""
 
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 from kindsl.language.syntax.insertions import moved_behind, removed
 from kindsl.language.syntax.scanner import comments
@@ -113,8 +113,7 @@ def _empty_frames(block: Node, touched: frozenset[int]) -> Iterator[Problem]:
 
 
 def _name(section: Node) -> str:
-    first = section.children[0]
-    return first.text if section.kind in _MANY and isinstance(first, Token) else section.kind
+    return _word(section) if section.kind in _MANY else section.kind
 
 
 def _problems(text: str, node: Node) -> list[Problem]:
@@ -147,7 +146,8 @@ def _problems(text: str, node: Node) -> list[Problem]:
 def _removed(text: str, section: Node, code: str, message: str, which: str = "") -> Problem:
     """Return the problem of a section that is better left out."""
     title = f"Remove {which}'{_word(section)}'"
-    repair = Repair(title, (_removal(text, section),), False)
+    edit = removed(text, cast(Token, section.children[0]), section.end)
+    repair = Repair(title, (edit,), False)
     return Problem(code, message, section.start, section.end, repair)
 
 
@@ -188,13 +188,6 @@ def _in_place_of(node: Node, known: list[Node], section: Node, missing: str) -> 
     message = f"{title(node)} has two '{_word(section)}' and no '{missing}'"
     repair = Repair(f"Write '{missing}'", (Edit(keyword.start, keyword.end, missing),), False)
     return Problem("KD009", message, keyword.start, keyword.end, repair)
-
-
-def _removal(text: str, section: Node) -> Edit:
-    first = section.children[0]
-    if isinstance(first, Token):
-        return removed(text, first, section.end)
-    return Edit(section.start, section.end, "")
 
 
 def _misplaced(text: str, node: Node, sections: list[Node]) -> Iterator[Problem]:
@@ -245,5 +238,4 @@ def _lacking(node: Node, missing: list[str]) -> Problem:
 
 
 def _word(section: Node) -> str:
-    first = section.children[0]
-    return first.text if isinstance(first, Token) else section.kind
+    return cast(Token, section.children[0]).text

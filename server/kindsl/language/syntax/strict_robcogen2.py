@@ -74,11 +74,13 @@ class _CharacterReader:
         return self._next() == len(self.text)
 
     def words(self, sequence: str) -> bool:
-        """Read keywords, signs, and whatever stands for `NAME`, `VECTOR`, `FRAMES?`, ..."""
+        """Read keywords, signs, and whatever stands for `NAME`, `FRAMES?`, `CHILD*`, ..."""
         place, count = self.place, len(self.tokens)
-        for word, part, is_optional in _steps(sequence):
+        for word, part, number in _steps(sequence):
             is_read = part(self) if part is not None else self._word(word)
-            if not (is_read or is_optional):
+            while is_read and number == "*" and part is not None:
+                is_read = part(self)
+            if not (is_read or number):
                 self.place = place
                 del self.tokens[count:]
                 return False
@@ -156,27 +158,6 @@ class _CharacterReader:
             left.remove(found)
         return True
 
-    def children(self) -> bool:
-        if not self.words("children {"):
-            return False
-        while self.words("NAME via NAME"):
-            pass
-        return self.words("}")
-
-    def frames(self) -> bool:
-        if not self.words("frames GROUP"):
-            return False
-        while self.group():
-            pass
-        return True
-
-    def group(self) -> bool:
-        if not self.words("{ FRAME"):
-            return False
-        while self.words("FRAME"):
-            pass
-        return self.words("}")
-
     def _take(self, kind: str, start: int, end: int) -> bool:
         done = self.tokens[-1].end if self.tokens else 0
         self.tokens.append(Token(kind, self.text[start:end], done, start, end))
@@ -186,9 +167,13 @@ class _CharacterReader:
 
 
 @cache
-def _steps(sequence: str) -> list[tuple[str, "Callable[[_CharacterReader], bool] | None", bool]]:
-    words = [(word.rstrip("?+"), word.endswith("?")) for word in sequence.split()]
-    return [(word, _PARTS.get(word), is_optional) for word, is_optional in words]
+def _steps(sequence: str) -> list[tuple[str, "Callable[[_CharacterReader], bool] | None", str]]:
+    """Return the words of a sequence, what reads each, and `?` or `*` behind it."""
+    steps = []
+    for written in sequence.split():
+        word = written.rstrip("?*+") if written[0].isalpha() else written
+        steps.append((word, _PARTS.get(word), written.removeprefix(word).strip("+")))
+    return steps
 
 
 def _number_kind(text: str) -> str:
@@ -213,8 +198,8 @@ def _section(name: str, kind: str) -> Callable[[_CharacterReader], bool]:
 _VALUES = {"vector": "VECTOR", "scalar": "EXPRESSION", "whole": "INT", "name": "NAME"}
 _READ_AS_SUCH = {
     "moments": _CharacterReader.moments,
-    "list": _CharacterReader.children,
-    "groups": _CharacterReader.frames,
+    "list": lambda reader: reader.words("children { CHILD* }"),
+    "groups": lambda reader: reader.words("frames GROUP GROUP*"),
 }
 _PARTS: dict[str, Callable[[_CharacterReader], bool]] = {
     "NAME": _CharacterReader.name,
@@ -224,7 +209,8 @@ _PARTS: dict[str, Callable[[_CharacterReader], bool]] = {
     "EXPRESSION": _CharacterReader.expression,
     "VECTOR": lambda reader: reader.any_of("( EXPRESSION , EXPRESSION , EXPRESSION )"),
     "FRAME": lambda reader: reader.any_of(f"NAME {{ {_body('frame')} }}"),
-    "GROUP": _CharacterReader.group,
+    "CHILD": lambda reader: reader.words("NAME via NAME"),
+    "GROUP": lambda reader: reader.words("{ FRAME FRAME* }"),
     "INT": lambda reader: reader.matching("INT", _INT),
     "JOINT_KEYWORD": lambda reader: reader.any_of(*WORDS["joint"]),
     **{
