@@ -1,17 +1,16 @@
 """Each mistake in who carries whom is counted once, and excuses what it leaves over."""
 
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 from tests.support.examples import link, robot
 
 from kindsl.judgement.analysis.analysis import analyse
-from kindsl.judgement.rules.reference_defects import (
-    ReferenceDefects,
-    reference_defects,
-    suggestions,
-)
+from kindsl.judgement.rules.missing_names import missing_names
+from kindsl.judgement.rules.reference_defects import ReferenceDefects, reference_defects
 from kindsl.language.semantics.kinematic_tree import Edge
+from kindsl.language.text.nearest import hint
 
 
 def defects(text: str) -> dict[str, list[Any]]:
@@ -304,4 +303,8 @@ def test_idle_is_what_no_pair_names() -> None:
 def test_idle_things_are_suggested_first_and_twenty_times(
     position: int, idle: list[str], others: list[str], expected: tuple[str, ...]
 ) -> None:
-    assert suggestions("wrst", position, idle, others) == expected
+    names: Any = ["wrst"] * (position + 1)
+    free: Any = [SimpleNamespace(name=name) for name in idle]
+    declared: Any = [SimpleNamespace(name=name) for name in others]
+    *_, last = missing_names(names, "link", free, declared, lambda _: None)
+    assert last.message == f"link 'wrst' does not exist{hint(expected)}"

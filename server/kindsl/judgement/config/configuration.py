@@ -57,11 +57,6 @@ class Configuration(NamedTuple):
         has_names = any(table.bindings or table.joints or table.poses for table in tables)
         return has_names or bool(self.twins)
 
-    def tables_for(self, document: str) -> list[Decisions]:
-        """Return the tables that apply to a document, the more specific later."""
-        own = [d.decisions for d in self.documents if self.is_match(d.pattern, document)]
-        return [self.common, *own]
-
     def includes(self, document: str) -> bool:
         """Return whether a robot in another format is linted where its folder is."""
         return any(self.is_match(pattern, document) for pattern in self.included)
@@ -78,14 +73,12 @@ class Configuration(NamedTuple):
 
     def settings_for(self, document: str) -> Settings:
         """Return the decisions for a document, by its path, absolute or from the current folder."""
-        settings = Settings()
-        for table in self.tables_for(document):
-            settings = overridden(settings, table)
-        return settings._replace(twins=self.twins_for(document)) if self.twins else settings
-
-    def twins_for(self, document: str) -> tuple[TwinFile, ...]:
-        """Return the other files of a document's robot."""
-        return tuple(t.twin for t in self.twins if self.is_match(t.pattern, document))
+        settings = overridden(Settings(), self.common)
+        for pattern, decisions in self.documents:
+            if self.is_match(pattern, document):
+                settings = overridden(settings, decisions)
+        twins = (each.twin for each in self.twins if self.is_match(each.pattern, document))
+        return settings._replace(twins=tuple(twins))
 
     def is_match(self, pattern: str, document: str) -> bool:
         """Return whether a document is one that a pattern in this file names."""

@@ -179,15 +179,12 @@ def _problem(
     if not strange:
         message = f"'{shown(written)}' is written with an exponent that no generator takes"
         return Problem("KD005", message, start, end, repair)
-    shown_names = [named(character) for character in strange[:_MOST_NAMED]]
-    names = listed(
-        [*shown_names, f"{n_more} more"]
-        if (n_more := len(strange) - len(shown_names))
-        else shown_names
-    )
+    names = [named(character) for character in strange[:_MOST_NAMED]]
+    if len(strange) > _MOST_NAMED:
+        names.append(f"{len(strange) - _MOST_NAMED} more")
     noun = "character" if len(strange) == 1 else "characters"
     place = f" in '{shown(written)}'" if len(written) > 1 else ""
-    return Problem("KD004", f"invalid {noun} {names}{place}", start, end, repair)
+    return Problem("KD004", f"invalid {noun} {listed(names)}{place}", start, end, repair)
 
 
 def _is_guessed(text: str, token: Token) -> bool:

@@ -15,17 +15,11 @@ from kindsl.language.syntax.vocabulary import NUMBERS
 from kindsl.language.text.lines import is_first_on_line
 
 _MEANT = {
-    "id": "id",
-    "mass": "mass",
-    "com": "CoM",
-    "cog": "CoM",
-    "centerofmass": "CoM",
-    "centreofmass": "CoM",
+    **{word: word for word in ("id", "mass", "translation", "rotation")},
+    **dict.fromkeys(("com", "cog", "centerofmass", "centreofmass"), "CoM"),
     "xyz": "translation",
     "origin": "translation",
-    "translation": "translation",
     "rpy": "rotation",
-    "rotation": "rotation",
 }
 _MOMENT = re.compile("[ij](?P<axes>[xyz]{1,2}|[123]{2})")
 _AXES = str.maketrans("123", "xyz")

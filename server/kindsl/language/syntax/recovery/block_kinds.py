@@ -20,18 +20,9 @@ from kindsl.language.syntax.vocabulary import BLOCK_WORDS, NAMES, POSE, token_ki
 from kindsl.language.text.nearest import nearest_words
 
 LONGEST_FIRST = sorted(BLOCK_WORDS, key=len, reverse=True)
-_JOINT_KINDS = {
-    "revolute": "r_joint",
-    "rotational": "r_joint",
-    "rotary": "r_joint",
-    "continuous": "r_joint",
-    "hinge": "r_joint",
-    "prismatic": "p_joint",
-    "translational": "p_joint",
-    "linear": "p_joint",
-    "sliding": "p_joint",
-    "slider": "p_joint",
-}
+_TURNING = ("revolute", "rotational", "rotary", "continuous", "hinge")
+_SLIDING = ("prismatic", "translational", "linear", "sliding", "slider")
+_JOINT_KINDS = {**dict.fromkeys(_TURNING, "r_joint"), **dict.fromkeys(_SLIDING, "p_joint")}
 _BODY = frozenset({"{", "FLOATING"})
 _LINK_SECTIONS = token_kinds({*HOLDS["link"]} - {*HOLDS["joint"]})
 _POSE = token_kinds(POSE)
