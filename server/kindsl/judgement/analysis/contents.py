@@ -95,7 +95,8 @@ class _Piece:
         self.numbers: list[tuple[Place, Number]] = []
         self.references: list[Place] = []
         self.blocks: list[FoundBlock] = []
-        self.remarks = _words(_remarks(island))
+        comments = (island.text[start:end] for start, end in island.comments)
+        self.remarks = _words(_DIRECTIVE.sub(" ", comment) for comment in comments)
         self.unread = _words(token.text for token in island.skipped)
         self._skipped = sorted((token.start, token.end, token.text) for token in island.skipped)
         for block in declarations(island).blocks:
@@ -178,12 +179,6 @@ def _detail(block: Block) -> str:
     if isinstance(block, Joint):
         return block.kind
     return "floating" if isinstance(block, Link) and block.is_floating else ""
-
-
-def _remarks(island: Island) -> Iterator[str]:
-    """Yield the comments without suppressions."""
-    for start, end in island.comments:
-        yield _DIRECTIVE.sub(" ", island.text[start:end])
 
 
 def _words(texts: Iterable[str]) -> Counter[str]:

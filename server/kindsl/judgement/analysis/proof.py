@@ -34,7 +34,9 @@ def effect(before: SyntaxDocument, after: SyntaxDocument, *, within_digits: bool
     Args:
         within_digits: Whether a number keeps its value where the digits written are the new one's.
     """
-    old, new = _differing(before.islands, after.islands)
+    n_first, n_last = in_common(before.islands, after.islands)
+    old = before.islands[n_first : len(before) - n_last]
+    new = after.islands[n_first : len(after) - n_last]
     was, now = contents(old), contents(new)
     remarks = was.remarks - now.remarks
     unread = was.unread - now.unread - now.remarks
@@ -51,13 +53,6 @@ def effect(before: SyntaxDocument, after: SyntaxDocument, *, within_digits: bool
 
 def _kinds(said: Contents) -> Counter[str]:
     return Counter(str(block.place[-2]) for block in said.blocks)
-
-
-def _differing(
-    before: Sequence[Island], after: Sequence[Island]
-) -> tuple[Sequence[Island], Sequence[Island]]:
-    n_first, n_last = in_common(before, after)
-    return before[n_first : len(before) - n_last], after[n_first : len(after) - n_last]
 
 
 def _n_problems(document: SyntaxDocument, islands: Sequence[Island]) -> int:

@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from kindsl.robots.comparison.twins import TwinFile
 
 _FIRST_DIGITS_OF_SYNTAX = "KD0"
+# The targets of the rules about what a generator does not support.
+_REFUSALS = {"KD601": "robcogen", "KD602": "robcogen2"}
 
 
 class Settings(NamedTuple):
@@ -77,7 +79,7 @@ def is_enabled(rule: Rule, settings: Settings) -> bool:
         return False
     if ignored and len(ignored) >= len(selected):
         return False
-    return rule.is_default or bool(selected) or rule.code in _codes_of_targets(settings.targets)
+    return rule.is_default or bool(selected) or _REFUSALS.get(rule.code) in settings.targets
 
 
 def severity_of(rule: Rule, own: Severity | None, settings: Settings) -> Severity:
@@ -88,8 +90,3 @@ def severity_of(rule: Rule, own: Severity | None, settings: Settings) -> Severit
 
 def _longest_match(code: str, prefixes: tuple[str, ...]) -> str:
     return max((p for p in prefixes if code.startswith(p.upper())), key=len, default="")
-
-
-def _codes_of_targets(targets: frozenset[str]) -> frozenset[str]:
-    refusals = {"robcogen": "KD601", "robcogen2": "KD602"}
-    return frozenset(refusals[target] for target in targets if target in refusals)

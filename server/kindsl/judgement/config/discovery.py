@@ -48,10 +48,14 @@ class Configurations:
 
 
 def nearest_configuration(folder: str) -> str | None:
-    """Return the path of the configuration file in a folder or the nearest one above."""
+    """Return the path of the configuration file in a folder or the nearest one above.
+
+    It is from the working directory if it lies below.
+    """
     for path in candidates(folder):
         if is_configuration(path):
-            return _shown_path(path)
+            relative = os.path.relpath(path)
+            return path if relative.startswith("..") else relative
     return None
 
 
@@ -104,9 +108,3 @@ def _read(path: str) -> "Configuration | ConfigurationError":
         return read_configuration(path)
     except ConfigurationError as error:
         return error
-
-
-def _shown_path(path: str) -> str:
-    """Return a path from the working directory if it lies below."""
-    relative = os.path.relpath(path)
-    return path if relative.startswith("..") else relative

@@ -77,14 +77,10 @@ def _constructs(target: str, model: Model) -> Iterator[Finding]:
     for chunk in model.document.chunks:
         for island, note in _notes(chunk):
             if note.target == target:
-                yield _finding(island, note)
+                fix = fix_of(note.repair, island) if note.repair is not None else None
+                yield Finding(Place(island, note.start, note.end), note.message, fix=fix)
 
 
 @kept
 def _notes(chunk: Chunk) -> list[tuple[Island, PortabilityNote]]:
     return [(island, note) for island in chunk.islands for note in portability(island)]
-
-
-def _finding(island: Island, note: PortabilityNote) -> Finding:
-    fix = fix_of(note.repair, island) if note.repair is not None else None
-    return Finding(Place(island, note.start, note.end), note.message, fix=fix)

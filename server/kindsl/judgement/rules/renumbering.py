@@ -35,7 +35,11 @@ def regular_order(model: Model) -> list[Link] | None:
     if tree.loops or any(len(edges) > 1 for edges in tree.above.values()):
         return None
     index = {link: number for number, link in enumerate(model.links)}
-    ready = [(link.id or 0, index[link], link) for link in model.links if not _parent(model, link)]
+    ready = [
+        (link.id or 0, index[link], link)
+        for link in model.links
+        if (edge := tree.supporting_edge(link)) is None or edge.predecessor.is_base
+    ]
     heapify(ready)
     order: list[Link] = []
     while ready:
@@ -105,11 +109,6 @@ def _oddities(model: Model, copied: CopiedId) -> tuple[int, int, int]:
         sum(joint.id not in (None, number) for joint, number in of_joint.items()),
         sum(one + 1 != other for order in orders for one, other in pairwise(order)),
     )
-
-
-def _parent(model: Model, link: Link) -> bool:
-    edge = model.tree.supporting_edge(link)
-    return edge is not None and not edge.predecessor.is_base
 
 
 @kept

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from kindsl.language.syntax.comment_problems import is_open
 from kindsl.language.syntax.insertions import removed
+from kindsl.language.syntax.sections import title
 from kindsl.language.syntax.tables import HOLDS, ONLY
 from kindsl.language.syntax.token_names import shown
 from kindsl.language.syntax.tree import Edit, Island, Node, Repair, Token
@@ -211,10 +212,6 @@ def _id_notes(block: Node) -> Iterator[PortabilityNote]:
 def _inertia_notes(block: Node) -> Iterator[PortabilityNote]:
     if block.kind not in ("base", "link") or any(block.nodes("inertia")):
         return
-    keyword, name = block.children[0], block.children[1]
-    message = f"robcogen does not take {block.kind} '{_text(name)}' without 'inertia_params'"
+    keyword, name = block.children[:2]
+    message = f"robcogen does not take {title(block)} without 'inertia_params'"
     yield PortabilityNote(ROBCOGEN, "missing-inertia", message, keyword.start, name.end)
-
-
-def _text(child: Node | Token) -> str:
-    return child.text if isinstance(child, Token) else ""

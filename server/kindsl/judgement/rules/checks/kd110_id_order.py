@@ -53,13 +53,9 @@ def _reversed_pairs(model: Model) -> list[tuple[Link, Link]]:
         (parent, child)
         for parent, pair, child, _ in model.tree.edges
         if child is not None
-        and _is_reversed(parent.id, child.id, count)
+        and 1 <= (child.id or 0) < (parent.id or 0) <= count
         and id(pair) not in on_loops
     ]
-
-
-def _is_reversed(parent: int | None, child: int | None, count: int) -> bool:
-    return parent is not None and child is not None and 1 <= child < parent <= count
 
 
 def _finding(parent: Link, child: Link, severity: Severity, fix: Fix | None) -> Finding:

@@ -16,25 +16,20 @@ children { left via finger right via finger }
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Related, Rule, Severity
-from kindsl.judgement.rules.reference_defects import ReferenceDefects, reference_defects
+from kindsl.judgement.rules.reference_defects import reference_defects
 from kindsl.language.semantics.aspects import Aspect
-from kindsl.language.semantics.declarations import Joint
 from kindsl.language.semantics.model import Model
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
     defects = reference_defects(model)
+    spare = defects.idle_joints if len(defects.idle_joints) == 1 else []
     for first, again in defects.reused_joints:
         name = again.child.joint
         message = f"joint '{name}' already connects link '{first.child.link}'"
         related = [Related(first.child, f"'{first.child.link}' moves by '{name}'")]
-        related += [Related(j.name, f"joint '{j.name}' is not used") for j in _spare(defects)]
+        related += [Related(j.name, f"joint '{j.name}' is not used") for j in spare]
         yield Finding(name, message, tuple(related))
-
-
-def _spare(defects: ReferenceDefects) -> list[Joint]:
-    """Return the joint that may be meant, if just one is left."""
-    return defects.idle_joints if len(defects.idle_joints) == 1 else []
 
 
 RULE = Rule(__name__, Severity.ERROR, check_document=check_document, reads=Aspect.STRUCTURE)

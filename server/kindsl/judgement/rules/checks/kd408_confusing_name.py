@@ -69,12 +69,9 @@ def _small_pi(model: Model) -> Iterator[Finding]:
     for island in model.islands:
         for found in two_readings(island):
             if found.kind == "pi":
-                yield _ambiguous(Place(island, found.start, found.end), found.text)
-
-
-def _ambiguous(place: Place, text: str) -> Finding:
-    message = f"'{text}' is a parameter for robcogen and the number for robcogen2"
-    return Finding(place, message, fix=renaming(place, text, "PI"))
+                place = Place(island, found.start, found.end)
+                message = f"'{found.text}' is a parameter for robcogen and the number for robcogen2"
+                yield Finding(place, message, fix=renaming(place, found.text, "PI"))
 
 
 RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.SYMBOLS)

@@ -53,11 +53,8 @@ def _long_values(island: Island) -> list[Expression]:
     # Most numbers are short, and their digits need no counting.
     if not any(len(token.text) > _KEPT and token.kind in NUMBERS for token in island.tokens):
         return []
-    return list(filter(_is_long, declarations(island).values()))
-
-
-def _is_long(value: Expression) -> bool:
-    return value.literal is not None and significant_digits(value.text) > _KEPT
+    numbers = (value for value in declarations(island).values() if value.literal is not None)
+    return [number for number in numbers if significant_digits(number.text) > _KEPT]
 
 
 RULE = Rule(__name__, Severity.HINT, check_document=check_document, reads=Aspect.NUMBERS)
