@@ -15,7 +15,7 @@ def with_unit(value: float, unit: str) -> str:
     return f"{text} {unit}".lstrip()
 
 
-def sum_below(left: Sequence[float], right: float, sign: str = "<") -> str:
+def sum_below(left: Sequence[float], right: float) -> str:
     """Return `0.1 + 0.2 < 0.31`, with as many digits as show that it is so."""
     # What is left of zero after rounding would show as 1.7e-18.
     left = [value if abs(value) > _NOISE * abs(right) else 0.0 for value in left]
@@ -25,4 +25,4 @@ def sum_below(left: Sequence[float], right: float, sign: str = "<") -> str:
         whole = f"{right:.{digits}g}"
         if sum(map(float, texts)) < float(whole):
             break
-    return f"{' + '.join(texts)} {sign} {whole}"
+    return f"{' + '.join(texts)} < {whole}"
