@@ -116,18 +116,21 @@ class Analysis:
         if self._findings is None:
             run = self._run(checkpoint)
             self._apart = self._set_apart(run)
-            self._findings, self._faults = Findings(self._apart.told, self.text), tuple(run.faults)
+            self._findings, self._faults = (
+                Findings(self._apart.reported, self.text),
+                tuple(run.faults),
+            )
         return self._findings
 
     def check_without_twins(self, checkpoint: Checkpoint = go_on) -> Findings:
         """Return all findings if they are known or there are no twins, else those of the text.
 
-        Of what twins say otherwise, findings of the last version stay in blocks that are the same.
+        Findings about twins stay as they were in the last version, in blocks that are the same.
         """
         if self._findings is not None or not self.settings.twins:
             return self.check(checkpoint)
         run = self._run(checkpoint, is_without_twins=True)
-        return Findings(self._set_apart(run).told, self.text)
+        return Findings(self._set_apart(run).reported, self.text)
 
     def unsilenced(self) -> list[Diagnostic]:
         """Return all findings, including those that comments or a baseline suppress."""

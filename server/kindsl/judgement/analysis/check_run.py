@@ -91,8 +91,8 @@ class CheckRun:
 
     Attributes:
         faults: The rules that failed so far.
-        is_without_twins: Whether no twin is read: of what they say otherwise, what the last
-            version had in islands that are here, too, stays.
+        is_without_twins: Whether no twin is read: their findings of the last version stay in
+            islands that are here, too.
     """
 
     def __init__(

@@ -14,7 +14,7 @@ from kindsl.robots.mechanism.linkage import Linkage
 def compared_document(
     name: str, analysis: Analysis, values: Mapping[str, float], skeleton: Linkage
 ) -> ComparedSide:
-    """Return the robot of a document, with what its configuration tells of joints."""
+    """Return the robot of a document, with its configuration's properties of joints."""
     lines = LineIndex(analysis.text)
 
     def line_of(at: Located) -> int:

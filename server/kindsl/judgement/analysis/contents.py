@@ -65,7 +65,7 @@ class Contents(NamedTuple):
 
 
 def contents(islands: Sequence[Island]) -> Contents:
-    """Return what some neighbouring islands say."""
+    """Return the contents of some neighbouring islands."""
     pieces = list(map(_piece, islands))
     numbers: dict[Place, Number] = {}
     seen: Counter[Place] = Counter()
@@ -88,7 +88,7 @@ def _order(block: FoundBlock) -> Place:
 
 
 class _Piece:
-    """The contents of one island; what occurs again is told apart only beyond it."""
+    """The contents of one island; what occurs again is numbered only beyond it."""
 
     def __init__(self, island: Island) -> None:
         self.island = island

@@ -28,7 +28,7 @@ class Diagnostic(NamedTuple):
 
     Attributes:
         probability: Of the cause that the message names, where one was weighed against others.
-        also: Other things of which it says the same.
+        also: Other things that it is about as well.
     """
 
     code: str

@@ -2,8 +2,8 @@
 
 A trial makes the edits and runs every rule, whatever the user has selected. A fix stands it if its
 finding is gone, if nothing new is found about what it changes nor about anything that was in order
-before, and if no fault stays whose cause is no longer told. Nothing is tried before a fix is asked
-for.
+before, and if no fault stays whose cause is no longer reported. Nothing is tried before somebody
+asks for a fix.
 """
 
 from bisect import bisect_right
@@ -32,9 +32,10 @@ _judged: "WeakKeyDictionary[Analysis, Analysis]" = WeakKeyDictionary()
 
 def offered(analysis: Analysis, findings: Iterable[Diagnostic]) -> list[Diagnostic]:
     """Return findings of a document, each with those of its fixes that stand their trial."""
-    told = list(findings)
-    _try(analysis, [(each, fix) for each in told for fix in (each.fix, *each.choices) if fix])
-    return [_offered(analysis, finding) for finding in told]
+    all_findings = list(findings)
+    fixes = ((each, fix) for each in all_findings for fix in (each.fix, *each.choices) if fix)
+    _try(analysis, fixes)
+    return [_offered(analysis, finding) for finding in all_findings]
 
 
 def _offered(analysis: Analysis, finding: Diagnostic) -> Diagnostic:
@@ -103,7 +104,7 @@ def _by_subject(findings: Iterable[Diagnostic]) -> Counter[tuple[Subject, str]]:
 
 
 def _is_unexplained(finding: Diagnostic) -> bool:
-    """Return whether a fault is told without a way out of it."""
+    """Return whether a fault is reported without a way out of it."""
     return finding.severity in _FAULTS and not finding.fix and not finding.choices
 
 

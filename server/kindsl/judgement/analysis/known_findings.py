@@ -24,7 +24,7 @@ class Apart(NamedTuple):
         stale: Findings of the baseline, of rules that ran, that are no longer there.
     """
 
-    told: Sequence[Diagnostic] = ()
+    reported: Sequence[Diagnostic] = ()
     known: Sequence[Diagnostic] = ()
     stale: Sequence[str] = ()
 
@@ -42,13 +42,13 @@ def lines_of(text: str) -> list[str]:
 def set_apart(findings: Sequence[Diagnostic], blocks: Sequence[str], settings: Settings) -> Apart:
     """Return which findings are reported, and which are known."""
     left = Counter(settings.known)
-    told: list[Diagnostic] = []
+    reported: list[Diagnostic] = []
     known: list[Diagnostic] = []
     for finding, identity in zip(findings, identities(findings, blocks), strict=True):
         is_known = left[identity] > 0
         left[identity] -= is_known
-        (known if is_known else told).append(finding)
-    return Apart(told, known, [one for one in left.elements() if _has_run(one, settings)])
+        (known if is_known else reported).append(finding)
+    return Apart(reported, known, [one for one in left.elements() if _has_run(one, settings)])
 
 
 def identities(findings: Iterable[Diagnostic], blocks: Sequence[str]) -> Iterator[str]:

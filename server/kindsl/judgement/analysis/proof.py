@@ -51,8 +51,8 @@ def effect(before: SyntaxDocument, after: SyntaxDocument, *, within_digits: bool
     return Effect(is_kept, not remarks and not _kinds(was) - _kinds(now))
 
 
-def _kinds(said: Contents) -> Counter[str]:
-    return Counter(str(block.place[-2]) for block in said.blocks)
+def _kinds(found: Contents) -> Counter[str]:
+    return Counter(str(block.place[-2]) for block in found.blocks)
 
 
 def _n_problems(document: SyntaxDocument, islands: Sequence[Island]) -> int:

@@ -19,7 +19,7 @@ def without_silenced(
     codes: Collection[str],
     resolve: Callable[[Rule, Finding], Diagnostic],
 ) -> list[Diagnostic]:
-    """Return what comments do not silence; rules that ran tell of comments in vain.
+    """Return the findings that no comment silences, and those about needless comments.
 
     Args:
         codes: Those of the rules that ran.

@@ -9,7 +9,7 @@ from kindsl.judgement.rules.base import Severity
 from kindsl.judgement.rules.context import TARGETS
 from kindsl.language.text.phrases import counted
 
-# The rules that tell why a generator stops while it loads a document.
+# The rules that report why a generator stops while it loads a document.
 _LOADING = ("KD0", "KD105", "KD106", "KD107", "KD108", "KD601", "KD602")
 
 

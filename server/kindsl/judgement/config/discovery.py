@@ -29,7 +29,7 @@ class Configurations:
         """Return the configuration that applies to a document, None if there is none.
 
         Raises:
-            ConfigurationError: The file says something wrong, or cannot be read.
+            ConfigurationError: The file has an error, or cannot be read.
         """
         path = self.fixed or self._nearest(os.path.dirname(os.path.abspath(document)))
         if path is None:

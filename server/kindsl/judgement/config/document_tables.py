@@ -21,27 +21,27 @@ _GLOB = "*?[]!#\\"
 def with_joints(
     file: str, text: str, document: str, joints: Mapping[str, JointProperties]
 ) -> str | None:
-    """Return a configuration's text with joints of a document told; what it tells stays.
+    """Return a configuration's text with properties of a document's joints; existing ones stay.
 
-    Those of which it tells nothing get a table of their own at its end. None if the file cannot be
-    extended so.
+    Joints that have none get a table of their own at its end. None if the file cannot be extended
+    so.
 
     Args:
-        file: The configuration file's path, which tells its kind.
+        file: The configuration file's path, which decides its kind.
         text: Its content; empty for a new one.
 
     Raises:
-        ConfigurationError: The file says something wrong.
+        ConfigurationError: The file has an error.
     """
     configuration = configuration_of(file, text)
-    told = configuration.settings_for(document).joints
-    missing = {name: own for name, own in joints.items() if name not in told}
+    known = configuration.settings_for(document).joints
+    missing = {name: own for name, own in joints.items() if name not in known}
     if not missing:
         return text
     lines = (f"{key(name)} = {{ {_values(own)} }}" for name, own in missing.items())
     table = (f"[{_header(configuration)}.joints]", *lines)
     way = _extended(text, (*_new_document(configuration, document), *table))
-    return _first_that_tells(
+    return _first_that_holds(
         file, [way], document, lambda found: found.joints.keys() >= joints.keys()
     )
 
@@ -49,31 +49,31 @@ def with_joints(
 def with_pose(
     file: str, text: str, document: str, name: str, joints: Mapping[str, float]
 ) -> str | None:
-    """Return a configuration's text with a pose of a document; all else that it tells stays.
+    """Return a configuration's text with a pose of a document; all else stays.
 
-    One of that name that the document's own table has is replaced; else it is added at the end.
+    A pose of that name in the document's own table is replaced; else it is added at the end.
     None if the file cannot be extended so.
 
     Args:
-        file: The configuration file's path, which tells its kind.
+        file: The configuration file's path, which decides its kind.
         text: Its content; empty for a new one.
         joints: Positions by joint name, radians or metres.
 
     Raises:
-        ConfigurationError: The file says something wrong.
+        ConfigurationError: The file has an error.
     """
     configuration = configuration_of(file, text)
     wanted = {**configuration.settings_for(document).poses, name: joints}
     ways = _with_pose(configuration, text, document, name, joints)
-    return _first_that_tells(file, ways, document, lambda found: found.poses == wanted)
+    return _first_that_holds(file, ways, document, lambda found: found.poses == wanted)
 
 
-def _first_that_tells(
-    file: str, ways: Iterable[str], document: str, is_told: Callable[[Settings], bool]
+def _first_that_holds(
+    file: str, ways: Iterable[str], document: str, holds: Callable[[Settings], bool]
 ) -> str | None:
     for way in ways:
         with suppress(ConfigurationError):
-            if is_told(configuration_of(file, way).settings_for(document)):
+            if holds(configuration_of(file, way).settings_for(document)):
                 return way
     return None
 
@@ -84,11 +84,11 @@ def _with_pose(
     """Yield ways to write a pose: in its place, below the document's table, in a new one."""
     pattern = _pattern(configuration, document)
     own = [i for i, each in enumerate(configuration.documents) if each.pattern == pattern]
-    told = [i for i in own if name in configuration.documents[i].decisions.poses]
-    if told:
+    known = [i for i in own if name in configuration.documents[i].decisions.poses]
+    if known:
         from kindsl.judgement.config.toml_edits import with_other_numbers
 
-        keys: KeyPath = (*configuration.root, "document", told[-1], "poses", name)
+        keys: KeyPath = (*configuration.root, "document", known[-1], "poses", name)
         replaced = with_other_numbers(text, keys, joints)
         if replaced is not None:
             yield replaced
@@ -108,8 +108,8 @@ def _new_document(configuration: Configuration, document: str) -> tuple[str, str
 
 
 def _values(joint: JointProperties) -> str:
-    told = ((key, value) for key, value in joint._asdict().items() if value is not None)
-    return ", ".join(f"{_KEYS.get(key, key)} = {value!r}" for key, value in told)
+    given = ((key, value) for key, value in joint._asdict().items() if value is not None)
+    return ", ".join(f"{_KEYS.get(key, key)} = {value!r}" for key, value in given)
 
 
 def _pattern(configuration: Configuration, document: str) -> str:

@@ -37,7 +37,7 @@ def binding_edit(
     fewest documents: to the table that names the document, to one whose pattern does, to all.
 
     Args:
-        file: The configuration file's path, which tells its kind.
+        file: The configuration file's path, which decides its kind.
     """
     bound = text
     for name, value in values:

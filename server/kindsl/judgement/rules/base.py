@@ -79,7 +79,7 @@ class Finding(NamedTuple):
             where it has none.
         subject: The thing that it is about, if not the one in whose text `at` lies.
         probability: Of the cause that the message names, where one was weighed against others.
-        also: Where other things are of which it says the same.
+        also: Where other things are that it is about as well.
     """
 
     at: Located

@@ -150,7 +150,7 @@ def _collect_orphans(model: Model, found: ReferenceDefects) -> None:
     joints = [joint for joint in found.idle_joints if not _is_mentioned(model, joint)]
     wrong_joints = [str(edge.child.joint) for edge in found.undefined_joints]
     wrong_joints += [str(edge.child.link) for edge in found.swapped]
-    # A joint that is left over says that a pair is missing, which no wrong name in a pair explains.
+    # A joint that is left over shows that a pair is missing: no wrong name in a pair explains it.
     missing = max(0, len(joints) - len(wrong_joints) - pasted - len(found.reused_joints))
     wrong_links = [str(edge.child.joint) for edge in found.swapped]
     excused = pasted + min(misnamed, max(0, len(links) - missing))

@@ -7,7 +7,7 @@ from kindsl.judgement.rules import checks
 from kindsl.judgement.rules.base import Rule
 from kindsl.language.text.modules import module_names
 
-# Rules that say of a link of any format what they say of ours.
+# Rules that judge a link of any format as they judge ours.
 OF_PARTS = frozenset(("KD301", "KD302", "KD303", "KD311"))
 # Rules that look at nothing but XML.
 OF_XML = frozenset(("KD315", "KD521", "KD522", "KD523", "KD524", "KD525", "KD526"))

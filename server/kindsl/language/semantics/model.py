@@ -155,7 +155,7 @@ class Model:
     def is_mentioned_in_broken_text(self, word: str, elsewhere_than: Island) -> bool:
         """Return whether a word stands in an island with syntax errors other than this one.
 
-        What such an island says of the word may be lost, so nothing is concluded from its absence.
+        Such an island may have lost what is missing, so nothing is concluded from its absence.
         """
         return any(
             island is not elsewhere_than for island in self._islands_of_broken_words.get(word, ())

@@ -36,7 +36,7 @@ _NAMED = {
 def without_invalid(
     text: str, tokens: Sequence[Token]
 ) -> tuple[list[Token], list[Token], tuple[Problem, ...]]:
-    """Return the tokens that can be read, the others, and what to say of characters."""
+    """Return the tokens that can be read, the others, and the problems of characters."""
     good: list[Token] = []
     invalid: list[Token] = []
     problems: list[Problem] = []

@@ -41,7 +41,7 @@ def undecodable(text: str, spans: Sequence[tuple[int, int]]) -> Iterator[Problem
 
 
 def bytes_message(run: str, expected: str = "a document is UTF-8") -> str:
-    """Return what to say of bytes that are not of the encoding that is expected."""
+    """Return the message about bytes that are not of the encoding expected."""
     numbers = " ".join(f"0x{ord(character) - 0xDC00:02X}" for character in run[:_MOST_BYTES])
     return f"undecodable {'byte' if len(run) == 1 else 'bytes'} {numbers}, {expected}"
 

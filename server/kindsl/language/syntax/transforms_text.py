@@ -239,7 +239,7 @@ def _inserted(kind: str, before: "Token") -> "Token":
 
 
 def _kind_name(kind: str) -> str:
-    """Return a terminal as messages say it: `'{'`, `'base'`, `a frame`."""
+    """Return how messages name a terminal: `'{'`, `'base'`, `a frame`."""
     if kind.startswith("A_"):
         return kind.lower().replace("_", " ")
     value = _parser().get_terminal(kind).pattern.value

@@ -135,7 +135,7 @@ def _transforms(task: Task, text: str) -> LintedFile:
     apart = set_apart(
         transforms_findings(text, model, task.settings), lines_of(text), task.settings
     )
-    return _counting(LintedFile(task.shown, text, apart.told), apart)
+    return _counting(LintedFile(task.shown, text, apart.reported), apart)
 
 
 def _model_in(path: str) -> Model | None:

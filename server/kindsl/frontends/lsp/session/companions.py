@@ -61,7 +61,7 @@ async def _transforms_diagnostics(state: State, document: Document) -> "Sequence
     settings = (await state.analyses.version(document)).settings
     check = lambda: transforms_findings(document.text, view.model, settings)  # noqa: E731
     found = await state.worker.run(check, Urgency.DIAGNOSTICS)
-    return set_apart(found, lines_of(document.text), settings).told
+    return set_apart(found, lines_of(document.text), settings).reported
 
 
 def _robot_beside(state: State, document: Document) -> Document | None:

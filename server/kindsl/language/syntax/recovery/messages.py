@@ -30,7 +30,7 @@ def repair_problem(
     words: Sequence[Word],
     wanted: Sequence[str],
 ) -> Problem:
-    """Return what to say about a group of changes.
+    """Return the problem that a group of changes repairs.
 
     Args:
         read: Tokens of the block up to the first change.
@@ -65,7 +65,7 @@ def repair_problem(
 
 
 def closing_problem(text: str, read: Sequence[Token], kinds: Sequence[str], place: int) -> Problem:
-    """Return what to say about a block that ends too early; `place` is the index in `read`."""
+    """Return the problem of a block that ends too early; `place` is the index in `read`."""
     position = read[place - 1].end if place else 0
     if kinds[0] != "}":
         message = f"expected {called(kinds[0])} after '{last_written(read[:place])}'"
@@ -79,7 +79,7 @@ def closing_problem(text: str, read: Sequence[Token], kinds: Sequence[str], plac
 def leftover_problem(
     read: Sequence[Token], rest: Sequence[Token], text: str, previous: str
 ) -> Problem:
-    """Return what to say about text that belongs to no block; `previous` is the block before."""
+    """Return the problem of text that belongs to no block; `previous` is the block before."""
     start, end = rest[0].start, rest[-1].end
     what = shown(first_row(text, rest))
     if previous == "end" or (read and not rest[0].text[:1].isidentifier()):
@@ -115,7 +115,7 @@ def _is_function(tokens: Sequence[Token], group: Sequence[RepairStep]) -> bool:
 
 
 def _left_out(text: str, tokens: Sequence[Token], gone: Sequence[Token]) -> str:
-    """Return what to say about tokens that are too much; glued to a name they spoil it."""
+    """Return the message about tokens that are too much; glued to a name they spoil it."""
     if _are_separators(gone):
         return f"unexpected '{gone[0].text}'"
     for token in tokens:
