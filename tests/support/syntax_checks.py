@@ -61,7 +61,7 @@ def placed(document: SyntaxDocument) -> list[tuple[int, Problem]]:
         for start, island in zip(document.starts, document.islands, strict=True)
         for problem in island.problems
     ]
-    found += [(document.starts[p.index], p.problem) for p in document.problems]
+    found += [(document.starts[p.number], p.problem) for p in document.problems]
     return sorted(found, key=lambda entry: (entry[0] + entry[1].start, entry[1].code))
 
 
