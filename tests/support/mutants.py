@@ -96,7 +96,7 @@ def messages(document: SyntaxDocument) -> list[tuple[int, str, str]]:
     ]
     found += [
         (
-            document.starts[placed.index] + placed.problem.start,
+            document.starts[placed.number] + placed.problem.start,
             placed.problem.code,
             placed.problem.message,
         )
