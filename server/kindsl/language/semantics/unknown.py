@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 from math import isfinite
 from typing import NamedTuple
 
-from kindsl.language.semantics.declarations import Pose
+from kindsl.language.semantics.declarations import Pose, Vector
 from kindsl.language.semantics.expressions import ConstantUse, Expression, is_undecided, symbols
 
 
@@ -43,5 +43,9 @@ def why_unknown(values: Iterable[Expression], bindings: Mapping[str, float]) -> 
 def pose_expressions(pose: Pose) -> Iterable[Expression]:
     """Yield the values of a pose."""
     for vector in pose:
-        if vector is not None:
-            yield from vector.components
+        yield from vector_expressions(vector)
+
+
+def vector_expressions(vector: Vector | None) -> Iterable[Expression]:
+    """Yield the components of a vector, if there is one."""
+    return vector.components if vector is not None else ()
