@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from tests.dynamics.random_bodies import random_bodies
 
-from kindsl.mechanics.dynamics.bias_torque import bias_torque, gravity_torque
 from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.center_of_mass import center_of_mass, center_of_mass_jacobian
 from kindsl.mechanics.dynamics.energy import kinetic_energy, potential_energy
@@ -41,8 +40,6 @@ ALGORITHMS: dict[str, Algorithm] = {
         posture(b, s["q"]), s["qd"], s["x"], s["v"], s["g"]
     ),
     "forward": lambda b, s: forward_dynamics(posture(b, s["q"]), s["qd"], s["x"], s["v"], s["g"]),
-    "bias": lambda b, s: bias_torque(b, s["q"], s["qd"], s["v"], s["g"]),
-    "gravity": lambda b, s: gravity_torque(b, s["q"], s["g"]),
     "kinetic energy": lambda b, s: kinetic_energy(b, s["q"], s["qd"], s["v"]),
     "potential energy": lambda b, s: potential_energy(b, body_poses(b, s["q"]), s["g"]),
     "CoM": lambda b, s: center_of_mass(b, body_poses(b, s["q"])),

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from tests.dynamics.random_bodies import random_bodies
 
-from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.evaluation import book
 from kindsl.mechanics.dynamics.evaluation.request import Request
 from kindsl.mechanics.dynamics.generation.emitters.numpy_rows import BatchFunction, run_in_chunks
+from kindsl.mechanics.dynamics.posture import Posture
 from kindsl.mechanics.spatial.arrays import Array
 
 
@@ -21,13 +21,13 @@ def test_the_book_does_no_part_larger_than_it_may_be(
     q, qd = generator.uniform(-1.0, 1.0, (*shape, 2)), generator.uniform(-1.0, 1.0, 2)
     vectors = {"q": q, "qd": qd, "v0": np.arange(6.0), "g": np.array([7.0, 8.0, 9.0])}
     request = Request("bias_torque", shape, vectors)
-    whole, sizes, bias = book.evaluate(bodies, request), [], book.bias_torque
+    whole, sizes, bias = book.evaluate(bodies, request), [], book.newton_euler
 
-    def counted(bodies: Bodies, q: Array, *others: Array) -> Array:
-        sizes.append(len(q))
-        return bias(bodies, q, *others)
+    def counted(state: Posture, *others: Array) -> Array:
+        sizes.append(len(state.poses))
+        return bias(state, *others)
 
-    monkeypatch.setattr(book, "bias_torque", counted)
+    monkeypatch.setattr(book, "newton_euler", counted)
     monkeypatch.setattr(book, "BODIES_AT_A_TIME", chunk * bodies.n_links)
     np.testing.assert_allclose(book.evaluate(bodies, request), whole, rtol=1e-12)
     size = int(np.prod(shape))

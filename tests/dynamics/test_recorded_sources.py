@@ -54,9 +54,9 @@ def sources(patch: pytest.MonkeyPatch) -> Iterator[str]:
     yield "## scalars"
     yield from scalar_source(recorded).splitlines()
     yield "## rows"
-    rows = batch_source(recorded)
-    yield from rows.text.splitlines()
-    yield f"{rows.n_scratch} rows besides, {rows.constants}"
+    rows, n_scratch, constants = batch_source(recorded)
+    yield from rows.splitlines()
+    yield f"{n_scratch} rows besides, {constants}"
     yield "## lines"
     named = dict(zip("qp", recorded.arguments, strict=True))
     results = [outputs[:5], outputs[5:]]

@@ -39,7 +39,7 @@ def compared(old: Analysis | None, new: Analysis | None) -> Comparison:
     partial = partial_difference(*sides)
     if isinstance(partial, int):
         return Comparison(None, treeless=partial)
-    return Comparison(partial.difference, partial.notes)
+    return Comparison(*partial)
 
 
 def _skeleton(analysis: Analysis) -> Linkage | None:

@@ -6,7 +6,7 @@ that the second changes depends on it, and is left out.
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import Any
 
 from kindsl.language.semantics.model import Model
 from kindsl.language.text.phrases import listed
@@ -24,20 +24,12 @@ _NOTHING = 0.0, 0.0
 Document = tuple[Model, Mapping[str, float]]
 
 
-class PartialDifference(NamedTuple):
-    """The known changes.
+def partial_difference(
+    old: Document | None, new: Document | None
+) -> tuple[Difference, tuple[str, ...]] | int:
+    """Return the changes of what both sides know, and notes on what is left out, and why.
 
-    Attributes:
-        difference: The changes of what both sides know.
-        notes: Parts left out, and why.
-    """
-
-    difference: Difference
-    notes: tuple[str, ...]
-
-
-def partial_difference(old: Document | None, new: Document | None) -> PartialDifference | int:
-    """Return what changed, or the number of the document, 0 or 1, that has no tree at all.
+    If a document has no tree at all, its number, 0 or 1, is returned.
 
     Args:
         old: Model and values of parameters, None if there was no document.
@@ -67,7 +59,7 @@ def partial_difference(old: Document | None, new: Document | None) -> PartialDif
     found, unknown = _known(found, bound[0])
     if old is None or new is None:
         found = _of_one(found, versions[0][0], "added" if old is None else "removed")
-    return PartialDifference(found, (*notes, *unknown))
+    return found, (*notes, *unknown)
 
 
 def document_difference(

@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from kindsl.mechanics.dynamics.bias_torque import bias_torque, gravity_torque
 from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.evaluation.request import Request, rows_of
 from kindsl.mechanics.dynamics.forward_dynamics import forward_dynamics
@@ -11,7 +10,7 @@ from kindsl.mechanics.dynamics.inverse_dynamics import (
     floating_base_inverse_dynamics,
     newton_euler,
 )
-from kindsl.mechanics.dynamics.joint_space_inertia import joint_space_inertia
+from kindsl.mechanics.dynamics.joint_space_inertia import inertia_of
 from kindsl.mechanics.dynamics.joints import uniform_acceleration
 from kindsl.mechanics.dynamics.posture import posture
 from kindsl.mechanics.spatial.arrays import Array
@@ -40,24 +39,24 @@ def evaluate(bodies: Bodies, request: Request) -> Array:
 
 
 def _entries(bodies: Bodies, function: str, x: dict[str, Array]) -> Array:
-    q, g, v0 = x["q"], x["g"], x["v0"]
+    q, v0, rest = x["q"], x["v0"], np.zeros_like(x["q"])
     if function == "poses":
         poses = body_poses(bodies, q)
         named = np.concatenate((poses[:, 1:], frame_poses(bodies, poses)), axis=1)
         return named.reshape((len(q), 16 * named.shape[1]))
+    state, weight = posture(bodies, q), uniform_acceleration(x["g"])
     if function == "joint_space_inertia":
-        return joint_space_inertia(bodies, q).reshape((len(q), bodies.n_velocities**2))
+        return inertia_of(state).reshape((len(q), bodies.n_velocities**2))
     if function == "gravity_torque":
-        return gravity_torque(bodies, q, g)
+        return newton_euler(state, rest, rest, np.zeros(6), -weight)
     qd = x["qd"]
     if function == "bias_torque":
-        return bias_torque(bodies, q, qd, v0, g)
+        return newton_euler(state, qd, rest, v0, -weight)
     external = x["fext"].reshape((len(q), bodies.n_links + 1, 6)) if "fext" in x else None
-    state, weight = posture(bodies, q), uniform_acceleration(g)
     if function == "forward_dynamics":
-        found, _ = forward_dynamics(state, qd, x["tau"], v0, g, external)
+        found, _ = forward_dynamics(state, qd, x["tau"], v0, x["g"], external)
     elif function == "inverse_dynamics" and bodies.is_floating:
-        tau, base = floating_base_inverse_dynamics(state, qd, x["qdd"], v0, g, external)
+        tau, base = floating_base_inverse_dynamics(state, qd, x["qdd"], v0, x["g"], external)
         return np.concatenate((tau, base), axis=-1)
     else:
         found = newton_euler(state, qd, x["qdd"], v0, x.get("a0", 0.0) - weight, external)

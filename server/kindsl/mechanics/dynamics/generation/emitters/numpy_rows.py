@@ -42,34 +42,23 @@ class BatchFunction(NamedTuple):
     constants: dict[int, float]
 
 
-class BatchSource(NamedTuple):
-    """The source of a function `evaluate`.
-
-    Attributes:
-        text: The source.
-        n_scratch: Number of scratch rows in it.
-        constants: The names of numbers in it.
-    """
-
-    text: str
-    n_scratch: int
-    constants: dict[float, str]
-
-
 def batch_function(trace: Trace) -> BatchFunction:
     """Compile a trace for rows."""
-    source = batch_source(trace)
+    source, n_scratch, names = batch_source(trace)
     namespace: dict[str, object] = dict(UFUNCS.values())
     # A ufunc takes a 0-d array a third faster than a float.
-    namespace |= {name: np.array(value) for value, name in source.constants.items()}
-    exec(compile(source.text, "<generated mechanics>", "exec"), namespace)
+    namespace |= {name: np.array(value) for value, name in names.items()}
+    exec(compile(source, "<generated mechanics>", "exec"), namespace)
     evaluate: Callable[..., None] = namespace["evaluate"]  # type: ignore[assignment]
     constants = {n: x for n, x in enumerate(trace.outputs) if isinstance(x, float)}
-    return BatchFunction(evaluate, source.n_scratch, len(trace.outputs), constants)
+    return BatchFunction(evaluate, n_scratch, len(trace.outputs), constants)
 
 
-def batch_source(trace: Trace) -> BatchSource:
-    """Return the source of a trace: each value has its place in an output or a scratch row."""
+def batch_source(trace: Trace) -> tuple[str, int, dict[float, str]]:
+    """Return the source of `evaluate`, how many scratch rows it needs, and its names of numbers.
+
+    Each value has its place in an output or a scratch row.
+    """
     graph, order, blocks = trace.graph, trace.needed(), _blocks(trace)
     names = {node: f"{b}_{row}" for b, nodes in blocks.items() for row, node in enumerate(nodes)}
     outputs: dict[int, list[str]] = {}
@@ -101,7 +90,7 @@ def batch_source(trace: Trace) -> BatchSource:
     heads += [f"{rows},=scratch"] if scratch else []
     heads.append(f"{','.join(f'o{n}' for n in range(len(trace.outputs)))},=out")
     head = f"def evaluate({','.join(blocks)},out,scratch):"
-    return BatchSource("\n ".join([head, *heads, *lines, "return\n"]), len(scratch), constants)
+    return "\n ".join([head, *heads, *lines, "return\n"]), len(scratch), constants
 
 
 def run_in_chunks(
