@@ -142,3 +142,15 @@ def test_xml_of_something_else_is_told_in_one_sentence() -> None:
     assert text[found.start : found.end] == "<launch"
     (found,) = analysis("hello\n", "robot.xml").findings
     assert found.message == "not well-formed XML at line 1: syntax error"
+
+
+DUMMY = '<inertial pos="0 0 0" mass="1e-7" diaginertia="1e-5 1e-5 1e-5"/></body><body name="lower">'
+
+
+@pytest.mark.parametrize(("joint", "severity"), [("", "hint"), ("<joint/>", "warning")])
+def test_a_body_that_hardly_weighs_beside_what_it_is_fixed_to_is_a_hint(
+    joint: str, severity: str
+) -> None:
+    dummy = f'<body name="imu">{joint}{DUMMY}'
+    (found,) = analysis(robot(POSSIBLE).replace('<body name="lower">', dummy)).findings
+    assert (found.code, found.subject.name, str(found.severity)) == ("KD311", "imu", severity)

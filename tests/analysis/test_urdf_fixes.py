@@ -135,6 +135,13 @@ def test_an_odd_part_is_set_as_its_counterpart(old: str, new: str, code: str) ->
     assert apply_edits(text, found.fix.edits) == LEGS
 
 
+def test_another_part_of_the_same_name_is_no_counterpart() -> None:
+    odd = THIGH.replace("0.0044459086", "0.3").replace("8.69608e-04", "7e-05")
+    text = LEGS[:RIGHT_THIGH] + spoilt(THIGH, odd, LEGS[RIGHT_THIGH:])
+    text = text.replace("left_thigh", "thigh_1").replace("right_thigh", "thigh_2")
+    assert not any(each.fix for each in announced(analyse(text)))
+
+
 def test_what_both_sides_have_is_set_as_nothing() -> None:
     text = LEGS.replace(THIGH, THIGH.replace("0.0044459086", "0.3").replace("8.69608e-04", "7e-05"))
     assert [each.fix for each in announced(analyse(text))] == [None] * len(analyse(text).findings)

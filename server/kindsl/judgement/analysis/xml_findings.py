@@ -1,6 +1,6 @@
 """Findings of an XML file that is judged where it stands."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import inf, log
 
 from kindsl.judgement.analysis.settings import Settings, is_enabled
@@ -57,7 +57,7 @@ def xml_findings(
         found: What the rules found that concern it.
     """
     flaws = document.flaws if isinstance(document, XmlDocument) else ()
-    has_moving_only = isinstance(document, XmlDocument) and document.has_moving_only
+    movers = document.movers if isinstance(document, XmlDocument) else None
     bodies = xml_bodies(model)
     own = [(flaw.code, Finding(flaw.at, flaw.message)) for flaw in flaws]
     own += ((_PLACEHOLDER, finding) for finding in _placeholders(model))
@@ -66,7 +66,8 @@ def xml_findings(
     own += body_findings(model, bodies, context)
     rules = {rule.code: rule for rule in rules_with(frozenset(code for code, _ in own))}
     enabled = [(rules[code], each) for code, each in own if is_enabled(rules[code], settings)]
-    light, at_rest = _light_parts(bodies), set() if has_moving_only else _parts_at_rest(bodies)
+    light = _light_parts(bodies, movers or {})
+    at_rest = _parts_at_rest(bodies) if movers is None else set()
     # Where nothing moves but a base may float its density matters.
     has_joints = any(body.moves for body in bodies)
     massless = {id(link.island) for link in _massless(bodies)} if _MISSING in rules else set()
@@ -163,11 +164,13 @@ def _is_massless(link: Link) -> bool:
     return is_empty or (mass is not None and mass.literal == 0.0)
 
 
-def _light_parts(bodies: Iterable[XmlBody]) -> set[int]:
+def _light_parts(bodies: Iterable[XmlBody], movers: Mapping[str, str]) -> set[int]:
     """Return the islands of parts whose mass is next to nothing beside that of their body."""
-    light = set()
+    light, fixed = set(), dict[object, list[Link]]()
     for body in bodies:
-        links = [part.link for part in body.parts]
+        mover = movers.get(str(body.link.name)) or id(body)
+        fixed.setdefault(mover, []).extend(part.link for part in body.parts)
+    for links in fixed.values():
         least = _NEGLIGIBLE * sum(map(_mass, links))
         light |= {id(link.island) for link in links if _mass(link) < least}
     return light

@@ -15,6 +15,7 @@ from kindsl.language.semantics.model import Model
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.robots.interchange.robot_island import RobotIsland
 from kindsl.robots.interchange.xml_reading import DECIMAL
+from kindsl.robots.limbs.names import label_of
 from kindsl.robots.limbs.weighing import Suspect
 
 _GREATEST_POWER = 9
@@ -99,7 +100,9 @@ def fix_by_counterpart(model: Model, link: Link, odd: Container[Link]) -> Counte
         link: A part that cannot be as it is.
         odd: All parts that cannot.
     """
-    return set_as(model, link, [peer for peer in namesakes(model, link) if peer not in odd])
+    words = label_of(str(link.name)).words
+    same = (peer for peer in namesakes(model, link) if label_of(str(peer.name)).words == words)
+    return set_as(model, link, [peer for peer in same if peer not in odd])
 
 
 def set_as(model: Model, link: Link, peers: Sequence[Link]) -> CounterpartFix | None:

@@ -4,7 +4,7 @@ A comment before an element belongs to its island, and one behind it in the line
 """
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -72,11 +72,12 @@ class XmlDocument(SyntaxDocument):
     Attributes:
         flaws: What keeps it from being in its format.
         connections: Its joints with the links that they connect.
-        has_moving_only: Whether all links in it move, though it tells no connections.
+        movers: Where all links in it move, though it tells no connections: of those that are fixed
+            to others the one that a joint moves, by name. None elsewhere.
     """
 
     is_xml = True
-    has_moving_only = False
+    movers: Mapping[str, str] | None = None
 
     def __init__(self, islands: Sequence[Island], former: SyntaxDocument | None = None) -> None:
         super().__init__(chunks_of(islands), None if former is None else former.versions)

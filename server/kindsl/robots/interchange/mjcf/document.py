@@ -60,7 +60,8 @@ def _of_elements(text: str, root: XmlElement, former: SyntaxDocument | None) -> 
     islands = MjcfIsland.made_of(_pieces(text, root), former)
     document = XmlDocument(islands, former)
     document.flaws = tuple(document.flaw(*flaw) for flaw in flaws)
-    document.has_moving_only = True
+    named = ((each.get("name"), mover.get("name")) for each, mover in _moving_bodies(root))
+    document.movers = {body: mover for body, mover in named if body and mover}
     return document
 
 
@@ -82,7 +83,7 @@ def _flaws(root: XmlElement) -> Iterator[tuple[str, str, int, str]]:
 def _pieces(text: str, root: XmlElement) -> Iterator[XmlPiece]:
     """Yield what ends with the inertia of a body, with the body's name, and then the rest."""
     start = 0
-    for body in _moving_bodies(root):
+    for body, _ in _moving_bodies(root):
         inertial: Any = body.find("inertial")
         is_frame = inertial is not None and not _has_joint(body) and _is_nothing(inertial)
         if inertial is not None and not is_frame and inertial.offset >= start:
@@ -92,22 +93,22 @@ def _pieces(text: str, root: XmlElement) -> Iterator[XmlPiece]:
     yield XmlPiece(text[start:], start, None)
 
 
-def _moving_bodies(root: XmlElement) -> Iterator[XmlElement]:
-    """Yield the bodies whose inertia matters, in the order of the file: of one at rest it does not.
+def _moving_bodies(root: XmlElement) -> Iterator[tuple[XmlElement, XmlElement]]:
+    """Yield the bodies whose inertia matters, in the order of the file, and what moves with each.
 
     All of a part that another file includes: where that hangs is not known.
     """
     if root.find("compiler[@inertiafromgeom='true']") is not None:
         return
-    is_part = root.tag == "mujocoinclude"
-    pending: list[tuple[Any, bool]]
-    pending = [(each, is_part) for each in reversed(root.findall("*"))]
+    pending: list[tuple[Any, Any]]
+    above = root if root.tag == "mujocoinclude" else None
+    pending = [(each, above) for each in reversed(root.findall("*"))]
     while pending:
-        element, moves = pending.pop()
-        moves = moves or _has_joint(element)
-        if element.tag == "body" and moves:
-            yield element
-        pending += [(each, moves) for each in reversed(element.findall("*"))]
+        element, mover = pending.pop()
+        mover = element if _has_joint(element) else mover
+        if element.tag == "body" and mover is not None:
+            yield element, mover
+        pending += [(each, mover) for each in reversed(element.findall("*"))]
 
 
 def _has_joint(body: XmlElement) -> bool:
