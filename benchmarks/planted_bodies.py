@@ -129,8 +129,11 @@ def about_com_and_signs(_: random.Random, body: Body, __: Sequence[Body]) -> Bod
     return body._replace(moments=(ix, iy, iz, *(-p for p in products)))
 
 
-def signs_before_shift(_: random.Random, body: Body, __: Sequence[Body]) -> Body:
+def signs_before_shift(_: random.Random, body: Body, __: Sequence[Body]) -> Body | None:
     ix, iy, iz, *products = shifted(body, -1.0).moments
+    # Where the shift changes no product, that is another kind of slip.
+    if tuple(products) == body.moments[3:]:
+        return None
     return shifted(body._replace(moments=(ix, iy, iz, *(-p for p in products))))
 
 
@@ -317,7 +320,7 @@ def _sentences(found: Sequence[Diagnostic]) -> Iterator[str]:
 
 PAIRS = ("KD312", "KD510")
 LOOKED_AT = ("KD3", "KD502", "KD509", "KD510", "KD511")
-CAUSES = ("KD306", "KD307", "KD308", "KD310", "KD314", "KD502", "KD509", "KD510", "KD312")
+CAUSES = ("KD306", "KD307", "KD308", "KD310", "KD314", "KD502", "KD509", "KD510", "KD312", "KD511")
 
 
 def _body(analysis: Analysis, link: Link) -> Body:
