@@ -75,6 +75,9 @@ UNSEEN, MOST_OF_A_FAMILY, ROUNDS = 0.05, 40.0, 200
 # Each table, the spread, and whether all counterparts agree, or one but for its signs.
 N_PARTS = len(RANGES) + 3
 START_OF_AGREEMENT = 5.0
+# Logarithm of how much likelier than a mirror image the very body is that counterparts let expect.
+# One slip in a robot, as planted here, never shows that the counterparts are the wrong ones.
+MOST_EXPECTED = 3.0
 # How stiffly weights are held at the table of slips, and factors at one. Weights that are held less
 # take the slips planted here, of each kind as many, for as common; see the evidence.
 OF_SORTS, OF_PARTS = 10.0, 3.0
@@ -331,6 +334,7 @@ def text_of(
         values = ", ".join(f"{factor * value:.2f}" for value in each.values)
         lines.append(f'    "{name}": LikelihoodTable({each.low}, {each.step}, ({values})),')
     trust, expected, mirrored = factors[len(known) :]
+    expected = min(expected, mirrored + MOST_EXPECTED)
     lines += ["}", "# Along the axes, turned about one, tilted a little, anyhow."]
     lines.append(f"LIES = ({', '.join(map(str, shares))})")
     lines.append(f"TRUST, EXPECTED, MIRRORED = {trust:.2f}, {expected:.2f}, {mirrored:.2f}")

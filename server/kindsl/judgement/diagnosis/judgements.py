@@ -38,6 +38,7 @@ from kindsl.mechanics.rigid.matter import (
     is_dense_as_matter,
     is_plainly_dense_as_matter,
 )
+from kindsl.mechanics.rigid.pose import Vector3
 
 if TYPE_CHECKING:
     from kindsl.judgement.diagnosis.digits import Bounds
@@ -101,9 +102,10 @@ class _Judged(NamedTuple):
 
     near: list[Judgement]
     far: list[Judgement]
+    long: list[Judgement]
 
 
-_NONE = _Judged([], [])
+_NONE = _Judged([], [], [])
 
 
 def judgements(declared: Declarations, values: Mapping[str, float]) -> Sequence[Judgement]:
@@ -119,6 +121,11 @@ def far_judgements(declared: Declarations, values: Mapping[str, float]) -> Seque
     return _judged(declared, values).far
 
 
+def long_judgements(declared: Declarations, values: Mapping[str, float]) -> Sequence[Judgement]:
+    """Return the possible bodies of an island whose moments may have been shifted twice."""
+    return _judged(declared, values).long
+
+
 def _judged(declared: Declarations, values: Mapping[str, float]) -> _Judged:
     """Return what is judged once for each island, or for values where parameters are in it."""
     if not declared.links and not declared.bases:
@@ -130,8 +137,10 @@ def _judged(declared: Declarations, values: Mapping[str, float]) -> _Judged:
     moving = [body for body in declared.bodies() if is_moving(body) and body.inertia is not None]
     judged = [j for j in (_judge(link, values) for link in moving) if j is not None]
     is_literal = all(is_plain(link.inertia) for link in moving if link.inertia is not None)
-    near, far = ([j for j in judged if _is_far(j) == is_far] for is_far in (False, True))
-    return facts.keep(_JUDGED, (None if is_literal else values, _Judged(near, far)))[1]
+    odd = [j for j in judged if j.verdict is not Verdict.POSSIBLE]
+    near, far = ([j for j in odd if _is_far(j) == is_far] for is_far in (False, True))
+    long = [j for j in judged if j.verdict is Verdict.POSSIBLE]
+    return facts.keep(_JUDGED, (None if is_literal else values, _Judged(near, far, long)))[1]
 
 
 def _is_far(found: Judgement) -> bool:
@@ -153,6 +162,13 @@ def is_moving(body: Link) -> bool:
 def is_placeholder(body: MassDistribution) -> bool:
     """Return whether mass and moments are all 1.0, which no body is by chance."""
     return body.mass == 1.0 and body.moments[:3] == (1.0, 1.0, 1.0)
+
+
+def spread_along(second_moments: Symmetric, way: Vector3) -> float:
+    """Return the second moment along a way, times the square of its length."""
+    xx, yy, zz, xy, xz, yz = second_moments
+    x, y, z = way
+    return x * x * xx + y * y * yy + z * z * zz + 2.0 * (x * y * xy + x * z * xz + y * z * yz)
 
 
 def is_round(moments: Symmetric) -> bool:
@@ -245,9 +261,17 @@ def _judge(link: Link, values: Mapping[str, float]) -> Judgement | None:
     if is_clearly_positive(second_moments) and is_plainly_dense_as_matter(
         body.mass, second_moments
     ):
-        return None
+        if inertia.frame is not None or not _is_long(body, second_moments):
+            return None
+        return judgement_of(link, inertia, body, values)._replace(verdict=Verdict.POSSIBLE)
     found = judgement_of(link, inertia, body, values)
     return None if found.verdict is Verdict.POSSIBLE else found
+
+
+def _is_long(body: MassDistribution, second_moments: Symmetric) -> bool:
+    """Return whether a body without half of its shift still reaches beyond its link's origin."""
+    way = sum(c * c for c in body.com)
+    return spread_along(second_moments, body.com) >= body.mass * way * way > 0.0
 
 
 def judgement_of(

@@ -15,7 +15,7 @@ from kindsl.judgement.diagnosis.judge import Cause, merged, ranked, weighed, wei
 from kindsl.judgement.diagnosis.judgements import Judgement, is_round, judgement_of
 from kindsl.judgement.diagnosis.slips import TABLE, Hypothesis, Slip, hypotheses
 from kindsl.judgement.diagnosis.surroundings import same_moments, surroundings
-from kindsl.judgement.diagnosis.unlike import Unlike
+from kindsl.judgement.diagnosis.unlike import APART, NEARLY, Unlike
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
 from kindsl.mechanics.rigid.body import MassDistribution, second_moments_about_com
@@ -69,7 +69,10 @@ def _tried(
     written = weighed_as_written(found, around)
     if written is None:
         return
-    near = [h for h in hypotheses(body, found.half) if is_mirror_image(h.body, meant, within)]
+    tried = list(hypotheses(body, found.half))
+    near = [h for h in tried if is_mirror_image(h.body, meant, within)]
+    if not near and not is_mirror_image(body, meant, APART):
+        near = [h for h in tried if is_mirror_image(h.body, meant, NEARLY)]
     # Where some mistakes leave exactly what is meant, others that come near it are none.
     matching = [h for h in near if is_mirror_image(h.body, meant, _AS_COMPUTED)] or near
     causes = [c for h in matching if (c := weighed(h, found, around)) is not None]

@@ -6,8 +6,10 @@ from kindsl.judgement.diagnosis.judgements import (
     Judgement,
     Verdict,
     far_judgements,
+    is_plain,
     is_round,
     judgements,
+    long_judgements,
 )
 from kindsl.language.semantics.declarations import Inertia
 from kindsl.language.semantics.expressions import Expression, ParameterUse, symbols
@@ -26,6 +28,21 @@ def suspects_of(model: Model, values: Mapping[str, float]) -> list[Judgement]:
             known = chunk.facts.keep(_SUSPECTS, _suspects(part, values))
         found += known
     return found
+
+
+def long_suspects_of(model: Model, values: Mapping[str, float]) -> list[Judgement]:
+    """Return the possible bodies whose moments may have been shifted twice.
+
+    A thing that carries nothing, with places marked on it, may have any shape: a hammer.
+    """
+    return [
+        found
+        for part in model.parts
+        for declared in part.declared
+        for found in long_judgements(declared, values)
+        if is_plain(found.inertia) and not is_round(found.body.moments)
+        if model.tree.joints_on(found.link) or not found.link.frames
+    ]
 
 
 def _suspects(part: ModelPart, values: Mapping[str, float]) -> list[Judgement]:

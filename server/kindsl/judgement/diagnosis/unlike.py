@@ -24,7 +24,7 @@ from kindsl.robots.limbs.names import label_of, other_sides
 # Numbers that were made alike agree in their digits, a left and a right part of a CAD program
 # nearly: then only a slip that takes them from far apart to as near as the rest is told. Half and
 # twice of these change nothing in 122 robots as they are, nor in 250 planted slips.
-EXACTLY, _NEARLY, _APART = 1e-3, 0.01, 0.05
+EXACTLY, NEARLY, APART = 1e-3, 0.01, 0.05
 # Digits that agree between links of one name, which may be typed by hand.
 _OF_NAMESAKES = 4
 
@@ -98,7 +98,7 @@ def _compared(
     is_alike, unlike = _unlike(link, body, others, EXACTLY, EXACTLY)
     if is_alike or unlike is not None or not named:
         return is_alike, unlike
-    return _unlike(link, body, named, _NEARLY, _APART)
+    return _unlike(link, body, named, NEARLY, APART)
 
 
 def _unlike(

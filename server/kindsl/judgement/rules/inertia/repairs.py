@@ -1,6 +1,7 @@
 """Findings of the rules that tell a cause of an inertia, and the fix that they offer."""
 
 from collections.abc import Sequence
+from math import sqrt
 
 from kindsl.judgement.diagnosis.digits import (
     WrittenDigits,
@@ -13,6 +14,7 @@ from kindsl.judgement.diagnosis.judge import Cause, Diagnosis, diagnoses
 from kindsl.judgement.diagnosis.judgements import (
     IMPOSSIBLE,
     Judgement,
+    Verdict,
     at_values,
     can_be_of_matter,
     is_moving,
@@ -21,6 +23,7 @@ from kindsl.judgement.diagnosis.judgements import (
 )
 from kindsl.judgement.diagnosis.misfits import misfits
 from kindsl.judgement.diagnosis.slips import Slip
+from kindsl.judgement.diagnosis.suspects import long_suspects_of
 from kindsl.judgement.diagnosis.unlike import Unlike, unlike_links
 from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Severity
 from kindsl.judgement.rules.context import ROBCOGEN, ROBCOGEN2, Context
@@ -48,6 +51,7 @@ from kindsl.mechanics.rigid.matter import GREATEST_DENSITY, density_of, is_dense
 # Of what is wrong for certain a cause is told from here on: at half of it one finding more in 122
 # robots as they are, at twice 2 % of planted slips less.
 _POSSIBLE = 0.2
+_ALONE = 0.99
 _MOST_RELATED = 20
 _LEAST_SHARED = 3
 _EVIDENCE = frozenset(("KD311",))
@@ -65,8 +69,12 @@ def findings(suspects: Sequence[Judgement], model: Model, context: Context) -> l
     shared = _shared(diagnosed, told, model)
     if shared is not None:
         return [shared]
+    # What is possible says nothing of other links.
+    for found in long_suspects_of(model, context.values):
+        for diagnosis in diagnoses([found], model, context.values):
+            told += filter(None, [_of_causes(diagnosis, context)])
     places = {finding.at for _, finding in told}
-    known = {d.found.link for d in diagnosed if keyword(d.found.inertia) in places}
+    known = {b for b in model.bodies if b.inertia is not None and keyword(b.inertia) in places}
     unlike = [u for u in unlike_links(model) if known.isdisjoint((u.link, *dict(u.peers)))]
     return told + [each for u in unlike if (each := _of_unlike(u, model, context)) is not None]
 
@@ -119,12 +127,14 @@ def _of_unlike(unlike: Unlike, model: Model, context: Context) -> _Coded | None:
 def _is_told(found: Judgement, causes: Sequence[Cause]) -> bool:
     """Return whether numbers are likely to be wrong in a way that is known."""
     first = causes[0]
+    if found.verdict is Verdict.POSSIBLE:
+        return first.hypothesis.slips == (Slip.TWICE,) and first.probability >= LIKELY
     if not is_plausible(first):
-        # Robots have placeholders that are too light; nobody's are denser than all matter. One
+        # Robots have placeholders that are too light; hardly any is denser than all matter. One
         # moment of a body that is wrong as a whole makes it possible too often.
         is_light = density_of(first.hypothesis.body.mass, first.shape.pairs) < GREATEST_DENSITY
-        is_of_one = first.hypothesis.slips == (Slip.MOMENT,)
-        return is_light and not is_of_one and first.probability >= LIKELY
+        least = _ALONE if first.hypothesis.slips == (Slip.MOMENT,) else LIKELY if is_light else SURE
+        return first.probability >= least
     if found.is_impossible or not is_dense_as_matter(found.body.mass, found.second_moments):
         return first.probability >= _POSSIBLE
     return sum(cause.probability for cause in causes) >= LIKELY
@@ -156,7 +166,10 @@ def _finding(diagnosis: Diagnosis, at: str, context: Context) -> Finding:
     found, causes = diagnosis
     section = keyword(found.inertia)
     told = f"inertia of '{found.link.name}'"
-    if not found.is_impossible:
+    if found.verdict is Verdict.POSSIBLE:
+        length = sqrt(12.0 * found.second_moments[2].value / found.body.mass)
+        told += f" describes a body about {with_unit(length, 'm')} long and"
+    elif not found.is_impossible:
         density = density_of(found.body.mass, found.second_moments)
         told += f" implies a density of {with_unit(density, 'kg/m³')} and"
     fix = _fix(found, causes[0], context) if len(causes) == 1 else None

@@ -5,7 +5,7 @@ from functools import partial
 from typing import NamedTuple
 
 from kindsl.judgement.diagnosis.judgements import keyword
-from kindsl.judgement.diagnosis.suspects import suspects_of
+from kindsl.judgement.diagnosis.suspects import long_suspects_of, suspects_of
 from kindsl.judgement.diagnosis.unlike import unlike_links
 from kindsl.judgement.rules.base import Finding
 from kindsl.judgement.rules.context import Context
@@ -65,7 +65,7 @@ def suspect_coms(model: Model, context: Context) -> dict[Vector, SuspectCom]:
 
 def _findings(model: Model, context: Context) -> list[tuple[str, Finding]]:
     suspects = suspects_of(model, context.values)
-    if not suspects and not unlike_links(model):
+    if not suspects and not unlike_links(model) and not long_suspects_of(model, context.values):
         return []
     # Imported for suspects only, since it delays the linter's start.
     from kindsl.judgement.rules.inertia.repairs import findings
