@@ -99,7 +99,7 @@ def test_a_frame_is_no_end_of_a_link() -> None:
     [
         ("0 0 150", "millimetres"),
         ("0.2 0 15", "millimetres or centimetres"),
-        ("0 0 -5.9", "centimetres?"),
+        ("0 0 -5.9", "centimetres or millimetres?"),
     ],
 )
 def test_a_com_beyond_the_whole_robot_is_in_another_unit(com: str, units: str) -> None:
