@@ -43,7 +43,7 @@ from kindsl.mechanics.rigid.pose import Vector3
 if TYPE_CHECKING:
     from kindsl.judgement.diagnosis.digits import Bounds
 
-_JUDGED: "Fact[tuple[Mapping[str, float] | None, _Judged]]" = Fact("judgements")
+_JUDGED: "Fact[tuple[Mapping[str, float] | None, Judged]]" = Fact("judgements")
 # The numbers of an inertia in words, as `MassDistribution` has them.
 TEN = ("mass", "x of the CoM", "y of the CoM", "z of the CoM", *MOMENTS)
 _SINGULAR = 1e-9
@@ -97,7 +97,7 @@ class Judgement(NamedTuple):
         return self.verdict in IMPOSSIBLE
 
 
-class _Judged(NamedTuple):
+class Judged(NamedTuple):
     """Judgements of an island, those apart of which nothing but the place of the CoM is told."""
 
     near: list[Judgement]
@@ -105,7 +105,7 @@ class _Judged(NamedTuple):
     long: list[Judgement]
 
 
-_NONE = _Judged([], [], [])
+_NONE = Judged([], [], [])
 
 
 def judgements(declared: Declarations, values: Mapping[str, float]) -> Sequence[Judgement]:
@@ -113,20 +113,10 @@ def judgements(declared: Declarations, values: Mapping[str, float]) -> Sequence[
 
     A body without whose CoM, beyond ten metres, nothing could be told is none of them.
     """
-    return _judged(declared, values).near
+    return judged_of(declared, values).near
 
 
-def far_judgements(declared: Declarations, values: Mapping[str, float]) -> Sequence[Judgement]:
-    """Return the bodies of an island that are not plainly possible with a CoM beyond ten metres."""
-    return _judged(declared, values).far
-
-
-def long_judgements(declared: Declarations, values: Mapping[str, float]) -> Sequence[Judgement]:
-    """Return the possible bodies of an island whose moments may have been shifted twice."""
-    return _judged(declared, values).long
-
-
-def _judged(declared: Declarations, values: Mapping[str, float]) -> _Judged:
+def judged_of(declared: Declarations, values: Mapping[str, float]) -> Judged:
     """Return what is judged once for each island, or for values where parameters are in it."""
     if not declared.links and not declared.bases:
         return _NONE
@@ -140,7 +130,7 @@ def _judged(declared: Declarations, values: Mapping[str, float]) -> _Judged:
     odd = [j for j in judged if j.verdict is not Verdict.POSSIBLE]
     near, far = ([j for j in odd if _is_far(j) == is_far] for is_far in (False, True))
     long = [j for j in judged if j.verdict is Verdict.POSSIBLE]
-    return facts.keep(_JUDGED, (None if is_literal else values, _Judged(near, far, long)))[1]
+    return facts.keep(_JUDGED, (None if is_literal else values, Judged(near, far, long)))[1]
 
 
 def _is_far(found: Judgement) -> bool:

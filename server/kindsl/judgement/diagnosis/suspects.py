@@ -1,33 +1,34 @@
 """Inertias that need an explanation: impossible or implausible ones."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from typing import NamedTuple
 
 from kindsl.judgement.diagnosis.judgements import (
     Judgement,
     Verdict,
-    far_judgements,
     is_plain,
     is_round,
-    judgements,
-    long_judgements,
+    judged_of,
 )
 from kindsl.language.semantics.declarations import Inertia
 from kindsl.language.semantics.expressions import Expression, ParameterUse, symbols
 from kindsl.language.semantics.model import Model, ModelPart
 from kindsl.language.text.facts import Fact
 
-_SUSPECTS = Fact[list[Judgement]]("suspects")
+
+class _Suspects(NamedTuple):
+    """Inertias that need an explanation, those apart that are possible but reach far."""
+
+    odd: list[Judgement]
+    long: list[Judgement]
+
+
+_SUSPECTS = Fact[_Suspects]("suspects")
 
 
 def suspects_of(model: Model, values: Mapping[str, float]) -> list[Judgement]:
     """Return what was judged of each inertia that needs an explanation."""
-    found: list[Judgement] = []
-    for chunk, part in zip(model.document.chunks, model.parts, strict=True):
-        known = chunk.facts.get(_SUSPECTS)
-        if known is None or part.parameters or part.constants:
-            known = chunk.facts.keep(_SUSPECTS, _suspects(part, values))
-        found += known
-    return found
+    return [found for each in _of_chunks(model, values) for found in each.odd]
 
 
 def long_suspects_of(model: Model, values: Mapping[str, float]) -> list[Judgement]:
@@ -35,23 +36,25 @@ def long_suspects_of(model: Model, values: Mapping[str, float]) -> list[Judgemen
 
     A thing that carries nothing, with places marked on it, may have any shape: a hammer.
     """
-    return [
-        found
-        for part in model.parts
-        for declared in part.declared
-        for found in long_judgements(declared, values)
-        if is_plain(found.inertia) and not is_round(found.body.moments)
-        if model.tree.joints_on(found.link) or not found.link.frames
-    ]
+    far = (found for each in _of_chunks(model, values) for found in each.long)
+    return [f for f in far if model.tree.joints_on(f.link) or not f.link.frames]
 
 
-def _suspects(part: ModelPart, values: Mapping[str, float]) -> list[Judgement]:
-    return [
-        found
-        for declared in part.declared
-        for found in (*judgements(declared, values), *far_judgements(declared, values))
-        if _is_suspect(found) and not _are_constants_of_one_value(found.inertia)
-    ]
+def _of_chunks(model: Model, values: Mapping[str, float]) -> Iterator[_Suspects]:
+    for chunk, part in zip(model.document.chunks, model.parts, strict=True):
+        known = chunk.facts.get(_SUSPECTS)
+        if known is None or part.parameters or part.constants:
+            known = chunk.facts.keep(_SUSPECTS, _suspects(part, values))
+        yield known
+
+
+def _suspects(part: ModelPart, values: Mapping[str, float]) -> _Suspects:
+    judged = (judged_of(declared, values) for declared in part.declared)
+    odd, long = list[Judgement](), list[Judgement]()
+    for near, far, possible in judged:
+        odd += [f for f in (*near, *far) if _is_suspect(f)]
+        long += [f for f in possible if is_plain(f.inertia) and not is_round(f.body.moments)]
+    return _Suspects([f for f in odd if not _are_constants_of_one_value(f.inertia)], long)
 
 
 def _are_constants_of_one_value(inertia: Inertia) -> bool:
