@@ -410,7 +410,7 @@ Each slip is made in the inertia of one moving link in the text of a whole robot
 there before. `found` counts findings in that link, of pairs at either side, that were not there
 before, `a cause told` those that say what was done, `the cause told` those of them that name the
 slip, first or among rivals, `fix right` fixes that restore the numbers within 2 %, at once or with
-the one that is offered then. What leaves a possible body is not found without a twin. Robots and
+the one that is offered then. What leaves a possible body is seldom found without a twin. Robots and
 halves are those of the limbs below:
 `python benchmarks/planted_bodies.py --half 1 --number 40 --seed 7 --write FOLDER` makes the table.
 """
