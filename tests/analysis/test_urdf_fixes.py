@@ -42,6 +42,13 @@ def test_a_fix_restores_the_number(old: str, new: str) -> None:
     assert done.analysis.text.replace("E-04", "e-04") == LEGS
 
 
+def test_a_product_is_told_as_the_file_has_it() -> None:
+    found = announced(analyse(spoilt('ixy="1.28738e-04"', 'ixy="0.0128738"')))
+    told = [each for each in found if each.code == "KD308"]
+    assert "if ixy were 0.0001287 (" in told[0].message
+    assert told[0].fix is not None and told[0].fix.title == "Set ixy to 0.0001287"
+
+
 @pytest.mark.parametrize(
     ("rpy", "meant"),
     [

@@ -43,6 +43,8 @@ from kindsl.judgement.diagnosis.surroundings import (
     reasons_of_end,
     surroundings,
 )
+from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.lowering import OtherIsland
 from kindsl.language.semantics.model import Model
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.language.text.facts import Fact
@@ -185,8 +187,14 @@ def _typed_anew(found: Judgement, around: LinkSurroundings) -> Iterator[Hypothes
                 mass, x, y, z, *moments = [(meant if i in odd else written)[i] for i in range(10)]
                 body = MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
                 weight = TABLE[Slip.NUMBER].weight * exp(WEIGHTS.get(Slip.NUMBER, 0.0))
-                yield Hypothesis((Slip.NUMBER,), body, found.half, weight, (TEN[odd[0]],))
+                names = TEN[odd[0]], f"{_in_file(meant[odd[0]], TEN[odd[0]], found.link):.4g}"
+                yield Hypothesis((Slip.NUMBER,), body, found.half, weight, names)
                 break
+
+
+def _in_file(number: float, name: str, link: Link) -> float:
+    """Return a number as a file has it: products are entries of a tensor in other formats."""
+    return -number if name in MOMENTS[3:] and isinstance(link.island, OtherIsland) else number
 
 
 def weighed(h: Hypothesis, found: Judgement, around: LinkSurroundings) -> Cause | None:

@@ -71,7 +71,8 @@ class Hypothesis(NamedTuple):
         body: The numbers as they were meant; as written where that is not known.
         half: How far each of them may be from that.
         weight: How common the mistake is, against the others.
-        names: The numbers that are wrong, or that were swapped; the link that was copied.
+        names: The numbers that are wrong, or that were swapped; the link that was copied; of a
+            number typed anew what the file should have.
         power: The moments, or the mass, are to be multiplied by ten to this power.
         unit: The unit that explains that, or empty.
         is_partial: Whether only some of the products' signs are wrong.
@@ -97,7 +98,7 @@ class Hypothesis(NamedTuple):
     @property
     def code(self) -> str:
         """The rule that tells it: that of its first slip."""
-        is_of_mass = self.slips == (Slip.NUMBER,) and self.names == ("mass",)
+        is_of_mass = self.slips == (Slip.NUMBER,) and self.names[0] == "mass"
         return TABLE[Slip.MASS if is_of_mass else self.slips[0]].code
 
     @property

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from kindsl.judgement.diagnosis.evidence import density, vanishing_products
 from kindsl.judgement.diagnosis.judge import Cause
-from kindsl.judgement.diagnosis.judgements import TEN, Verdict, can_be_of_matter, verdict_of
+from kindsl.judgement.diagnosis.judgements import Verdict, can_be_of_matter, verdict_of
 from kindsl.judgement.diagnosis.misfits import Misfit
 from kindsl.judgement.diagnosis.slips import Hypothesis, Slip
 from kindsl.language.text.phrases import listed
@@ -147,7 +147,7 @@ def _slip(slip: Slip, h: Hypothesis) -> str:
     if slip is Slip.MOMENT:
         return f"{h.names[0]} were {_times(h.power)}"
     if slip is Slip.NUMBER:
-        return f"{'the ' if h.names[0] == 'mass' else ''}{h.names[0]} were {_meant(h):.4g}"
+        return f"{'the ' if h.names[0] == 'mass' else ''}{h.names[0]} were {h.names[1]}"
     if slip in (Slip.MASS, Slip.SCALE):
         what = "the mass were" if slip is Slip.MASS else "the moments were"
         return f"{what} in {h.unit}" if h.unit else f"{what} {_times(h.power)}"
@@ -163,18 +163,12 @@ def _step(slip: Slip, h: Hypothesis) -> str:
     if slip is Slip.MOMENT:
         return f"Multiply {h.names[0]} by {_ten(h)}"
     if slip is Slip.NUMBER:
-        return f"Set {h.names[0]} to {_meant(h):.4g}"
+        return f"Set {h.names[0]} to {h.names[1]}"
     if slip in (Slip.SIGNS, Slip.COM_SIGN, Slip.MINUS):
         return f"Change sign of {', '.join(h.names)}"
     if slip is Slip.SIGNS_THERE:
         return f"Change sign of {', '.join(h.names)} about the CoM"
     return _STEPS.get(slip, "").format(*h.names)
-
-
-def _meant(h: Hypothesis) -> float:
-    """Return the one number that was typed otherwise, as it was meant."""
-    mass, com, moments = h.body
-    return (mass, *com, *moments)[TEN.index(h.names[0])]
 
 
 def _times(power: int) -> str:
