@@ -7,6 +7,9 @@ from tests.analysis.test_urdf_in_place import joint, link, robot
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.language.text.edits import apply_edits
+from kindsl.robots.interchange.format import AS_WRITTEN
+from kindsl.robots.interchange.kindsl_writing import described_kindsl
+from kindsl.robots.interchange.urdf import FORMAT as URDF_FORMAT
 
 LEGS = ("LF", "RF", "LH", "RH")
 
@@ -250,3 +253,15 @@ def test_a_wrist_whose_zero_is_at_half_a_turn_is_no_slip(
     turn: str, wrist: str, codes: list[str]
 ) -> None:
     assert [each.code for each in analyse(arms(turn, wrist)).findings] == codes
+
+
+def test_a_document_tells_no_slip_where_a_zero_may_be_at_half_a_turn() -> None:
+    """Its frames lie anyhow about their joints' axes, so that nothing tells the two apart."""
+    assert codes_in_document(arms("0 3.14159265 0", "0.0092")) == []
+    assert codes_in_document(arms("0 0 0", "0.02")) == ["KD510"]
+
+
+def codes_in_document(text: str) -> list[str]:
+    assert URDF_FORMAT.parse is not None
+    document = described_kindsl(URDF_FORMAT.parse(text, "arms", AS_WRITTEN))
+    return [each.code for each in analyse(document.text).findings if each.code > "KD508"]

@@ -127,7 +127,8 @@ def _judged(
     found: list[LimbVerdict] = []
     for group, bodies in zip(groups, links, strict=True):
         at_each = zip(group, assignments, strict=True)
-        found += agreed([verdicts(limbs, _masses(bodies, values)) for limbs, values in at_each])
+        all_found = agreed([verdicts(limbs, _masses(bodies, values)) for limbs, values in at_each])
+        found += (each for each in all_found if not each.may_be_zero)
     return found
 
 

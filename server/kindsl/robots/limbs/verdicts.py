@@ -23,6 +23,7 @@ from kindsl.robots.limbs.weighing import Accusation, Masses, Suspect, WeighedCom
 _SMALLEST = {"LR": 3, "HELD": 2}
 # Of the numbers of a turn that two limbs let expect.
 _SAME_TURN = 0.02
+_HALF_A_TURN = ((-1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, 1.0))
 _Pair = tuple[Side, Side]
 _ByPeer = Sequence[Sequence[Accusation]]
 _Weighed = Mapping[_Pair, WeighedComparison]
@@ -47,12 +48,14 @@ class LimbVerdict(NamedTuple):
         repairs: What to write, one for each way to put it right; none where that is not known.
         peers: Names of links that agree with each other; none for a pair.
         is_convicted: Whether the peers outvote one limb; of a pair either may be wrong.
+        may_be_zero: Whether both are alike if the zero of a joint is half a turn away.
     """
 
     places: tuple[Suspect, ...]
     repairs: tuple[MeantNumbers, ...]
     peers: tuple[str, ...]
     is_convicted: bool
+    may_be_zero: bool = False
 
 
 class ComparedLimbs:
@@ -232,7 +235,19 @@ def _of_pair(c: WeighedComparison) -> Iterator[LimbVerdict]:
             own = (both[i] for both in tied if both[i].place == first.place)
             meant = min(own, key=lambda said: (said.n_slips, said.meant == at[said.peer]))
             repairs.append(MeantNumbers(meant.place, (meant.meant,)))
-        yield LimbVerdict(tuple(places), tuple(repairs[::-1]), (), False)
+        is_zero = any(_is_of_other_zero(limbs, said) for both in tied for said in both)
+        yield LimbVerdict(tuple(places), tuple(repairs[::-1]), (), False, is_zero)
+
+
+def _is_of_other_zero(limbs: LimbComparison, said: Accusation) -> bool:
+    """Return whether a joint's zero would only be half a turn away: the wrists of Atlas are so."""
+    bodies = (body for _, *both in limbs.rows for body in both)
+    own = next((body for body in bodies if body.joint == said.place.joint), None)
+    if said.place.what != "angles" or own is None or own.kind != "revolute":
+        return False
+    meant = pose_from((0.0, 0.0, 0.0), (said.meant[0], said.meant[1], said.meant[2])).rotation
+    turn = product(transposed(own.rotation), meant)
+    return all(dist(a, b) < _SAME_TURN for a, b in zip(turn, _HALF_A_TURN, strict=True))
 
 
 def _is_base_at_one(limbs: LimbComparison, said: Accusation) -> bool:
