@@ -47,6 +47,8 @@ _JUDGED: "Fact[tuple[Mapping[str, float] | None, Judged]]" = Fact("judgements")
 # The numbers of an inertia in words, as `MassDistribution` has them.
 TEN = ("mass", "x of the CoM", "y of the CoM", "z of the CoM", *MOMENTS)
 _SINGULAR = 1e-9
+# A shift that is less than a tenth of a body's extent tells nothing, and the judge loads slowly.
+_MOST_BESIDE_SHIFT = 10.0
 # In kg·m²: of a link of a tonne that is a metre long. What is more is in another unit.
 _GREATEST_TYPED = 1e3
 
@@ -261,7 +263,8 @@ def _judge(link: Link, values: Mapping[str, float]) -> Judgement | None:
 def _is_long(body: MassDistribution, second_moments: Symmetric) -> bool:
     """Return whether a body without half of its shift still reaches beyond its link's origin."""
     way = sum(c * c for c in body.com)
-    return spread_along(second_moments, body.com) >= body.mass * way * way > 0.0
+    shift = body.mass * way * way
+    return 0.0 < shift <= spread_along(second_moments, body.com) <= _MOST_BESIDE_SHIFT * shift
 
 
 def judgement_of(
