@@ -1,7 +1,6 @@
 """The outcome of a run of the linter: findings and failures."""
 
 from collections.abc import Sequence
-from copy import copy
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -74,6 +73,8 @@ class LintedFile:
 
     def with_all_known(self) -> "LintedFile":
         """Return the file with all its findings known."""
+        from copy import copy
+
         file = copy(self)
         file.findings, file.n_known = (), self.n_known + len(self.findings)
         return file
