@@ -64,7 +64,8 @@ def xml_limb_verdicts(model: Model) -> list[LimbVerdict]:
         for group in (compared, *compared.held):
             for verdict in verdicts(group, masses):
                 links = (part.link for p in verdict.places for part in named[p.link].parts)
-                if odd.isdisjoint(links) and not _is_of_other_zero(verdict, bodies, named):
+                is_zero = verdict.may_be_zero and _is_turned_on_one_side(verdict, bodies, named)
+                if odd.isdisjoint(links) and not is_zero:
                     repairs = tuple(map(written.repair, verdict.repairs))
                     known = tuple(each for each in repairs if each is not None)
                     untold = () if verdict.is_convicted else verdict.repairs
@@ -171,12 +172,12 @@ class _LimbsAsWritten:
         return [mass, *in_link.com, *there.moments][PARTS[what]]
 
 
-def _is_of_other_zero(
+def _is_turned_on_one_side(
     verdict: LimbVerdict, bodies: Sequence[XmlBody], named: Mapping[str, XmlBody]
 ) -> bool:
     """Return whether only one side turns by half a turn, about its axis, what carries a joint.
 
-    Then the two zeros of that axis are apart, as in the wrists of Atlas, and both sides are alike.
+    A file tells so what a document does not: that its zero is there, not a number wrong.
     """
     places = (named[place.link] for place in verdict.places if place.what == "translation")
     above = (bodies[body.parent] for body in places if body.parent is not None)
