@@ -300,6 +300,19 @@ def test_of_a_possible_body_only_the_size_may_be_wrong() -> None:
     assert all(of_size & {*h.slips} for h in found)
 
 
+def test_of_a_possible_body_all_is_tried_only_where_it_may_be_shifted_twice(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A robot's links that reach far are many, and a keystroke waits for what is tried of each."""
+    tried: list[Hypothesis] = []
+    weighed = judge.weighed
+    monkeypatch.setattr(judge, "weighed", lambda h, *of: tried.append(h) or weighed(h, *of))
+    found = judgement(ball(5.0, (0.1, 0.2, 0.3)), Verdict.POSSIBLE)
+    model = analyse("").model
+    assert judge.diagnosed_alone(found, model, {}) is None
+    assert [h.slips for h in tried] == [(), (Slip.TWICE,)]
+
+
 def test_a_unit_and_another_slip_are_mended_together() -> None:
     body = ball(1000.0)
     wrong = times(7, shifted(body, -1.0))

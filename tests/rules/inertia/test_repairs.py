@@ -74,7 +74,7 @@ def told_by(
     suspects = suspects_of(model, context.values)
     explained = [Diagnosis(f, list(own)) for f, own in zip(suspects, causes, strict=True)]
     monkeypatch.setattr(repairs, "diagnoses", lambda *given: explained)
-    return repairs.findings(suspects, model, context)
+    return repairs.findings(suspects, [], model, context)
 
 
 @pytest.fixture

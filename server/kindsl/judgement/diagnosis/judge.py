@@ -32,6 +32,7 @@ from kindsl.judgement.diagnosis.judgements import (
     IMPOSSIBLE,
     TEN,
     Judgement,
+    Verdict,
     is_about_one_number,
     is_round,
     verdict_of,
@@ -62,6 +63,8 @@ _SHARED, _UNLIKELY = 0.8, 0.01
 _BEYOND_COUNTING = 1e40
 # What may make a possible body likelier; where a counterpart has the numbers `misfits` looks.
 _OF_SIZE = frozenset((Slip.SCALE, Slip.MASS, Slip.TWICE, Slip.MOMENT, Slip.COM_UNIT))
+# Of these, what is told of a body of which nothing else is odd.
+_OF_POSSIBLE = frozenset((Slip.TWICE,))
 # Of ten numbers those that are compared with each other: the mass, the CoM, the moments.
 _LEAST = 1e-12
 _KINDS = (slice(1), slice(1, 4), slice(4, 10))
@@ -134,6 +137,14 @@ def diagnoses(
     ]
 
 
+def diagnosed_alone(
+    found: Judgement, model: Model, values: Mapping[str, float]
+) -> Diagnosis | None:
+    """Return what may have happened to an inertia whatever the others are, None if nothing has."""
+    tried = _tried(found, surroundings(model, values, found), {})
+    return Diagnosis(found, _likely(found, tried, (), 0.0)) if tried.causes else None
+
+
 def _sizes(body: MassDistribution) -> tuple[float, ...]:
     return (body.mass, *map(abs, body.com), *map(abs, body.moments))
 
@@ -142,7 +153,8 @@ def _tried(found: Judgement, around: LinkSurroundings, alike: dict[object, _Trie
     def trial() -> _Tried:
         key = found.body, found.half, found.verdict, around
         if key not in alike:
-            causes, rest = candidates(found, around), weight_of_rest(found, around)
+            rest = weight_of_rest(found, around)
+            causes = candidates(found, around) if _is_doubtful(found, around, rest) else []
             said = said_by(causes, around.mass)
             alike[key] = _Tried(causes, said, rest, doubt_of(causes, rest))
         return alike[key]
@@ -160,6 +172,14 @@ def _likely(
         return ranked(tried.causes, others, tried.rest + log1p(max(doubt, 0.0)))
 
     return found.link.facts.made_of(_RANKINGS, (tried, together, doubt), ranking)
+
+
+def _is_doubtful(found: Judgement, around: LinkSurroundings, rest: float) -> bool:
+    """Return whether a cause may be likelier than all else: of possible bodies only one may be."""
+    if found.verdict is not Verdict.POSSIBLE:
+        return True
+    tried = (weighed(h, found, around) for h in hypotheses(found.body, found.half, _OF_POSSIBLE))
+    return any(c is not None and log(c.hypothesis.weight) + c.log_likelihood >= rest for c in tried)
 
 
 def candidates(found: Judgement, around: LinkSurroundings) -> list[Cause]:

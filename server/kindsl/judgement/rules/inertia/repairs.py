@@ -10,7 +10,7 @@ from kindsl.judgement.diagnosis.digits import (
     rewritten_number,
     ten_values,
 )
-from kindsl.judgement.diagnosis.judge import Cause, Diagnosis, diagnoses
+from kindsl.judgement.diagnosis.judge import Cause, Diagnosis, diagnosed_alone, diagnoses
 from kindsl.judgement.diagnosis.judgements import (
     IMPOSSIBLE,
     Judgement,
@@ -23,7 +23,6 @@ from kindsl.judgement.diagnosis.judgements import (
 )
 from kindsl.judgement.diagnosis.misfits import misfits
 from kindsl.judgement.diagnosis.slips import Slip
-from kindsl.judgement.diagnosis.suspects import long_suspects_of
 from kindsl.judgement.diagnosis.unlike import Unlike, unlike_links
 from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Severity
 from kindsl.judgement.rules.context import ROBCOGEN, ROBCOGEN2, Context
@@ -62,20 +61,30 @@ _Coded = tuple[str, Finding]
 _TELLINGS = Fact[tuple[object, _Coded | None]]("told causes")
 
 
-def findings(suspects: Sequence[Judgement], model: Model, context: Context) -> list[_Coded]:
-    """Return what is told of inertias that need an explanation, with the code of its rule."""
+def findings(
+    suspects: Sequence[Judgement], long: Sequence[Judgement], model: Model, context: Context
+) -> list[_Coded]:
+    """Return what is told of inertias, with the code of its rule.
+
+    Args:
+        suspects: Those that need an explanation.
+        long: Possible ones, whose moments may have been shifted twice.
+    """
     diagnosed = [*map(_of_matter, diagnoses(suspects, model, context.values))]
     told = [each for d in diagnosed if (each := _of_causes(d, context)) is not None]
     shared = _shared(diagnosed, told, model)
     if shared is not None:
         return [shared]
     # What is possible says nothing of other links.
-    for found in long_suspects_of(model, context.values):
-        for diagnosis in diagnoses([found], model, context.values):
-            told += filter(None, [_of_causes(diagnosis, context)])
-    places = {finding.at for _, finding in told}
-    known = {b for b in model.bodies if b.inertia is not None and keyword(b.inertia) in places}
-    unlike = [u for u in unlike_links(model) if known.isdisjoint((u.link, *dict(u.peers)))]
+    for found in long:
+        diagnosis = diagnosed_alone(found, model, context.values)
+        if diagnosis is not None and (of_long := _of_causes(diagnosis, context)) is not None:
+            told.append(of_long)
+    unlike = unlike_links(model)
+    if told and unlike:
+        places = {finding.at for _, finding in told}
+        known = {b for b in model.bodies if b.inertia is not None and keyword(b.inertia) in places}
+        unlike = [u for u in unlike if known.isdisjoint((u.link, *dict(u.peers)))]
     return told + [each for u in unlike if (each := _of_unlike(u, model, context)) is not None]
 
 

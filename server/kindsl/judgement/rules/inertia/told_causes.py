@@ -65,9 +65,10 @@ def suspect_coms(model: Model, context: Context) -> dict[Vector, SuspectCom]:
 
 def _findings(model: Model, context: Context) -> list[tuple[str, Finding]]:
     suspects = suspects_of(model, context.values)
-    if not suspects and not unlike_links(model) and not long_suspects_of(model, context.values):
+    long = long_suspects_of(model, context.values)
+    if not suspects and not long and not unlike_links(model):
         return []
     # Imported for suspects only, since it delays the linter's start.
     from kindsl.judgement.rules.inertia.repairs import findings
 
-    return findings(suspects, model, context)
+    return findings(suspects, long, model, context)
