@@ -404,3 +404,16 @@ def test_a_slip_is_told_by_the_mirror_image(
     for finding, (_, words) in zip(causes, told, strict=True):
         assert f"would be consistent if {words} (" in finding.message
         assert finding.probability is not None and finding.probability >= 0.9
+
+
+def test_a_number_of_the_other_side_has_the_sign_of_the_nearest_image() -> None:
+    """A product of next to nothing does not turn the signs of the others."""
+    arms = 'ixx="0.00118557" ixy="{}" ixz="0.0011173" iyy="0.00312162" iyz="{}" izz="0.00289955"'
+    text = robot(
+        link("left_arm", "0.0965 0.00465 0.0017", arms.format("0.000596", "-2.05e-05"), "0.86"),
+        link("right_arm", "0.0965 -0.00465 0.0017", arms.format("-0.000363", "2.05e-05"), "0.86"),
+        joint("left", "base", "left_arm", "0 0.2 0"),
+        joint("right", "base", "right_arm", "0 -0.2 0"),
+    )
+    (cause,) = [each for each in messages(text) if "would" in each]
+    assert "consistent if ixy were 0.000363" in cause

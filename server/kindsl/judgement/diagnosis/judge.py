@@ -195,21 +195,27 @@ def candidates(found: Judgement, around: LinkSurroundings) -> list[Cause]:
 
 
 def _typed_anew(found: Judgement, around: LinkSurroundings) -> Iterator[Hypothesis]:
-    """Yield the numbers with the mass or the moment in which alone a counterpart differs."""
+    """Yield the numbers with the mass or the moment in which alone a counterpart differs.
+
+    Of its images the nearest tells the sign.
+    """
     written = (found.body.mass, *found.body.com, *found.body.moments)
     for peer in around.peers:
+        ways: list[tuple[float, int, float]] = []
         for image in images(peer.body):
             meant: Sequence[float] = (image.mass, *image.com, *image.moments)
             sizes = (max([_LEAST, *map(abs, meant[kind])]) for kind in _KINDS for _ in meant[kind])
-            apart = (abs(a - b) / size for a, b, size in zip(written, meant, sizes, strict=True))
+            apart = [abs(a - b) / c for a, b, c in zip(written, meant, sizes, strict=True)]
             odd = [i for i, share in enumerate(apart) if share > SAME]
             if len(odd) == 1 and TEN[odd[0]] in _TYPED:
-                mass, x, y, z, *moments = [(meant if i in odd else written)[i] for i in range(10)]
-                body = MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
-                weight = TABLE[Slip.NUMBER].weight * exp(WEIGHTS.get(Slip.NUMBER, 0.0))
-                names = TEN[odd[0]], f"{_in_file(meant[odd[0]], TEN[odd[0]], found.link):.4g}"
-                yield Hypothesis((Slip.NUMBER,), body, found.half, weight, names)
-                break
+                ways.append((sum(apart), odd[0], meant[odd[0]]))
+        for _, n, number in sorted(ways)[:1]:
+            ten = [*written[:n], number, *written[n + 1 :]]
+            mass, x, y, z, *moments = ten
+            body = MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
+            weight = TABLE[Slip.NUMBER].weight * exp(WEIGHTS.get(Slip.NUMBER, 0.0))
+            names = TEN[n], f"{_in_file(number, TEN[n], found.link):.4g}"
+            yield Hypothesis((Slip.NUMBER,), body, found.half, weight, names)
 
 
 def _in_file(number: float, name: str, link: Link) -> float:
