@@ -265,3 +265,33 @@ def codes_in_document(text: str) -> list[str]:
     assert URDF_FORMAT.parse is not None
     document = described_kindsl(URDF_FORMAT.parse(text, "arms", AS_WRITTEN))
     return [each.code for each in analyse(document.text).findings if each.code > "KD508"]
+
+
+def shoulders(right: str) -> str:
+    """Return a robot whose waist is 1.5 mm beside the plane between its arms."""
+    waist = '<origin xyz="0.005 -0.0015 0.08"/><axis xyz="1 0 0"/><parent'
+    blocks = [
+        link("torso", TENSOR, "1.2"),
+        joint("waist", "base", "torso").replace("<parent", waist),
+    ]
+    for side, y, sign in (("left", "0.1015", ""), ("right", right, "-")):
+        above = "torso"
+        for part, xyz in (
+            ("upper", f"-0.002 {y} 0.2"), ("lower", f"0 {sign}0.04 -0.07"), ("wrist", "0 0 -0.18"),
+        ):  # fmt: skip
+            place = f'<origin xyz="{xyz}"/><axis xyz="0 1 0"/><parent'
+            blocks.append(link(f"{side}_{part}", TENSOR, "1.2"))
+            blocks.append(
+                joint(f"{side}_{part}_joint", above, f"{side}_{part}").replace("<parent", place)
+            )
+            above = f"{side}_{part}"
+    return robot(*blocks)
+
+
+@pytest.mark.parametrize(
+    ("right", "codes"),
+    [("-0.1015", []), ("-0.0985", []), ("-0.0968", ["KD510"]), ("-0.1032", ["KD510"])],
+)
+def test_sides_may_be_mirrored_at_the_plane_of_the_base(right: str, codes: list[str]) -> None:
+    assert [each.code for each in analyse(shoulders(right)).findings] == codes
+    assert codes_in_document(shoulders(right)) == codes

@@ -17,6 +17,7 @@ from kindsl.mechanics.rigid.body import (
     shifted,
 )
 from kindsl.mechanics.rigid.pose import (
+    IDENTITY,
     RigidPose,
     Vector3,
     angles,
@@ -26,7 +27,7 @@ from kindsl.mechanics.rigid.pose import (
     turned,
 )
 from kindsl.robots.limbs.attachments import Attachment, LimbNames
-from kindsl.robots.limbs.limb import Body, Limbs, assembled, groups_of, names_of
+from kindsl.robots.limbs.limb import Body, Limbs, assembled, base_origin, groups_of, names_of
 from kindsl.robots.limbs.mirrored import PairOfLimbs, pairs_of, unmirrored
 from kindsl.robots.limbs.slips import angles_near
 from kindsl.robots.limbs.verdicts import ComparedLimbs, LimbVerdict, MeantNumbers, verdicts
@@ -212,10 +213,15 @@ def _limbs_in(bodies: Sequence[XmlBody]) -> Iterator[list[Limbs]]:
     In each limb a link's frame is turned with its joint's axis, which is z.
     """
     carried: list[list[Body | None]] = [[] for _ in bodies]
-    for body, below in zip(reversed(bodies), reversed(carried), strict=True):
+    poses: list[RigidPose] = []
+    for body in bodies:
+        above = IDENTITY if body.parent is None else poses[body.parent]
+        poses.append(above.then(body.placement))
+    for body, pose, below in zip(reversed(bodies), reversed(poses), reversed(carried), strict=True):
         known = [each for each in reversed(below) if each is not None]
         if groups := list(groups_of(known)):
-            yield groups
+            base = base_origin(pose.then(body.axis_pose))
+            yield [limbs._replace(base=base) for limbs in groups]
         if body.parent is not None:
             parent = bodies[body.parent]
             made = _limb_body(body, parent, tuple(known)) if len(known) == len(below) else None

@@ -12,7 +12,7 @@ from math import hypot
 from typing import NamedTuple
 
 from kindsl.mechanics.rigid.pose import IDENTITY, Rotation, Vector3, product, transposed, turned
-from kindsl.robots.limbs.limb import Match
+from kindsl.robots.limbs.limb import AT_ORIGIN, Match
 from kindsl.robots.limbs.mounts import CONVENTIONS, SAME_PLACE, Mount, Way, is_proper, mounts
 
 _KNOWN = frozenset(CONVENTIONS)
@@ -67,9 +67,11 @@ class LimbComparison:
         how: str,
         among: Sequence[Mount] = (),
         tolerance: Tolerance = _OF_PLACES,
+        base: Vector3 = AT_ORIGIN,
     ) -> None:
         self.rows, self.how = rows, how
-        self._mounts = among or sorted(mounts(how, *rows[0][1:]), key=lambda mount: mount.extra)
+        found = among or mounts(how, *rows[0][1:], base)
+        self._mounts = sorted(found, key=lambda mount: mount.extra)
         self._tolerance = tolerance
         self._below: list[list[int]] = [[] for _ in rows]
         for index, row in enumerate(rows[1:], 1):

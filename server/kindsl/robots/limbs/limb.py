@@ -5,17 +5,20 @@ from itertools import combinations
 from typing import NamedTuple
 
 from kindsl.language.semantics.declarations import Link
-from kindsl.language.semantics.kinematic_tree import Edge
+from kindsl.language.semantics.kinematic_tree import Edge, KinematicTree
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import triple, written_pose
-from kindsl.mechanics.rigid.pose import RigidPose, Rotation, Vector3
+from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Rotation, Vector3
 from kindsl.robots.limbs.names import is_held, label_of
 
 # No robot has more or longer ones that are written by hand, and comparing takes their square.
 _MOST_LIMBS, _MOST_BODIES = 12, 48
+_DEEPEST = 16
+_PARALLEL = 1e-6
 # Named ones may be a left and a right one; of two numbered ones nothing can be told.
 _FEWEST = {True: 2, False: 3}
 
+AT_ORIGIN = IDENTITY.translation
 Side = tuple[object, ...]
 Values = Mapping[str, float]
 
@@ -53,11 +56,13 @@ class Limbs(NamedTuple):
         heads: The first body of each with its label: side and row, or its numbers.
         is_named: Whether sides and rows tell them apart, else numbers do.
         are_held: Whether they are what a left and a right limb hold.
+        base: The base's origin in the carrier's frame, where their axes are parallel.
     """
 
     heads: tuple[tuple[Side, Body], ...]
     is_named: bool
     are_held: bool = False
+    base: Vector3 = AT_ORIGIN
 
     def pairs(self) -> Iterator[tuple[Side, Side, str]]:
         """Yield two labels and how they lie to each other: `LR`, `ROW`, `TURN` or `HELD`."""
@@ -85,13 +90,45 @@ def limbs_of(model: Model, values: Values) -> dict[Link, list[Limbs]]:
         carried = tuple([whole[e.link] for e in edges if e.link is not None and e.link in whole])
         groups = list(groups_of(carried))
         if groups:
-            found[carrier] = groups
+            origin = base_origin(_pose_in_base(tree, carrier, values))
+            found[carrier] = [limbs._replace(base=origin) for limbs in groups]
         above = tree.above.get(carrier, ())
         if len(carried) == len(edges) and len(above) == 1:
             body = body_of(above[0], values, carried)
             if body is not None:
                 whole[carrier] = body
     return found
+
+
+def way_up(tree: KinematicTree, link: Link) -> list[Edge]:
+    """Return the edges from a link to the base, the first of them if they are very many."""
+    way: list[Edge] = []
+    edge = tree.supporting_edge(link)
+    while edge is not None and len(way) < _DEEPEST:
+        way.append(edge)
+        edge = tree.supporting_edge(edge.predecessor)
+    return way
+
+
+def _pose_in_base(tree: KinematicTree, link: Link, values: Values) -> RigidPose | None:
+    pose = IDENTITY
+    for edge in way_up(tree, link):
+        above = written_pose(edge.joint.pose, values) if edge.joint is not None else None
+        if above is None:
+            return None
+        pose = above.then(pose)
+    return pose
+
+
+def base_origin(pose: RigidPose | None) -> Vector3:
+    """Return the base's origin in a body's frame, its own where axes are not parallel.
+
+    Args:
+        pose: Of the body in the base's frame, if it is known.
+    """
+    shares = (abs(x) for row in pose.rotation for x in row) if pose is not None else (0.5,)
+    is_parallel = all(min(share, 1.0 - share) < _PARALLEL for share in shares)
+    return pose.inverse().translation if pose is not None and is_parallel else AT_ORIGIN
 
 
 def groups_of(carried: Sequence[Body]) -> Iterator[Limbs]:

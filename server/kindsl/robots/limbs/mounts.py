@@ -1,6 +1,6 @@
 """Mounts of a limb's head and its peer's, at the body that carries both."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import product as combinations
 from math import atan2, dist, hypot
 from typing import NamedTuple
@@ -15,7 +15,7 @@ from kindsl.mechanics.rigid.pose import (
     transposed,
     turned,
 )
-from kindsl.robots.limbs.limb import Body
+from kindsl.robots.limbs.limb import AT_ORIGIN, Body
 
 # Points that are nearer are at the same place, m: designs are written in millimetres. With half of
 # it two slips of 111 that were planted are not found, with twice of it as many as with it.
@@ -73,7 +73,7 @@ REFLECTIONS = CONVENTIONS[::2]
 _PROPER = [C for C in CONVENTIONS if is_proper(C)]
 
 
-def mounts(how: str, one: Body, other: Body) -> Iterator[Mount]:
+def mounts(how: str, one: Body, other: Body, base: Vector3 = AT_ORIGIN) -> Iterator[Mount]:
     """Yield what may take a head to its peer.
 
     Args:
@@ -81,6 +81,7 @@ def mounts(how: str, one: Body, other: Body) -> Iterator[Mount]:
             `HELD` for what limbs hold: it is mounted in any way, mirrored or alike.
         one: The first head.
         other: Its peer.
+        base: Where the base's origin is: a left and a right limb may be mirrored there.
     """
     here, there = one.translation, other.translation
     if how == "HELD":
@@ -93,6 +94,9 @@ def mounts(how: str, one: Body, other: Body) -> Iterator[Mount]:
     for axis, mirror in enumerate(_MIRRORS):
         j, k = (axis + 1) % 3, (axis + 2) % 3
         place, along = turned(mirror, here), moved(here, there, axis)
+        about_base = moved(place, [2.0 * b + p for b, p in zip(base, place, strict=True)], axis)
+        if dist(about_base, there) < SAME_PLACE:
+            place = about_base
         if how == "ROW":
             if apart[axis] or not any(apart):
                 yield from (Mount(matrix, along, 0.0, axis) for matrix in (mirror, _SAME))
@@ -117,7 +121,7 @@ def mounts(how: str, one: Body, other: Body) -> Iterator[Mount]:
                     yield Mount(turn, place, 0.0)
 
 
-def moved(here: Vector3, there: Vector3, axis: int) -> Vector3:
+def moved(here: Sequence[float], there: Sequence[float], axis: int) -> Vector3:
     """Return a place moved to another along an axis."""
     x, y, z = (there[i] if i == axis else here[i] for i in range(3))
     return x, y, z

@@ -4,13 +4,12 @@ from collections.abc import Iterator
 from itertools import product as combinations
 
 from kindsl.language.semantics.declarations import Link
-from kindsl.language.semantics.kinematic_tree import Edge, KinematicTree
+from kindsl.language.semantics.kinematic_tree import KinematicTree
 from kindsl.mechanics.rigid.pose import Rotation, turned
 from kindsl.robots.limbs.comparison import LimbComparison, Tolerance
-from kindsl.robots.limbs.limb import Body, Match, Values, body_of
+from kindsl.robots.limbs.limb import Body, Match, Values, body_of, way_up
 from kindsl.robots.limbs.mounts import Mount, diagonal, moved
 
-_DEEPEST = 16
 _NEAR = Tolerance(1e-9, 0.02, 0.02)
 
 
@@ -30,7 +29,7 @@ def peer_frames(tree: KinematicTree, one: Link, other: Link, values: Values) -> 
     Returns:
         Signed permutations; none where the parts do not lie so, or one carries the other.
     """
-    here, there = _way_up(tree, one), _way_up(tree, other)
+    here, there = way_up(tree, one), way_up(tree, other)
     carriers = [edge.predecessor for edge in there]
     n_here = next((n for n, e in enumerate(here, 1) if e.predecessor in carriers), 0)
     n_there = carriers.index(here[n_here - 1].predecessor) + 1 if n_here else -1
@@ -41,16 +40,6 @@ def peer_frames(tree: KinematicTree, one: Link, other: Link, values: Values) -> 
     ways = list(_mounts(rows[0].one, rows[0].other))
     found = LimbComparison(rows, "", ways, _NEAR).readings() if ways else ()
     return [r.conventions[n_here - 1] for r in found if r.slip is None]
-
-
-def _way_up(tree: KinematicTree, link: Link) -> list[Edge]:
-    """Return the edges from a link to the base, the first of them if they are very many."""
-    way: list[Edge] = []
-    edge = tree.supporting_edge(link)
-    while edge is not None and len(way) < _DEEPEST:
-        way.append(edge)
-        edge = tree.supporting_edge(edge.predecessor)
-    return way
 
 
 def _mounts(one: Body, other: Body) -> Iterator[Mount]:

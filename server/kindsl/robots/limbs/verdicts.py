@@ -74,7 +74,7 @@ class ComparedLimbs:
         for one, other, how in limbs.pairs():
             rows = matched(heads[one], heads[other])
             if rows is not None:
-                self.pairs[one, other] = LimbComparison(rows, how)
+                self.pairs[one, other] = LimbComparison(rows, how, base=limbs.base)
                 for hands in held_by(rows) if how == "LR" else ():
                     sides = zip((one, other), hands, strict=True)
                     self.held.append(ComparedLimbs(Limbs(tuple(sides), True, True)))
