@@ -417,3 +417,25 @@ def test_a_number_of_the_other_side_has_the_sign_of_the_nearest_image() -> None:
     )
     (cause,) = [each for each in messages(text) if "would" in each]
     assert "consistent if ixy were 0.000363" in cause
+
+
+@pytest.mark.parametrize(
+    ("origin", "shape", "severities"),
+    [
+        ("0 0 0", "", ["hint"]),
+        ("0 0 0.1", "", ["warning"]),
+        ("0 0 0", '<visual><geometry><sphere radius="0.1"/></geometry></visual>', ["warning"]),
+    ],
+)
+def test_a_link_between_two_axes_of_one_joint_is_a_hint(
+    origin: str, shape: str, severities: list[str]
+) -> None:
+    text = robot(
+        f'<link name="cross">{shape}</link>\n',
+        link("upper"),
+        joint("pan", "base", "cross", "0 0 1"),
+        joint("tilt", "cross", "upper", origin),
+    )
+    assert [(f.code, str(f.severity)) for f in analyse(text).findings] == [
+        ("KD304", each) for each in severities
+    ]

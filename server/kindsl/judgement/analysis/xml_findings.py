@@ -21,6 +21,7 @@ from kindsl.language.semantics.places import Located
 from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.mechanics.rigid.body import eigensystem, second_moments_about_com
 from kindsl.mechanics.rigid.matter import density_of
+from kindsl.robots.interchange.robot_island import RobotIsland
 from kindsl.robots.interchange.xml_document import XmlDocument
 
 _MISSING, _PLACEHOLDER, _COPIED, _DENSITY = "KD304", "KD310", "KD315", "KD311"
@@ -70,7 +71,7 @@ def xml_findings(
     at_rest = _parts_at_rest(bodies) if movers is None else set()
     # Where nothing moves but a base may float its density matters.
     has_joints = any(body.moves for body in bodies)
-    massless = {id(link.island) for link in _massless(bodies)} if _MISSING in rules else set()
+    massless = {id(b.link.island) for b in _massless(bodies)} if _MISSING in rules else set()
     copied = {id(finding.at.island) for rule, finding in found if rule.code == _COPIED}
     in_units = {id(f.at.island) for rule, f in (*enabled, *found) if rule.code in _UNITS}
     explained = {(id(f.at.island), code) for _, f in (*enabled, *found) for code in f.explains}
@@ -197,22 +198,33 @@ def _placeholders(model: Model) -> Iterator[Finding]:
         yield _of_all(units, at, f"{what}mass and moments are 1")
 
 
-def _missing(bodies: Iterable[XmlBody]) -> Iterator[Finding]:
-    """Yield one finding for all bodies of a file that move and have no mass or no moments."""
-    without = _massless(bodies)
-    if without:
-        verb = "have" if without[1:] else "has"
-        what = f"link '{without[0].name}'{_more(without)} {verb} no inertia, and a joint moves "
-        yield _of_all(without, without[0].name, what + ("them" if without[1:] else "it"))
+def _missing(bodies: Sequence[XmlBody]) -> Iterator[Finding]:
+    """Yield one finding for all bodies of a file that move and have no mass or no moments.
+
+    Links between the axes of one joint are a hint, unless no body has either.
+    """
+    without, n_moving = _massless(bodies), sum(body.moves for body in bodies)
+    between = [b for b in without if _is_between_axes(b)] if len(without) < n_moving else []
+    others = [b for b in without if b not in between]
+    for group, severity in ((others, None), (between, Severity.HINT)):
+        links = [body.link for body in group]
+        if links:
+            verb, it = ("have", "them") if links[1:] else ("has", "it")
+            what = f"link '{links[0].name}'{_more(links)} {verb} no inertia, and a joint moves {it}"
+            yield _of_all(links, links[0].name, what)._replace(severity=severity)
 
 
-def _massless(bodies: Iterable[XmlBody]) -> list[Link]:
-    """Return the first links of bodies that move and have no mass or no moments."""
-    return [
-        body.link
-        for body in bodies
-        if body.moves and all(_is_massless(part.link) for part in body.parts)
-    ]
+def _massless(bodies: Iterable[XmlBody]) -> list[XmlBody]:
+    """Return the bodies that move and have no mass or no moments."""
+    return [b for b in bodies if b.moves and all(_is_massless(part.link) for part in b.parts)]
+
+
+def _is_between_axes(body: XmlBody) -> bool:
+    """Return whether a body carries a single other one, at its own origin, and has no shape."""
+    islands = [part.link.island for part in body.parts]
+    elements = (island.element for island in islands if isinstance(island, RobotIsland))
+    is_shape = any(e is not None and e.find("visual") is not None for e in elements)
+    return len(body.ends) == 1 and not any(body.ends[0]) and not is_shape
 
 
 def _more(links: list[Link]) -> str:
