@@ -46,7 +46,16 @@ def test_a_product_is_told_as_the_file_has_it() -> None:
     found = announced(analyse(spoilt('ixy="1.28738e-04"', 'ixy="0.0128738"')))
     told = [each for each in found if each.code == "KD308"]
     assert "if ixy were 0.0001287 (" in told[0].message
-    assert told[0].fix is not None and told[0].fix.title == "Set ixy to 0.0001287"
+    fix = told[0].fix
+    assert fix is not None and fix.title == "Set ixy to 0.000128738"
+    assert [edit.text for edit in fix.edits] == ["0.000128738"]
+
+
+def test_a_fix_is_offered_at_the_number_too_that_it_writes() -> None:
+    text = spoilt('ixy="1.28738e-04"', 'ixy="0.0128738"')
+    at = text.index("0.0128738") + 3
+    titles = [action.title for action in xml_actions(analyse(text), at, at)]
+    assert titles[:1] == ["Set ixy to 0.000128738"]
 
 
 @pytest.mark.parametrize(

@@ -36,7 +36,8 @@ def xml_fix(fix: Fix | None) -> Fix | None:
     whole = tuple(each for each in changes if each is not None)
     if fix is None or not whole or len(whole) < len(changes):
         return None
-    return Fix(in_words_of_xml(fix.title), whole)
+    told = fix.title.replace(fix.changes[0].text, whole[0].text) if len(whole) == 1 else fix.title
+    return Fix(in_words_of_xml(told), whole)
 
 
 def xml_choices(choices: Sequence[Fix]) -> tuple[Fix, ...]:

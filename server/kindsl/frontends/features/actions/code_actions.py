@@ -55,8 +55,8 @@ def code_actions(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, 
 
 
 def quick_fixes(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, ...]:
-    """Return the fixes of the findings that touch a range."""
-    touched = offered(analysis, _touched(analysis, start, end))
+    """Return the fixes of the findings that touch a range, or whose fixes write there."""
+    touched = offered(analysis, _mended(analysis, start, end))
     fixes = [_fix(finding, fix) for finding in touched for fix in _fixes_of(finding)]
     omitted = [d for d in touched if d.code == _OMITTED and d.fix is None]
     additions = [
@@ -70,7 +70,7 @@ def quick_fixes(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, .
 
 def xml_actions(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, ...]:
     """Return what can be done about a range of a robot in XML."""
-    touched = offered(analysis, _touched(analysis, start, end))
+    touched = offered(analysis, _mended(analysis, start, end))
     fixes = (_fix(finding, fix) for finding in touched for fix in _fixes_of(finding))
     return (*fixes, *suppressions(analysis, start, end))
 
@@ -126,6 +126,20 @@ def suppressions(analysis: Analysis, start: int, end: int) -> Iterator[CodeActio
 
 def _touched(analysis: Analysis, start: int, end: int) -> list[Diagnostic]:
     return [d for d in analysis.findings if d.start <= end and start <= d.end]
+
+
+def _mended(analysis: Analysis, start: int, end: int) -> list[Diagnostic]:
+    """Return the findings at a range, and behind them those whose fix writes words there anew."""
+
+    def is_there(edit: TextEdit) -> bool:
+        is_word = edit.start < edit.end and "\n" not in analysis.text[edit.start : edit.end]
+        return is_word and edit.start <= end and start <= edit.end
+
+    touched = _touched(analysis, start, end)
+    others = (d for d in analysis.findings if d not in touched)
+    return touched + [
+        d for d in others if any(is_there(edit) for fix in _fixes_of(d) for edit in fix.edits)
+    ]
 
 
 def _ignoring(text: str, finding: Diagnostic) -> TextEdit:

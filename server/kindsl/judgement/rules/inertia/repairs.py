@@ -199,7 +199,10 @@ def _fix(found: Judgement, cause: Cause, context: Context) -> Fix | None:
     changes = _changes(found, cause)
     if not changes or not _holds(found, changes, context):
         return None
-    return Fix(title(cause.hypothesis), tuple(changes))
+    told = title(cause.hypothesis)
+    if Slip.NUMBER in cause.hypothesis.slips:
+        told = told.replace(cause.hypothesis.names[1], changes[0].text)
+    return Fix(told, tuple(changes))
 
 
 def _changes(found: Judgement, cause: Cause) -> list[Replacement] | None:
