@@ -28,8 +28,9 @@ def missing_names(
     all_names = [str(thing.name) for thing in declared]
     free = set(idle_names)
     for number, name in enumerate(names):
-        meant = nearest_names(name, idle_names) or nearest_names(name, all_names)
-        meant = meant if number < MOST_SUGGESTIONS else ()
+        meant: tuple[str, ...] = ()
+        if number < MOST_SUGGESTIONS:
+            meant = nearest_names(name, idle_names) or nearest_names(name, all_names)
         message = f"{kind} '{name}' does not exist{hint(meant)}"
         choices = tuple(renaming(name, name, each) for each in meant)
         if len(choices) > 1:
