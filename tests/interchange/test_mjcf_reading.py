@@ -278,3 +278,25 @@ def test_files_that_it_names_are_found_from_where_it_is(
     (tool,) = [part for part in parts if part.is_link]
     assert mujoco.get_mju_user_warning() is former
     assert tool.mass is not None and tool.mass.mass == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize(
+    ("body", "more", "refused"),
+    [
+        ("lower", "", "the body 'lower' has its inertia by the mesh 'a.stl', which is missing"),
+        ("base", "", None),
+        ("lower", ' mass="0"', None),
+    ],
+)
+def test_a_robot_without_a_mesh_that_it_weighs_by_is_only_shown(
+    body: str, more: str, refused: str | None, tmp_path: Path
+) -> None:
+    asset = '<mujoco model="arm"><asset><mesh name="a" file="a.stl"/></asset>'
+    text = ARM.replace('<mujoco model="arm">', asset)
+    at = text.index(f'<body name="{body}"')
+    own = text[at:].replace(BODY, "" if refused else BODY, 1)
+    text = text[:at] + re.sub(r">", f'><geom type="mesh" mesh="a"{more}/>', own, count=1)
+    found = robot(text, tmp_path)
+    assert found.refused == ((refused,) if refused else ())
+    assert found.unknown == ({body} if refused else set())
+    assert found.robot.n_links == 2

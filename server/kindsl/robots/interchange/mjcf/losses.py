@@ -1,6 +1,7 @@
 """Parts of an MJCF beyond poses and masses: refused if they change the tree, else noted."""
 
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -8,6 +9,7 @@ import numpy as np
 from kindsl.language.text.phrases import counted
 from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY
 from kindsl.robots.interchange.format import FormatError, gravity_dropped
+from kindsl.robots.interchange.mjcf.writing import DUST
 
 # What is counted and taken away before the model is compiled, in an order that leaves no reference.
 _DROPPED = (
@@ -59,8 +61,13 @@ def losses(spec: Any) -> Iterator[str]:
         yield f"the mocap body '{body.name}' dropped: it is a target, no part of the robot"
 
 
-def strip(spec: Any) -> None:
-    """Take away what neither moves nor weighs, so that its files need not be there."""
+def strip(spec: Any) -> dict[str, str]:
+    """Take away what neither moves nor weighs, so that its files need not be there.
+
+    Returns:
+        Meshes that are not there and that moving bodies would weigh by, by the bodies' names; they
+        are taken away as well.
+    """
     import mujoco
 
     for name, _ in _DROPPED:
@@ -70,6 +77,7 @@ def strip(spec: Any) -> None:
         spec.delete(equality)
     for body in _targets(spec):
         spec.delete(body)
+    missing = _without_missing_meshes(spec)
     always = mujoco.mjtInertiaFromGeom.mjINERTIAFROMGEOM_TRUE
     for body in spec.bodies:
         if body == spec.worldbody or (
@@ -79,6 +87,32 @@ def strip(spec: Any) -> None:
                 spec.delete(geom)
     _strip_assets(spec)
     spec.compiler.fusestatic = False
+    return missing
+
+
+def _without_missing_meshes(spec: Any) -> dict[str, str]:
+    """Take away shapes whose mesh is not there; what would weigh by it weighs next to nothing."""
+    folder = Path(spec.modelfiledir, spec.meshdir)
+    files = {mesh.name or Path(mesh.file).stem: mesh.file for mesh in spec.meshes}
+    missing = {n: file for n, file in files.items() if file and not (folder / file).is_file()}
+    bodies: dict[str, str] = {}
+    for body, moves in _with_motion(spec.worldbody) if missing else ():
+        gone = [geom for geom in body.geoms if geom.meshname in missing]
+        files_of_mass = [missing[geom.meshname] for geom in gone if geom.mass != 0.0]
+        if moves and files_of_mass and not body.explicitinertial:
+            bodies[body.name] = Path(files_of_mass[0]).name
+            body.explicitinertial, body.mass, body.inertia = True, DUST, [DUST] * 3
+        for geom in gone:
+            spec.delete(geom)
+    return bodies
+
+
+def _with_motion(body: Any, moves: bool = False) -> Iterator[tuple[Any, bool]]:
+    """Yield a body and all below it, with whether a joint moves each."""
+    moves = moves or len(body.joints) > 0
+    yield body, moves
+    for each in body.bodies:
+        yield from _with_motion(each, moves)
 
 
 def joint_losses(model: Any) -> Iterator[str]:

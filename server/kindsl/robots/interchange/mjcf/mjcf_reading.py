@@ -1,6 +1,6 @@
 """MJCF to a robot description, out of what MuJoCo compiles; and the places of its numbers."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from math import cos, sin
 from pathlib import Path
@@ -54,7 +54,8 @@ def read_mjcf(path: Path, choices: ReadingChoices) -> ReadRobot:
 
 def _read(spec: Any, name: str, floating: bool) -> ReadRobot:
     lost, refused = tuple(losses(spec)), [*loops(spec)]
-    strip(spec)
+    missing = strip(spec)
+    refused += _missing_meshes(missing)
     model = compiled(spec)
     refused += ball_joints(model)
     roots, outside = _roots(model, refused)
@@ -70,7 +71,16 @@ def _read(spec: Any, name: str, floating: bool) -> ReadRobot:
     )
     joints = [joint for joint in range(model.njnt) if model.jnt_type[joint] >= _SLIDE]
     own = told_joints((_joint_name(model, joint), _properties(model, joint)) for joint in joints)
-    return ReadRobot(robot, (*lost, *told), own, tells_base=True, refused=tuple(refused))
+    why, unknown = tuple(refused), frozenset(missing)
+    notes = (*lost, *told)
+    return ReadRobot(robot, notes, own, tells_base=True, refused=why, unknown=unknown)
+
+
+def _missing_meshes(missing: Mapping[str, str]) -> Iterator[str]:
+    """Yield why a robot can be shown alone whose meshes are not there."""
+    for body, file in [*missing.items()][:1]:
+        more = f", as {len(missing) - 1} more are" if len(missing) > 1 else ""
+        yield f"the body '{body}' has its inertia by the mesh '{file}', which is missing{more}"
 
 
 def _properties(model: Any, joint: int) -> JointProperties:
