@@ -510,3 +510,21 @@ def test_a_format_that_finds_numbers_has_places_for_them() -> None:
                               "</inertial></link></robot>")  # fmt: skip
     number = found["link", "b", "mass"]
     assert (number.text, number.value, number.half) == ("1.50", 1.5, 0.005)
+
+
+def test_what_mujoco_loses_of_a_small_inertia_is_no_difference(
+    kindsl: Runner, folder: Path
+) -> None:
+    pytest.importorskip("mujoco")
+    body = (
+        '<body name="{0}" pos="-0.025 0 0.2" quat="1.32679e-06 -1 0 0"><inertial'
+        ' pos="9.66662e-05 -0.000233736 -0.000463806"'
+        ' quat="0.000426355 0.703652 0.00178423 0.710542" mass="0.0189001"'
+        ' diaginertia="1.89727e-06 1.24254e-06 1.0322e-06"/><joint name="{0}"/>'
+    )
+    bodies = "".join(map(body.format, ("a_roll", "a_pitch", "a_yaw")))
+    text = f"<mujoco><worldbody>{bodies}{3 * '</body>'}</worldbody></mujoco>"
+    (folder / "a.xml").write_text(text)
+    assert kindsl("convert", "a.xml", "a.kindsl").status == 0
+    run = kindsl("diff", "--mechanics", "a.xml", "a.kindsl")
+    assert run.status == 0, run.out

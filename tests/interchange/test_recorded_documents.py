@@ -95,7 +95,8 @@ def _compared(read: ReadDescription, text: str, *, is_about_com: bool = True) ->
             assert part.is_about_com == is_about_com
             assert part.sign == (-1.0 if is_about_com else 1.0)
             pairs = zip(part.values, part.numbers, strict=True)
-            assert all(number is None or number.value == value for value, number in pairs)
+            slack = 1e-9 * max(map(abs, part.values))
+            assert all(n is None or abs(n.value - value) <= slack for value, n in pairs)
             yield f"in {name}: {part.owner} at {_pose(part.body_T_frame)}, moments along {turn}"
             yield from _numbers(part.values, part.numbers, text)
     for pose in (*robot.joints, *robot.frames.values()):

@@ -191,8 +191,7 @@ def _inertia(part: BodyPart, mass: MassDistribution, numbers: FileNumbers) -> Wr
     form = WrittenInertia(part.name, (), (), part.pose, turned, is_about_com=True)
     values = form.values_of(mass)
     found = _found(numbers, "link", part.name, INERTIA, values)
-    exact = tuple(v if n is None else n.value for v, n in zip(values, found, strict=True))
-    return replace(form, values=exact, numbers=found)
+    return replace(form, values=values, numbers=found)
 
 
 def _frame(frame: AttachedFrame, numbers: FileNumbers) -> WrittenPose:
