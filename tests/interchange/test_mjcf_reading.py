@@ -101,7 +101,13 @@ def test_free_joint_is_a_floating_base(tmp_path: Path) -> None:
         (
             "</worldbody>",
             f"<body name='b'><freejoint/>{BODY}</body></worldbody>",
-            "the MJCF has 2 root bodies.*'b' and 'base'",
+            "the MJCF has 2 moving root bodies.*'b' and 'base'",
+        ),
+        (
+            "</worldbody>",
+            "</worldbody><deformable><flex name='cord' dim='1' body='upper tool' element='0 1'/>"
+            "</deformable>",
+            "the body 'cord' deforms .*",
         ),
         (BODY, "", "MuJoCo refuses the model: .*'upper'.*"),
     ],

@@ -8,7 +8,7 @@ import numpy as np
 
 from kindsl.language.text.phrases import counted
 from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY
-from kindsl.robots.interchange.format import FormatError, gravity_dropped
+from kindsl.robots.interchange.format import gravity_dropped
 from kindsl.robots.interchange.mjcf.writing import DUST
 
 # What is counted and taken away before the model is compiled, in an order that leaves no reference.
@@ -39,15 +39,7 @@ _LOOPS = ("connect", "weld")
 
 
 def losses(spec: Any) -> Iterator[str]:
-    """Yield a note on each dropped part.
-
-    Raises:
-        FormatError: There is a deformable body.
-    """
-    if len(spec.flexes):
-        raise FormatError(
-            "the MJCF has a deformable body (flex), which the language does not support"
-        )
+    """Yield a note on each dropped part."""
     for name, noun in _DROPPED:
         if n := len(getattr(spec, name)):
             yield f"{counted(n, noun)} dropped: not supported"
@@ -73,8 +65,8 @@ def strip(spec: Any) -> dict[str, str]:
     for name, _ in _DROPPED:
         for element in list(getattr(spec, name)):
             spec.delete(element)
-    for equality in list(spec.equalities):
-        spec.delete(equality)
+    for element in (*spec.equalities, *spec.flexes):
+        spec.delete(element)
     for body in _targets(spec):
         spec.delete(body)
     missing = _without_missing_meshes(spec)
@@ -170,8 +162,10 @@ def _strip_assets(spec: Any) -> None:
                 spec.delete(element)
 
 
-def loops(spec: Any) -> Iterator[str]:
-    """Yield that equalities close loops: without them the robot can be shown."""
+def unsupported(spec: Any) -> Iterator[str]:
+    """Yield which bodies deform, and which equalities close loops: a robot is shown without."""
+    for flex in spec.flexes:
+        yield f"the body '{flex.name}' deforms (flex), which the language does not support"
     for equality in _of_the_robot(spec):
         if _kind(equality) in _LOOPS:
             yield f"{_named(equality)} closes a kinematic loop, which the language does not support"

@@ -18,10 +18,10 @@ from kindsl.robots.interchange.mjcf.compiling import compiled, spec_of_file
 from kindsl.robots.interchange.mjcf.losses import (
     ball_joints,
     joint_losses,
-    loops,
     losses,
     physics_losses,
     strip,
+    unsupported,
 )
 from kindsl.robots.interchange.rigid_links import BaseKind, RigidLink, about_origin, robot_of_links
 from kindsl.robots.interchange.written_numbers import FileNumbers, XmlNumbers
@@ -53,7 +53,7 @@ def read_mjcf(path: Path, choices: ReadingChoices) -> ReadRobot:
 
 
 def _read(spec: Any, name: str, floating: bool) -> ReadRobot:
-    lost, refused = tuple(losses(spec)), [*loops(spec)]
+    lost, refused = tuple(losses(spec)), [*unsupported(spec)]
     missing = strip(spec)
     refused += _missing_meshes(missing)
     model = compiled(spec)
@@ -111,7 +111,7 @@ def _roots(model: Any, refused: list[str]) -> tuple[list[int], list[str]]:
     others = [b for b in tops if b not in free and _moves(model, b)]
     if len(free) + len(others) > 1:
         told = listed(f"'{_name(model, b)}'" for b in (*free, *others)[:5])
-        number = f"{len(free) + len(others)} root bodies, exactly one is required beside a free one"
+        number = f"{len(free) + len(others)} moving root bodies, exactly one is required"
         refused.append(f"the MJCF has {number}: {told}")
         return [_WORLD], []
     dropped = [f"'{_name(model, b)}'" for b in tops if b not in free]
