@@ -295,3 +295,12 @@ def shoulders(right: str) -> str:
 def test_sides_may_be_mirrored_at_the_plane_of_the_base(right: str, codes: list[str]) -> None:
     assert [each.code for each in analyse(shoulders(right)).findings] == codes
     assert codes_in_document(shoulders(right)) == codes
+
+
+def test_a_misplaced_joint_is_told_of_a_link_whose_inertia_is_a_placeholder() -> None:
+    before, name, after = placed_legs().partition('<joint name="RF_KFE"')
+    spoilt = before + name + after.replace("0 0 -0.3", "0 -0.3 0", 1)
+    for leg in LEGS:
+        at = spoilt.index(f'<link name="{leg}_shank"')
+        spoilt = spoilt[:at] + spoilt[at:].replace('value="1.2"', 'value="2e-06"', 1)
+    assert "KD509" in [each.code for each in analyse(spoilt).findings]

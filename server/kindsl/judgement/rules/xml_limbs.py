@@ -53,7 +53,7 @@ def xml_limb_names(model: Model) -> LimbNames:
 def xml_limb_verdicts(model: Model) -> list[LimbVerdict]:
     """Return what does not fit in the limbs of a robot, with the numbers that would be written.
 
-    Bodies whose own inertia is impossible, or of no material, are left out.
+    Inertias that are impossible by themselves, or of no material, are left out.
     """
     bodies = xml_bodies(model)
     named = {str(body.link.name): body for body in bodies}
@@ -64,7 +64,8 @@ def xml_limb_verdicts(model: Model) -> list[LimbVerdict]:
         compared = ComparedLimbs(limbs)
         for group in (compared, *compared.held):
             for verdict in verdicts(group, masses):
-                links = (part.link for p in verdict.places for part in named[p.link].parts)
+                weighed = (p.link for p in verdict.places if p.what in OF_A_LINK)
+                links = (part.link for name in weighed for part in named[name].parts)
                 is_zero = verdict.may_be_zero and _is_turned_on_one_side(verdict, bodies, named)
                 if odd.isdisjoint(links) and not is_zero:
                     repairs = tuple(map(written.repair, verdict.repairs))
