@@ -304,3 +304,27 @@ def test_a_misplaced_joint_is_told_of_a_link_whose_inertia_is_a_placeholder() ->
         at = spoilt.index(f'<link name="{leg}_shank"')
         spoilt = spoilt[:at] + spoilt[at:].replace('value="1.2"', 'value="2e-06"', 1)
     assert "KD509" in [each.code for each in analyse(spoilt).findings]
+
+
+def test_a_palm_is_mirrored_though_its_fingers_are_copies() -> None:
+    """Its products, which are copies about the origin, do not convict its centre of mass."""
+    tensor = 'ixx="0.0003" ixy="{}" ixz="0" iyy="0.0004" iyz="0" izz="0.0004"'
+    blocks = []
+    for side, y, product in (("l", "0.001", "2e-05"), ("r", "-0.001", "8e-05")):
+        com = f'<origin xyz="0.03 {y.replace("-", "") if side == "r" else "-" + y} 0"/>'
+        blocks.append(link(f"{side}_upper", TENSOR, "1.2"))
+        blocks.append(link(f"{side}_lower", TENSOR, "1.2"))
+        blocks.append(link(f"{side}_wrist", tensor.format(product), "1", com))
+        for part, above, xyz in (
+            ("upper", "base", f"0 {'' if side == 'l' else '-'}0.2 0.4"),
+            ("lower", f"{side}_upper", f"0.1 {'' if side == 'l' else '-'}0.02 0"),
+            ("wrist", f"{side}_lower", "0.2 0 0"),
+            *((f"finger{n}", f"{side}_wrist", f"0.07 0.0{n} 0") for n in (1, 2, 3)),
+        ):
+            if part.startswith("finger"):
+                blocks.append(link(f"{side}_{part}", TENSOR, "1.2"))
+            place = f'<origin xyz="{xyz}"/><axis xyz="0 0 1"/><parent'
+            blocks.append(
+                joint(f"{side}_{part}", above, f"{side}_{part}").replace("<parent", place)
+            )
+    assert "KD510" not in codes_in_document(robot(*blocks))

@@ -344,6 +344,8 @@ def _odd_com(
     coms = [index for index, what in differing if what == "com"]
     if len(coms) != 1 or len(c.limbs.rows) < _SMALLEST.get(c.limbs.how, inf):
         return
+    if c.limbs.how == "HELD" and not coms[0]:
+        return  # Fingers may be copies where their palm, of the arm's, is mirrored.
     alone, as_copies = [(coms[0], "com")], c.differing({coms[0]: IDENTITY.rotation})
     way = {pair: conventions[pair][coms[0]]}
     one, other = (_odd_mass(label, coms[0], ["com"], pairs, way) for label in pair)
