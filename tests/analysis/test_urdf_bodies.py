@@ -439,3 +439,9 @@ def test_a_link_between_two_axes_of_one_joint_is_a_hint(
     assert [(f.code, str(f.severity)) for f in analyse(text).findings] == [
         ("KD304", each) for each in severities
     ]
+
+
+def test_a_robot_for_planning_has_no_inertia_at_all() -> None:
+    text = robot('<link name="upper"/>\n', joint("pan", "base", "upper", "0 0 1"))
+    (told,) = analyse(text).findings
+    assert (told.code, str(told.severity)) == ("KD304", "info")

@@ -2,7 +2,8 @@
 
 ## What it does
 Reports a moving link without an `inertia_params` section: a warning, and an error for a floating
-base and for the target robcogen. Where no moving link of a robot has one, that is reported once.
+base and for the target robcogen. Where no moving link of a robot has one, that is reported once;
+of a URDF, which may be for planning alone, as an information.
 A link between two axes of one joint is a hint: it carries a single link at its own origin, or has
 the name of a link and its own joint, as `foot_ankle_y` has, which becomes of an MJCF's `foot`.
 KD601 reports the section missing in a fixed base, which robcogen requires too.
