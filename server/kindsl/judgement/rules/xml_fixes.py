@@ -7,7 +7,8 @@ from typing import NamedTuple
 from kindsl.judgement.diagnosis.counterparts import are_near, images, namesakes, unlike_numbers
 from kindsl.judgement.rules.base import Fix, Replacement
 from kindsl.judgement.rules.limb_places import PARTS, numbers_at
-from kindsl.judgement.rules.number_writing import opposite, rescaled
+from kindsl.judgement.rules.limb_writing import retyped, rewriting
+from kindsl.judgement.rules.number_writing import rescaled
 from kindsl.judgement.rules.xml_elements import in_words_of_xml
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.expressions import EXACT_ZERO, Expression, half_unit
@@ -153,8 +154,10 @@ def _differing(
         changes = _rescaled(numbers, theirs, [every, apart], _FACTORS[part])
         wanted = {tuple(v[n] if abs(v[n]) > size else 0.0 for n in apart) for _, v in alone}
         if changes is None and len(wanted) == 1:
-            meant = ((numbers[n], theirs[n], alone[0][1][n]) for n in apart)
-            changes = list(_as_theirs(meant))
+            mine, its = ([group[n] for n in apart] for group in (numbers, theirs))
+            meant = [[alone[0][1][n] for n in apart]]
+            texts = retyped(mine, [its], meant, [{}], (slice(10),))
+            changes = list(rewriting("", mine, texts).changes) if texts else None
         if changes:
             yield part, tuple(changes)
 
@@ -182,17 +185,6 @@ def _rescaled(
             if are_near([factor * x for x in here], there, _NEARLY):
                 return rescaled(mine, [factor * (each.literal or 0.0) for each in mine])
     return None
-
-
-def _as_theirs(
-    meant: Iterable[tuple[Expression, Expression, float]],
-) -> Iterator[Replacement]:
-    """Yield the changes that write a counterpart's digits with the signs that are meant."""
-    for mine, its, value in meant:
-        if mine.literal != value:
-            is_same = mine.literal is not None and abs(mine.literal) == abs(value)
-            theirs = its.text if value == its.literal else opposite(its)
-            yield Replacement(mine, opposite(mine) if is_same else theirs)
 
 
 def _distance(one: Expression, other: Expression) -> float:
