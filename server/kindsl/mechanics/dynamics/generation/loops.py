@@ -13,7 +13,8 @@ from kindsl.mechanics.dynamics.generation.vectors import EYE, ZERO
 
 # gcc -O2 takes 6 s and 2.6 MB of text for so many; up to there straight lines are up to three times
 # as fast. Derivatives are no faster from half as many on: those of forward dynamics of a chain of
-# 16 (32,000 operations) are as fast in loops, of inverse dynamics of a tree of 18 (27,000) faster.
+# 16 (32,000 operations) are as fast in loops, so are those of inverse dynamics of a tree of 18
+# (27,000).
 MOST_OPERATIONS = 50_000
 # Loops keep two matrices at most on the stack: 4 MB of the 8 that threads usually have.
 MOST_VELOCITIES = 500

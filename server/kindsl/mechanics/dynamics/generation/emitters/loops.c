@@ -176,8 +176,9 @@ static const int @P@before[@NV@] = {@BEFORE@};
 @FN@ void @P@carry(@S@ *x, int length)
 {
     for (int i = @NB@ - 1; i > 0; i--) {
+        @S@ *carrier = x + length * @P@parents[i];
         for (int k = 0; k < length; k++) {
-            x[length * @P@parents[i] + k] += x[length * i + k];
+            carrier[k] += x[length * i + k];
         }
     }
 }
@@ -343,28 +344,34 @@ static const int @P@before[@NV@] = {@BEFORE@};
     @P@bias_torque(t, q, (const @S@ *)0, (const @S@ *)0, g, tau);
 }
 
-/* Articulated bodies: their inertias, the force of each on its joint for accelerations (and, when
- * known, for turns), and the inverse of the inertia along the joint. */
+/* Articulated bodies: their inertias and, of each coordinate, the inverse of the inertia along it
+ * and how much it is accelerated the other way by accelerations (and, when known, by turns) of what
+ * carries it: a floating base's by its own. */
 @FN@ void @P@articulate(const @S@ *t, const @S@ *axes, const @S@ *bodies, @S@ *whole, @S@ *along,
     @S@ *pivots)
 {
     for (int i = 0; i < @NB@; i++) {
         @P@inertia(bodies + 10 * i, whole + 36 * i);
     }
+    for (int k = 0; k < 9 * @NV@; k++) {
+        along[k] = (@S@)-(k < 9 * @K@ && k % 10 == 0);
+        pivots[k / 9] = (@S@)0;
+    }
     for (int i = @NB@ - 1; i > 0; i--) {
-        const @S@ *axis = axes + 6 * (@K@ + i - 1), *own = whole + 36 * i;
-        @S@ *U = along + 9 * i, *carrier = whole + 36 * @P@parents[i];
-        for (int k = 0; k < 3; k++) {
-            U[6 + k] = (@S@)0;
-        }
+        const int joint = @K@ + i - 1;
+        const @S@ *axis = axes + 6 * joint, *own = whole + 36 * i;
+        @S@ *V = along + 9 * joint, *carrier = whole + 36 * @P@parents[i], U[6];
         for (int k = 0; k < 6; k++) {
             U[k] = @P@dot(own + 6 * k, axis);
         }
-        pivots[i] = (@S@)1 / (@P@dot(U, axis) + t[25 * i + 22]);
+        pivots[joint] = (@S@)1 / (@P@dot(U, axis) + t[25 * i + 22]);
         for (int k = 0; k < 6; k++) {
-            const @S@ factor = U[k] * pivots[i];
+            V[k] = U[k] * pivots[joint];
+#if defined(__GNUC__)
+#pragma GCC unroll 6
+#endif
             for (int j = 0; j < 6; j++) {
-                carrier[6 * k + j] += own[6 * k + j] - factor * U[j];
+                carrier[6 * k + j] += own[6 * k + j] - V[k] * U[j];
             }
         }
     }
@@ -375,11 +382,11 @@ static const int @P@before[@NV@] = {@BEFORE@};
     const @S@ *whole, const @S@ *along, const @S@ *pivots, @S@ *f, @S@ *qdd, @S@ *a)
 {
     for (int i = @NB@ - 1; i > 0; i--) {
-        const @S@ *none = (const @S@ *)0, *axis = axes + 6 * (@K@ + i - 1);
-        qdd[i - 1] = tau[i - 1] - @P@drive(t, qd, none, i) - @P@dot(axis, f + 6 * i);
-        const @S@ share = qdd[i - 1] * pivots[i];
+        const int joint = @K@ + i - 1;
+        const @S@ *none = (const @S@ *)0;
+        qdd[i - 1] = tau[i - 1] - @P@drive(t, qd, none, i) - @P@dot(axes + 6 * joint, f + 6 * i);
         for (int k = 0; k < 6; k++) {
-            f[6 * @P@parents[i] + k] += f[6 * i + k] + along[9 * i + k] * share;
+            f[6 * @P@parents[i] + k] += f[6 * i + k] + along[9 * joint + k] * qdd[i - 1];
         }
     }
     for (int k = 0; k < 6; k++) {
@@ -393,10 +400,11 @@ static const int @P@before[@NV@] = {@BEFORE@};
         @P@resisted(base, a, 1);
     }
     for (int i = 1; i < @NB@; i++) {
-        const @S@ *axis = axes + 6 * (@K@ + i - 1), *carrier = a + 6 * @P@parents[i];
-        qdd[i - 1] = (qdd[i - 1] - @P@dot(along + 9 * i, carrier)) * pivots[i];
+        const int joint = @K@ + i - 1;
+        const @S@ *carrier = a + 6 * @P@parents[i];
+        qdd[i - 1] = qdd[i - 1] * pivots[joint] - @P@dot(along + 9 * joint, carrier);
         for (int k = 0; k < 6; k++) {
-            a[6 * i + k] = carrier[k] + axis[k] * qdd[i - 1];
+            a[6 * i + k] = carrier[k] + axes[6 * joint + k] * qdd[i - 1];
         }
     }
 }
@@ -405,7 +413,7 @@ static const int @P@before[@NV@] = {@BEFORE@};
     const @S@ *v0, const @S@ *g, const @S@ *fext, @S@ *qdd, @S@ *a0)
 {
     @S@ R[9 * @NB@], r[3 * @NB@], axes[6 * @NV@], bodies[10 * @NB@], base[9];
-    @S@ v[6 * @NB@], a[6 * @NB@], f[6 * @NB@], whole[36 * @NB@], along[9 * @NB@], pivots[@NB@];
+    @S@ v[6 * @NB@], a[6 * @NB@], f[6 * @NB@], whole[36 * @NB@], along[9 * @NV@], pivots[@NV@];
     const @S@ *none = (const @S@ *)0;
     @P@place(t, q, R, r, axes, bodies);
     @P@falling(v0, g, base);
@@ -458,11 +466,13 @@ static const int @P@before[@NV@] = {@BEFORE@};
     }
 }
 
-/* Columns of matrices lie side by side in rows of some numbers, depth first, each branch from a new
- * row on: what a coordinate carries is in the rows from its own column's to the last. */
+/* Columns of matrices lie side by side in rows of some numbers, depth first: those of what a
+ * coordinate carries follow its own, up to an end. */
 @ROWS@
-enum { @P@length = (@NV@ + @BRANCHES@ * (@P@width - 1)) / @P@width, @P@block = 4 * @P@width };
+enum { @P@length = (@NV@ + @P@width - 1) / @P@width, @P@block = 4 * @P@width };
 static const int @P@order[@NV@] = {@ORDER@};
+static const int @P@column[@NV@] = {@COLUMNS@};
+static const int @P@end[@NV@] = {@ENDS@};
 
 /* The products of three numbers, and of six, with as many rows, which lie some rows apart. */
 @FN@ @ROW@ @P@dot3_rows(const @S@ *a, const @ROW@ *rows, int apart)
@@ -475,37 +485,39 @@ static const int @P@order[@NV@] = {@ORDER@};
     return @P@dot3_rows(a, rows, apart) + @P@dot3_rows(a + 3, rows + 3 * apart, apart);
 }
 
-@PLAIN@ void @P@columns(int *column, int *end)
+/* Subtract the products of six numbers with blocks of four rows from one block. */
+@FN@ void @P@subtract_products(const @S@ *a, const @ROW@ *rows, @ROW@ *found)
 {
-    for (int k = 0, next = 0; k < @NV@; k++) {
-        const int i = @P@order[k];
-        column[i] = next++;
-        end[i] = 0;
-        if (k + 1 == @NV@ || @P@before[@P@order[k + 1]] != i) {
-            next = (next + @P@width - 1) / @P@width * @P@width;
-        }
+    @ROW@ x = found[0], y = found[1], z = found[2], w = found[3];
+#if defined(__GNUC__)
+#pragma GCC unroll 6
+#endif
+    for (int k = 0; k < 6; k++) {
+        x -= a[k] * rows[4 * k];
+        y -= a[k] * rows[4 * k + 1];
+        z -= a[k] * rows[4 * k + 2];
+        w -= a[k] * rows[4 * k + 3];
     }
-    for (int k = @NV@ - 1; k >= 0; k--) {
-        const int i = @P@order[k], up = @P@before[i], own = column[i] / @P@width + 1;
-        end[i] = end[i] < own ? own : end[i];
-        if (up >= 0 && end[up] < end[i]) {
-            end[up] = end[i];
-        }
-    }
+    found[0] = x;
+    found[1] = y;
+    found[2] = z;
+    found[3] = w;
 }
 
 /* The inverse of M, a block of its rows at once: what accelerates under a unit force of each
- * coordinate. Articulated bodies are known, with nine numbers along each joint: the force that it
- * takes for accelerations of what carries it, and for small turns of all from there on.
+ * coordinate, by articulated bodies.
  *
  * Where some are asked for, the other results are what fields change. Of each coordinate there are
- * two fields and two wrenches: an acceleration of the coordinate's body and a turn of all that it
- * carries, and the wrench that these take of the body if it does not accelerate besides. */
-@FN@ void @P@answers(const @S@ *t, const @S@ *axes, const @S@ *whole, const @S@ *along,
-    const @S@ *pivots, const @S@ *asked, @S@ *dq, @S@ *dqd, @S@ *Minv)
+ * the products of both with the wrench on what it carries, and the moment of all from there on; of
+ * both with its carrier's acceleration; and with its own force. */
+@FN@ void @P@answers(const @S@ *axes, const @S@ *whole, const @S@ *along, const @S@ *pivots,
+    const @S@ *asked, @S@ *dq, @S@ *dqd, @S@ *Minv)
 {
-    int column[@NV@], end[@NV@], lanes[@P@block], places[@P@block];
     @S@ base[36], inverse[36];
+    @ROW@ kept[@P@width];
+    for (int k = 0; k < @P@width * @P@width; k++) {
+        ((@S@ *)kept)[k] = (@S@)(k < @P@width || k % @P@width < k / @P@width);
+    }
     for (int k = 0; k < 36 && @K@ > 0; k++) {
         base[k] = whole[k];
         inverse[k] = (@S@)(k % 7 == 0);
@@ -513,98 +525,92 @@ static const int @P@order[@NV@] = {@ORDER@};
     if (@K@ > 0) {
         @P@resisted(base, inverse, 6);
     }
-    @P@columns(column, end);
-    for (int first = 0, to = 0; to < @NV@; first += 4) {
-        const int start = first * @P@width, from = to;
-        @ROW@ u[4 * @NV@], p[36], a[24 * @NB@], changes[8 * @NV@];
-        @S@ *forces = (@S@ *)u, *wrench = (@S@ *)p, *rest = (@S@ *)changes;
-        for (; to < @NV@ && column[@P@order[to]] < start + @P@block; to++) {
-            lanes[to - from] = column[@P@order[to]] - start;
-            places[to - from] = @NV@ * @P@order[to];
-        }
-        for (int k = 0; k < @NV@ * @P@block; k++) {
-            forces[k] = rest[k] = rest[@NV@ * @P@block + k] = (@S@)0;
+    for (int from = 0; from < @NV@; from += @P@block) {
+        const int to = from + @P@block < @NV@ ? from + @P@block : @NV@;
+        @ROW@ p[36], a[24 * @NB@], found[12 * @NV@];
+        @S@ *wrench = (@S@ *)p, *numbers = (@S@ *)found;
+        for (int k = 0; k < 3 * @NV@ * @P@block; k++) {
+            numbers[k] = (@S@)0;
         }
         for (int k = 0; k < 9 * @P@block; k++) {
             wrench[k] = (@S@)0;
         }
+        for (int k = 0; k < 24; k++) {
+            a[k] = p[k];
+        }
         for (int k = to - 1; k >= 0; k--) {
-            const int i = @P@order[k], body = i < @K@ ? 0 : i - @K@ + 1, own = column[i] - start;
-            const int last = end[i] - first < 4 ? end[i] - first : 4;
-            const @S@ *s = axes + 6 * i, *U = along + 9 * body;
-            for (int c = own < 0 ? 0 : own / @P@width; c < last; c++) {
+            const int i = @P@order[k], own = k - from, end = @P@end[i] - from;
+            const @S@ *s = axes + 6 * i, *V = along + 9 * i, *X = asked ? asked + 32 * i : s;
+            for (int c = own < 0 ? 0 : own / @P@width; c < 4 && c * @P@width < end; c++) {
+                /* Other branches may begin in the last row. */
+                const @ROW@ own_lanes = kept[(c + 1) * @P@width > end ? end % @P@width : 0];
+                @ROW@ *sum = found + 12 * i + c;
                 if (asked) {
-                    const @S@ *X = asked + 30 * i, *Y = X + 9;
-                    changes[8 * i + c]
-                        = -(@P@dot_rows(X, p + c, 4) + @P@dot3_rows(X + 6, p + 24 + c, 4));
-                    changes[8 * i + 4 + c]
-                        = -(@P@dot_rows(Y, p + c, 4) + @P@dot3_rows(Y + 6, p + 24 + c, 4));
+                    sum[4] -= own_lanes
+                        * (@P@dot_rows(X, p + c, 4) + @P@dot3_rows(X + 6, p + 24 + c, 4));
+                    sum[8] -= own_lanes
+                        * (@P@dot_rows(X + 9, p + c, 4) + @P@dot3_rows(X + 15, p + 24 + c, 4));
                 }
                 if (i >= @K@) {
-                    const @ROW@ push = @P@dot_rows(s, p + c, 4);
-                    const @ROW@ share = pivots[body] * push;
-                    u[4 * i + c] = -push;
+                    const @ROW@ push = own_lanes * @P@dot_rows(s, p + c, 4);
+                    sum[0] -= pivots[i] * push;
+#if defined(__GNUC__)
+#pragma GCC unroll 9
+#endif
                     for (int row = 0; row < 9; row++) {
-                        p[4 * row + c] -= U[row] * share;
+                        p[4 * row + c] -= V[row] * push;
                     }
                 }
             }
             if (i >= @K@ && k >= from) {
-                forces[@P@block * i + own] = (@S@)1;
+                @S@ *sum = numbers + 3 * @P@block * i + own;
+                sum[0] = pivots[i];
+                if (asked) {
+                    sum[@P@block] -= X[30];
+                    sum[2 * @P@block] -= X[31];
+                }
                 for (int row = 0; row < 9; row++) {
-                    wrench[@P@block * row + own] = U[row] * pivots[body];
+                    wrench[@P@block * row + own] = V[row];
                 }
             }
         }
         for (int k = from; k < to && k < @K@; k++) {
-            wrench[@P@block * k + column[k] - start] = (@S@)-1;
+            wrench[(@P@block + 1) * k - from] = (@S@)-1;
         }
-        for (int k = 0; k < 24; k++) {
-            const @S@ *row = inverse + 6 * (k / 4);
-            const @ROW@ *own = p + k % 4;
-            a[k] = own[0] - own[0];
-            for (int c = 0; c < 6 && @K@ > 0; c++) {
-                a[k] -= row[c] * own[4 * c];
-            }
+        for (int k = 0; k < @K@; k++) {
+            @P@subtract_products(inverse + 6 * k, p, a + 4 * k);
         }
         for (int k = 0; k < @NV@; k++) {
             const int i = @P@order[k], body = i < @K@ ? 0 : i - @K@ + 1;
-            const @S@ *s = axes + 6 * i, *U = along + 9 * body, pivot = pivots[body];
             const @ROW@ *carrier = a + 24 * @P@parents[body];
-            @ROW@ *own = a + 24 * body, *found = u + 4 * i, A[4];
-#if defined(__GNUC__)
-#pragma GCC unroll 4
-#endif
-            for (int c = 0; c < 4; c++) {
-                found[c] = A[c] = i < @K@
-                    ? own[4 * i + c] : pivot * (found[c] - @P@dot_rows(U, carrier + c, 4));
-            }
-            for (int row = 0; row < 6 && i >= @K@; row++) {
-#if defined(__GNUC__)
-#pragma GCC unroll 4
-#endif
-                for (int c = 0; c < 4; c++) {
-                    own[4 * row + c] = carrier[4 * row + c] + s[row] * A[c];
-                }
-            }
+            @ROW@ *sum = found + 12 * i, *own = a + 24 * body;
+            @P@subtract_products(along + 9 * i, carrier, sum);
             if (asked) {
-                const @S@ *P = asked + 30 * i + 18, *Q = P + 6;
-                const @S@ damping = i < @K@ ? (@S@)0 : t[25 * body + 23];
-                @ROW@ *sum = changes + 8 * i;
+                @P@subtract_products(asked + 32 * i + 18, carrier, sum + 4);
+                @P@subtract_products(asked + 32 * i + 24, carrier, sum + 8);
+            }
+            if (i >= @K@ && k + 1 < @P@end[i]) {
+                const @ROW@ x = sum[0], y = sum[1], z = sum[2], w = sum[3];
 #if defined(__GNUC__)
-#pragma GCC unroll 4
+#pragma GCC unroll 6
 #endif
-                for (int c = 0; c < 4; c++) {
-                    sum[c] -= @P@dot_rows(P, own + c, 4);
-                    sum[4 + c] -= damping * found[c] + @P@dot_rows(Q, own + c, 4);
+                for (int row = 0; row < 6; row++) {
+                    const @S@ s = axes[6 * i + row];
+                    own[4 * row] = carrier[4 * row] + s * x;
+                    own[4 * row + 1] = carrier[4 * row + 1] + s * y;
+                    own[4 * row + 2] = carrier[4 * row + 2] + s * z;
+                    own[4 * row + 3] = carrier[4 * row + 3] + s * w;
                 }
             }
-            for (int l = 0; l < to - from; l++) {
-                const int place = places[l] + i, at = @P@block * i + lanes[l];
-                Minv[place] = forces[at];
+        }
+        for (int k = from; k < to; k++) {
+            const @S@ *sum = numbers + k - from;
+            const int row = @NV@ * @P@order[k];
+            for (int i = 0; i < @NV@; i++, sum += 3 * @P@block) {
+                Minv[row + i] = sum[0];
                 if (asked) {
-                    dq[place] = rest[at + @P@block * i];
-                    dqd[place] = rest[at + @P@block * (i + 1)];
+                    dq[row + i] = sum[@P@block];
+                    dqd[row + i] = sum[2 * @P@block];
                 }
             }
         }
@@ -614,10 +620,10 @@ static const int @P@order[@NV@] = {@ORDER@};
 @FN@ void @P@joint_space_inertia_inverse(const @S@ *t, const @S@ *q, @S@ *Minv)
 {
     @S@ R[9 * @NB@], r[3 * @NB@], axes[6 * @NV@], bodies[10 * @NB@];
-    @S@ whole[36 * @NB@], along[9 * @NB@], pivots[@NB@], *none = (@S@ *)0;
+    @S@ whole[36 * @NB@], along[9 * @NV@], pivots[@NV@], *none = (@S@ *)0;
     @P@place(t, q, R, r, axes, bodies);
     @P@articulate(t, axes, bodies, whole, along, pivots);
-    @P@answers(t, axes, whole, along, pivots, none, none, none, Minv);
+    @P@answers(axes, whole, along, pivots, none, none, none, Minv);
 }
 
 /* The wrench that a small turn takes of each body that moves by v: six rows, three columns. */
@@ -626,16 +632,17 @@ static const int @P@order[@NV@] = {@ORDER@};
     for (int i = 0; i < @NB@; i++, bodies += 10, v += 6, B += 18) {
         const @S@ *J = bodies + 4;
         const @S@ second[9] = {J[0], J[1], J[2], J[1], J[3], J[4], J[2], J[4], J[5]};
-        @S@ Q[9], momentum[6];
-        @P@momentum(bodies, v, momentum);
+        @S@ Q[9], P[3];
+        @P@cross(v, bodies + 1, P);
         for (int k = 0; k < 3; k++) {
             @S@ column[3];
             @P@cross(v, second + 3 * k, column);
             for (int row = 0; row < 3; row++) {
                 Q[3 * row + k] = column[row] + v[3 + row] * bodies[1 + k];
             }
+            P[k] += bodies[0] * v[3 + k];
         }
-        const @S@ trace = Q[0] + Q[4] + Q[8], *P = momentum + 3, none = (@S@)0;
+        const @S@ trace = Q[0] + Q[4] + Q[8], none = (@S@)0;
         const @S@ rows[18] = {
             trace - Q[0], -Q[1], -Q[2], -Q[3], trace - Q[4], -Q[5], -Q[6], -Q[7], trace - Q[8],
             none, P[2], -P[1], -P[2], none, P[0], P[1], -P[0], none};
@@ -702,14 +709,12 @@ static const int @P@order[@NV@] = {@ORDER@};
     @S@ x[9 * @NV@], y[9 * @NV@];
     @ROW@ carried[21 * @P@length];
     @S@ *entries = (@S@ *)carried;
-    int column[@NV@], end[@NV@];
     @P@place(t, q, R, r, axes, bodies);
     @P@start(v0, a0, g, base);
     @P@motions(axes, qd, qdd, base, v, a);
     @P@wrenches(R, r, bodies, v, a, (const @S@ *)0, f);
     @P@flows(bodies, v, B);
     @P@fields(axes, v, a, v0, g, x, y, 9);
-    @P@columns(column, end);
     @P@carry(bodies, 10);
     @P@carry(B, 18);
     @P@carry(f, 6);
@@ -738,30 +743,32 @@ static const int @P@order[@NV@] = {@ORDER@};
             own[18 + k] = @P@along(flow + k, axis);
         }
         for (int k = 0; k < 21; k++) {
-            entries[stride * k + column[i]] = own[k];
+            entries[stride * k + @P@column[i]] = own[k];
         }
     }
     for (int first = 0; first < @NV@; first++) {
         const int i = @P@order[first];
         const @S@ *s = axes + 6 * i, *X = x + 9 * i, *Y = y + 9 * i;
-        for (int row = column[i] / @P@width, next = first; row < end[i]; row++) {
+        const int start = first / @P@width, end = @P@end[i];
+        @ROW@ found[5 * @P@length];
+        for (int row = start; row * @P@width < end; row++) {
             enum { n = @P@length };
             const @ROW@ *c = carried + row;
-            @ROW@ found[5];
-            const @S@ *numbers = (const @S@ *)found;
-            found[0] = @P@dot_rows(s, c, n);
-            found[1] = @P@dot_rows(s, c + 6 * n, n);
-            found[2] = @P@dot_rows(s, c + 12 * n, n);
-            found[3] = @P@dot_rows(X, c, n) + @P@dot3_rows(X + 6, c + 18 * n, n);
-            found[4] = @P@dot_rows(Y, c, n) + @P@dot3_rows(s, c + 18 * n, n);
-            for (; next < @NV@ && column[@P@order[next]] < (row + 1) * @P@width; next++) {
-                const int j = @P@order[next], k = column[j] - row * @P@width;
-                M[@NV@ * i + j] = M[@NV@ * j + i] = numbers[k];
-                dq[@NV@ * j + i] = numbers[3 * @P@width + k];
-                dqd[@NV@ * j + i] = numbers[4 * @P@width + k];
-                dq[@NV@ * i + j] = numbers[@P@width + k];
-                dqd[@NV@ * i + j] = numbers[2 * @P@width + k];
-            }
+            @ROW@ *x = found + row - start;
+            x[0] = @P@dot_rows(s, c, n);
+            x[n] = @P@dot_rows(s, c + 6 * n, n);
+            x[2 * n] = @P@dot_rows(s, c + 12 * n, n);
+            x[3 * n] = @P@dot_rows(X, c, n) + @P@dot3_rows(X + 6, c + 18 * n, n);
+            x[4 * n] = @P@dot_rows(Y, c, n) + @P@dot3_rows(s, c + 18 * n, n);
+        }
+        const @S@ *numbers = (const @S@ *)found + first % @P@width;
+        for (int k = first; k < end; k++, numbers++) {
+            const int j = @P@order[k], row = @NV@ * i + j, mirrored = @NV@ * j + i;
+            M[row] = M[mirrored] = numbers[0];
+            dq[mirrored] = numbers[3 * stride];
+            dqd[mirrored] = numbers[4 * stride];
+            dq[row] = numbers[stride];
+            dqd[row] = numbers[2 * stride];
         }
         if (i >= @K@) {
             M[(@NV@ + 1) * i] += t[25 * (i - @K@ + 1) + 22];
@@ -785,49 +792,67 @@ static const int @P@order[@NV@] = {@ORDER@};
     const @S@ *v0, const @S@ *g, @S@ *dqdd_dq, @S@ *dqdd_dqd, @S@ *dqdd_dtau)
 {
     @S@ R[9 * @NB@], r[3 * @NB@], axes[6 * @NV@], bodies[10 * @NB@], base[9], qdd[@NV@];
-    @S@ v[6 * @NB@], a[6 * @NB@], f[6 * @NB@], whole[36 * @NB@], along[9 * @NB@], pivots[@NB@];
-    @S@ B[18 * @NB@], asked[30 * @NV@];
+    @S@ v[6 * @NB@], a[6 * @NB@], f[6 * @NB@], whole[36 * @NB@], along[9 * @NV@], pivots[@NV@];
+    @S@ x[6 * @NB@], wrenches[6 * @NB@], B[18 * @NB@], asked[32 * @NV@];
     const @S@ *none = (const @S@ *)0;
     @P@place(t, q, R, r, axes, bodies);
     @P@falling(v0, g, base);
     @P@motions(axes, qd, none, base, v, a);
     @P@wrenches(R, r, bodies, v, a, none, f);
-    @P@articulate(t, axes, bodies, whole, along, pivots);
-    @P@accelerations(t, qd, tau, axes, whole, along, pivots, f, qdd, a);
-    for (int k = 0; k < 6; k++) {
-        base[3 + k] += a[k];
+    for (int k = 0; k < 6 * @NB@; k++) {
+        wrenches[k] = f[k];
     }
-    @P@motions(axes, qd, qdd, base, v, a);
-    @P@wrenches(R, r, bodies, v, a, none, f);
+    @P@articulate(t, axes, bodies, whole, along, pivots);
+    @P@accelerations(t, qd, tau, axes, whole, along, pivots, wrenches, qdd, x);
+    for (int i = 0; i < @NB@; i++) {
+        @S@ taken[6];
+        @P@momentum(bodies + 10 * i, x + 6 * i, taken);
+        for (int k = 0; k < 6; k++) {
+            f[6 * i + k] += taken[k];
+            a[6 * i + k] += x[6 * i + k];
+        }
+    }
     @P@carry(f, 6);
     @P@flows(bodies, v, B);
-    @P@fields(axes, v, a, v0, none, asked, asked + 9, 30);
+    @P@fields(axes, v, a, v0, none, asked, asked + 9, 32);
     for (int i = @NB@ - 1; i > 0; i--) {
-        const @S@ *axis = axes + 6 * (@K@ + i - 1), *own = B + 18 * i;
-        @S@ *U = along + 9 * i, *carrier = B + 18 * @P@parents[i];
+        const int joint = @K@ + i - 1;
+        const @S@ *own = B + 18 * i;
+        @S@ *V = along + 9 * joint, *carrier = B + 18 * @P@parents[i], turned[3];
         for (int k = 0; k < 3; k++) {
-            U[6 + k] = @P@along(own + k, axis);
+            turned[k] = @P@along(own + k, axes + 6 * joint);
+            V[6 + k] = pivots[joint] * turned[k];
         }
         for (int k = 0; k < 6; k++, own += 3, carrier += 3) {
-            const @S@ share = U[k] * pivots[i];
-            carrier[0] += own[0] - share * U[6];
-            carrier[1] += own[1] - share * U[7];
-            carrier[2] += own[2] - share * U[8];
+            carrier[0] += own[0] - V[k] * turned[0];
+            carrier[1] += own[1] - V[k] * turned[1];
+            carrier[2] += own[2] - V[k] * turned[2];
         }
     }
     for (int i = 0; i < @NV@; i++) {
         const int body = i < @K@ ? 0 : i - @K@ + 1;
-        @S@ *X = asked + 30 * i, *Y = X + 9, *P = X + 18;
+        const @S@ *s = axes + 6 * i, *V = along + 9 * i;
+        @S@ *X = asked + 32 * i, *Y = X + 9, *P = X + 18, *Q = X + 24;
         for (int k = 0; k < 6; k++) {
             const @S@ *row = whole + 36 * body + 6 * k, *turn = B + 18 * body + 3 * k;
             P[k] = @P@dot(row, X) + @P@dot3(turn, X + 6);
-            P[6 + k] = @P@dot(row, Y) + @P@dot3(turn, Y + 6);
+            Q[k] = @P@dot(row, Y) + @P@dot3(turn, Y + 6);
         }
+        X[30] = X[31] = (@S@)0;
         if (i >= @K@) {
-            @P@add_moved(axes + 6 * i, f + 6 * body, P);
+            @P@add_moved(s, f + 6 * body, P);
+            const @S@ x = @P@dot(P, s), y = @P@dot(Q, s) + t[25 * body + 23];
+            X[30] = x * pivots[i];
+            X[31] = y * pivots[i];
+            for (int k = 0; k < 6; k++) {
+                P[k] -= x * V[k];
+                Q[k] -= y * V[k];
+                X[k] -= X[30] * s[k];
+                Y[k] -= X[31] * s[k];
+            }
         }
     }
-    @P@answers(t, axes, whole, along, pivots, asked, dqdd_dq, dqdd_dqd, dqdd_dtau);
+    @P@answers(axes, whole, along, pivots, asked, dqdd_dq, dqdd_dqd, dqdd_dtau);
     for (int column = 0; column < 3 && @K@ > 0; column++) {
         @S@ axis[3], turn[3], moving[3];
         for (int k = 0; k < 3; k++) {
