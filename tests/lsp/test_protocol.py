@@ -215,7 +215,10 @@ class TestFaults:
     def test_a_fault_is_one_clean_error(
         self, faulty: RawClient, method: str, sentence: str
     ) -> None:
-        assert faulty.refusal(method) == {"code": -32603, "message": sentence}
+        refusal = faulty.refusal(method)
+        assert refusal["code"] == -32603
+        # From 3.13 on Python says which value it was.
+        assert refusal["message"].removesuffix(": nan") == sentence
 
     def test_a_fault_in_a_command_is_one_clean_error(self, faulty: RawClient) -> None:
         refusal = faulty.refusal("workspace/executeCommand", {"command": "test.fail"})
