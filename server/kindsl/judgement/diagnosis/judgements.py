@@ -47,8 +47,8 @@ _JUDGED: "Fact[tuple[Mapping[str, float] | None, Judged]]" = Fact("judgements")
 # The numbers of an inertia in words, as `MassDistribution` has them.
 TEN = ("mass", "x of the CoM", "y of the CoM", "z of the CoM", *MOMENTS)
 _SINGULAR = 1e-9
-# What a body may reach, in shifts. Of slips planted at three to ten of them the slow judge
-# would tell a quarter, of the others half; it would be asked of one published body in 20.
+# What the second moments may be in all, in shifts. Of slips planted beyond that the judge, which
+# loads and answers slowly, would tell a third, of the others half. One published body in 20 is so.
 _MOST_BESIDE_SHIFT = 3.0
 # In kg·m²: of a link of a tonne that is a metre long. What is more is in another unit.
 _GREATEST_TYPED = 1e3
@@ -264,8 +264,9 @@ def _judge(link: Link, values: Mapping[str, float]) -> Judgement | None:
 def _is_long(body: MassDistribution, second_moments: Symmetric) -> bool:
     """Return whether a body without half of its shift still reaches beyond its link's origin."""
     way = sum(c * c for c in body.com)
-    shift = body.mass * way * way
-    return 0.0 < shift <= spread_along(second_moments, body.com) <= _MOST_BESIDE_SHIFT * shift
+    shift = body.mass * way
+    is_near = sum(second_moments[:3]) <= _MOST_BESIDE_SHIFT * shift
+    return is_near and 0.0 < shift * way <= spread_along(second_moments, body.com)
 
 
 def judgement_of(
