@@ -340,3 +340,8 @@ def test_a_finding_on_many_links_names_a_few() -> None:
     (found,) = (each for each in analyse(text).findings if each.code == "KD311")
     assert "7 more links have an implausible density" in found.message
     assert len(found.related) == 3
+
+
+def test_numbers_may_be_written_by_references() -> None:
+    text = ARM.replace('value="2"', 'value="&#50;"')
+    assert analyse(text).faults == () and told(text) == told(ARM)

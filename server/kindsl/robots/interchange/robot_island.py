@@ -240,9 +240,7 @@ class RobotIsland(OtherIsland):
             sign: -1 where the format has the opposite sign.
         """
         span = self.attribute(element, name)
-        if span is None or any(finite_number(w) is None for w in (element.get(name) or "").split()):
-            return []
-        return self._words(*span, sign)
+        return [] if span is None else self._words(element.get(name) or "", *span, sign)
 
     def numbers_within(self, element: Any, sign: int = 1) -> list[Expression]:
         """Return the numbers that an element holds, none where one is not finite.
@@ -251,21 +249,24 @@ class RobotIsland(OtherIsland):
             element: The element.
             sign: -1 where the format has the opposite sign.
         """
-        if any(finite_number(word) is None for word in (element.text or "").split()):
-            return []
         start = self.tag(element)[1]
-        end = getattr(element, "end", start)
-        if len(element) or "<" in self.text[start:end]:
-            return []
-        return self._words(start, max(start, end), sign)
+        end = max(start, getattr(element, "end", start))
+        is_text = not len(element) and "<" not in self.text[start:end]
+        return self._words(element.text or "", start, end, sign) if is_text else []
 
-    def _words(self, start: int, end: int, sign: int) -> list[Expression]:
-        words = list(_WORD.finditer(self.text, start, end))
+    def _words(self, content: str, start: int, end: int, sign: int) -> list[Expression]:
+        """Return the numbers in a place, at that place where they stand there in another form."""
+        words = content.split()
+        if any(finite_number(word) is None for word in words):
+            return []
+        spans = [word.span() for word in _WORD.finditer(self.text, start, end)]
+        if [self.text[a:b] for a, b in spans] != words:
+            spans = [(start, end)] * len(words)
         if sign < 0:
-            self.negated.update(word.start() for word in words)
+            self.negated.update(at for at, _ in spans)
         return [
-            self.number(_with_sign(_as_decimal(word[0]), sign), word.start(), word.end())
-            for word in words
+            self.number(_with_sign(_as_decimal(word), sign), *span)
+            for word, span in zip(words, spans, strict=True)
         ]
 
     def constants(self, at: Any, texts: Iterable[str]) -> list[Expression]:
