@@ -186,26 +186,23 @@ def _links(
     for child, joint in joints.items():
         below.setdefault(_parent(joint, graph), []).append(child)
     world_T_start = IDENTITY if start == WORLD else graph.world_T(start, model)
-    first = RigidLink(start, parent_T_joint=world_T_start, frames=tuple(frames.get(start, ())))
-    if start != WORLD:
-        first = replace(first, body=mass_of(elements[start]))
-    links = [first]
+    links = [RigidLink(start, parent_T_joint=world_T_start)]
     for name, element in elements.items() if start == WORLD else ():
         if name not in joints:
-            root = RigidLink(name, 0, "", "fixed", parent_T_joint=graph.world_T(name, element))
-            own = tuple(frames.get(name, ()))
-            links.append(replace(root, body=mass_of(element), frames=own))
+            placed = graph.world_T(name, element)
+            links.append(RigidLink(name, 0, "", "fixed", parent_T_joint=placed))
     for index, link in enumerate(links):
-        for child in below.get(link.name, ()):
-            if child != start:
-                moved = carried(joints[child], index, link.name, child, graph)
-                fixed = tuple(frames.get(child, ()))
-                links.append(replace(moved, body=mass_of(elements[child]), frames=fixed))
+        below_it = (child for child in below.get(link.name, ()) if child != start)
+        links += [carried(joints[child], index, link.name, child, graph) for child in below_it]
     if len(links) != len(elements) + (start == WORLD):
         reached = {link.name for link in links}
         lost = next(name for name in elements if name not in reached)
         raise defect(elements[lost], "is in a kinematic loop, which the language does not support")
-    return links
+    masses = {name: mass_of(element) for name, element in elements.items()}
+    return [
+        replace(link, body=masses.get(link.name), frames=tuple(frames.get(link.name, ())))
+        for link in links
+    ]
 
 
 def carried(joint: Any, index: int, parent: str, child: str, graph: FrameGraph) -> RigidLink:
