@@ -20,6 +20,7 @@ from kindsl.robots.interchange.descriptions import read_description
 from kindsl.robots.interchange.format import ORDINARY, Format, FormatError, WritingChoices, repaired
 from kindsl.robots.interchange.kindsl_writing import kindsl_text
 from kindsl.robots.interchange.registry import all_formats, format_named, format_of_suffix
+from kindsl.robots.interchange.syntaxes import other_format
 from kindsl.robots.mechanism.errors import ModelError, UnboundParameterError
 
 TOLERANCE = 1e-9
@@ -178,3 +179,10 @@ def test_a_massless_link_is_told_as_such_in_sdf() -> None:
     assert found.remarks == tuple(
         f"the link '{name}' has no mass: other tools refuse it" for name in "ab"
     )
+
+
+def test_comments_before_a_root_are_read_once() -> None:
+    """In every way to end them they were 2^60 ways."""
+    assert other_format("a", 60 * "<!-- a -->\n" + "<launch/>") is None
+    found = other_format("a", 60 * "<!-- a -->\n" + "<robot/>")
+    assert found is not None and found.name == "urdf"

@@ -13,7 +13,8 @@ JUDGED_SUFFIXES = (".urdf", ".sdf")
 # Expanded by Python that it holds: judged only where somebody names it.
 XACRO_SUFFIX = ".xacro"
 _DOCTYPE = r"!DOCTYPE[^\[>]*(?:\[[^\]]*\]\s*)?"
-_BEFORE_ROOT = rf"\ufeff?\s*(?:<(?:\?.*?\?|!--.*?--|{_DOCTYPE})>\s*)*"
+# What begins with comments is read once: each ends where it does first.
+_BEFORE_ROOT = rf"\ufeff?\s*(?:<(?>\?.*?\?>|!--.*?-->|{_DOCTYPE}>)\s*)*"
 _ROOT = rf"{_BEFORE_ROOT}<(robot|sdf|mujoco(?:include)?)[\s/>]"
 _FORMATS = {"robot": "urdf", "sdf": "sdf", "mujoco": "mjcf", "mujocoinclude": "mjcf"}
 
