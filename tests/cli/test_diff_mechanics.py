@@ -528,3 +528,29 @@ def test_what_mujoco_loses_of_a_small_inertia_is_no_difference(
     assert kindsl("convert", "a.xml", "a.kindsl").status == 0
     run = kindsl("diff", "--mechanics", "a.xml", "a.kindsl")
     assert run.status == 0, run.out
+
+
+def test_an_angle_of_few_digits_leaves_open_where_the_mass_behind_it_is(
+    kindsl: Runner, folder: Path
+) -> None:
+    inertial = """<inertial><origin xyz="-5e-06 0.0187 -0.00119"/><mass value="0.189"/>
+    <inertia ixx="5.4e-05" ixy="9e-09" ixz="0" iyy="9.3e-06" iyz="-1.7e-08" izz="5.5e-05"/>
+    </inertial>"""
+    ends = '<parent link="{}"/><child link="{}"/><axis xyz="0 -1 0"/>'
+    text = f"""<robot name="a"><link name="base"/><link name="chest"/>
+    <link name="arm">{inertial}</link><link name="upper"/>
+    <joint name="yaw" type="continuous"><origin xyz="0 -0.0055 0" rpy="-1.5708 0 -1.5708"/>
+    {ends.format("base", "chest")}</joint>
+    <joint name="pitch" type="continuous"><origin xyz="0 0.1 -0.1" rpy="1.309 0 1.5708"/>
+    {ends.format("chest", "arm")}</joint>
+    <joint name="roll" type="continuous"><origin rpy="1.5708 0 -1.5708"/>
+    {ends.format("arm", "upper").replace("-1", "1")}</joint></robot>"""
+    (folder / "a.urdf").write_text(text)
+    assert kindsl("convert", "a.urdf", "a.kindsl").status == 0
+    run = kindsl("diff", "--mechanics", "a.urdf", "a.kindsl")
+    assert run.status == 0, run.out
+    document = (folder / "a.kindsl").read_text()
+    number = re.search(r"CoM = \(.*?(\d+\.\d\d\d)", document)
+    assert number is not None
+    (folder / "a.kindsl").write_text(document.replace(number[1], f"{number[1]}1", 1))
+    assert kindsl("diff", "--mechanics", "a.urdf", "a.kindsl").status == 1

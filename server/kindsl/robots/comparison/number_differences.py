@@ -148,10 +148,12 @@ def inertia_differences(pair: Pair, body: int, bounds: Tolerances) -> list[Numbe
     frame = pair.alignment.frames[body]
     mine = ours.inertias[body] or (WrittenInertia(ours.skeleton.body_names[body]),)
     its = theirs.inertias[other] or (WrittenInertia(theirs.skeleton.body_names[other]),)
-    wanted = _wanted_inertia(mine, its, frame, bounds)
+    joints = (ours.joints[body - 1], theirs.joints[other - 1]) if body else ()
+    tilt = sum(_turn_slack(joint, bounds) for joint in joints)
+    wanted = _wanted_inertia(mine, its, frame, bounds, tilt)
     if not wanted.unlike:
         return []
-    others = _wanted_inertia(its, mine, frame.inverse(), bounds)
+    others = _wanted_inertia(its, mine, frame.inverse(), bounds, tilt)
     found = [each._replace(body=body) for each in _shorter("link", wanted, others)]
     if ours.inertias[body] and theirs.inertias[other]:
         return found
@@ -210,9 +212,10 @@ def _wanted_inertia(
     its: Sequence[WrittenInertia],
     frame: RigidPose,
     bounds: Tolerances,
+    tilt: float,
 ) -> _WantedNumbers:
-    """Return the part of ours that can agree by the fewest numbers."""
-    options = [_wanted_part(mine, number, its, frame, bounds) for number in range(len(mine))]
+    """Return the part of ours that can agree by the fewest numbers, the frame turned by a tilt."""
+    options = [_wanted_part(mine, number, its, frame, bounds, tilt) for number in range(len(mine))]
     return min(options, key=lambda option: len(option.unlike))
 
 
@@ -222,6 +225,7 @@ def _wanted_part(
     its: Sequence[WrittenInertia],
     frame: RigidPose,
     bounds: Tolerances,
+    tilt: float,
 ) -> _WantedNumbers:
     part = mine[number]
     rest = [each.body() for i, each in enumerate(mine) if i != number]
@@ -235,7 +239,8 @@ def _wanted_part(
     unlike = _unlike(part, wanted, scales, bounds)
     if not unlike or bounds.is_rough:
         return _WantedNumbers(part, wanted, unlike)
-    slack = [0.0] * len(INERTIA)
+    reach, moment = hypot(*part.values[1:4]), max(map(abs, part.values[4:]))
+    slack = [0.0, *[tilt * reach] * 3, *[tilt * moment] * 6]
     for i, each in enumerate(its):
 
         def of_part(
