@@ -530,6 +530,19 @@ def test_what_mujoco_loses_of_a_small_inertia_is_no_difference(
     assert run.status == 0, run.out
 
 
+def test_a_site_with_the_name_of_a_body_at_its_parent_is_no_difference(
+    kindsl: Runner, folder: Path
+) -> None:
+    pytest.importorskip("mujoco")
+    inertial = '<inertial pos="0 0 0.1" mass="1" diaginertia="0.01 0.01 0.01"/>'
+    site = '<body name="tip"><site name="tip" pos="0.065 0 0"/></body>'
+    text = f'<body name="arm">{inertial}<joint name="j"/>{site}</body>'
+    (folder / "a.xml").write_text(f"<mujoco><worldbody>{text}</worldbody></mujoco>")
+    assert kindsl("convert", "a.xml", "a.kindsl").status == 0
+    run = kindsl("diff", "--mechanics", "a.xml", "a.kindsl")
+    assert run.status == 0, run.out
+
+
 def test_an_angle_of_few_digits_leaves_open_where_the_mass_behind_it_is(
     kindsl: Runner, folder: Path
 ) -> None:

@@ -167,12 +167,14 @@ class Linkage:
 
     @cached_property
     def frames(self) -> tuple[AttachedFrame, ...]:
-        """The frames of all bodies; one whose name is taken is left out."""
+        """The frames of all bodies; one whose name is taken is left out, a body's own first."""
         taken = set(self.body_names)
+        elsewhere = {part.name for body in self.bodies for part in body.frames_elsewhere}
         found = []
         for index, body in enumerate(self.bodies):
             for part in body.frames:
-                if part.name not in taken:
+                is_other = part.is_in_place and part.name in elsewhere
+                if part.name not in taken and not is_other:
                     taken.add(part.name)
                     found.append(AttachedFrame(part.name, index, part.pose))
         return tuple(found)
