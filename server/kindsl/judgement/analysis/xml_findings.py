@@ -202,7 +202,7 @@ def _missing(bodies: Sequence[XmlBody]) -> Iterator[Finding]:
     """Yield one finding for all bodies of a file that move and have no mass or no moments.
 
     Links between the axes of one joint are a hint. A robot in which no body has either is for
-    planning: of 18 such published files nobody would change one.
+    planning: of 17 such published files nobody would change one.
     """
     without, n_moving = _massless(bodies), sum(body.moves for body in bodies)
     has_none = len(without) == n_moving
