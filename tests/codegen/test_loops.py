@@ -37,7 +37,8 @@ from kindsl.products.codegen.library import GenerationError, Options
 
 pytestmark = needs_compiler
 IN_LOOPS = tuple(loops.LOOPS)
-STRICT = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror", "-isystem", str(EIGEN)]
+STRICT = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"]
+STRICT += ["-isystem", str(EIGEN)]
 
 
 @pytest.fixture(autouse=True)

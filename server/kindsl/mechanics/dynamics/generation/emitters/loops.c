@@ -754,12 +754,12 @@ static const int @P@end[@NV@] = {@ENDS@};
         for (int row = start; row * @P@width < end; row++) {
             enum { n = @P@length };
             const @ROW@ *c = carried + row;
-            @ROW@ *x = found + row - start;
-            x[0] = @P@dot_rows(s, c, n);
-            x[n] = @P@dot_rows(s, c + 6 * n, n);
-            x[2 * n] = @P@dot_rows(s, c + 12 * n, n);
-            x[3 * n] = @P@dot_rows(X, c, n) + @P@dot3_rows(X + 6, c + 18 * n, n);
-            x[4 * n] = @P@dot_rows(Y, c, n) + @P@dot3_rows(s, c + 18 * n, n);
+            @ROW@ *to = found + row - start;
+            to[0] = @P@dot_rows(s, c, n);
+            to[n] = @P@dot_rows(s, c + 6 * n, n);
+            to[2 * n] = @P@dot_rows(s, c + 12 * n, n);
+            to[3 * n] = @P@dot_rows(X, c, n) + @P@dot3_rows(X + 6, c + 18 * n, n);
+            to[4 * n] = @P@dot_rows(Y, c, n) + @P@dot3_rows(s, c + 18 * n, n);
         }
         const @S@ *numbers = (const @S@ *)found + first % @P@width;
         for (int k = first; k < end; k++, numbers++) {
@@ -793,7 +793,7 @@ static const int @P@end[@NV@] = {@ENDS@};
 {
     @S@ R[9 * @NB@], r[3 * @NB@], axes[6 * @NV@], bodies[10 * @NB@], base[9], qdd[@NV@];
     @S@ v[6 * @NB@], a[6 * @NB@], f[6 * @NB@], whole[36 * @NB@], along[9 * @NV@], pivots[@NV@];
-    @S@ x[6 * @NB@], wrenches[6 * @NB@], B[18 * @NB@], asked[32 * @NV@];
+    @S@ added[6 * @NB@], wrenches[6 * @NB@], B[18 * @NB@], asked[32 * @NV@];
     const @S@ *none = (const @S@ *)0;
     @P@place(t, q, R, r, axes, bodies);
     @P@falling(v0, g, base);
@@ -803,13 +803,13 @@ static const int @P@end[@NV@] = {@ENDS@};
         wrenches[k] = f[k];
     }
     @P@articulate(t, axes, bodies, whole, along, pivots);
-    @P@accelerations(t, qd, tau, axes, whole, along, pivots, wrenches, qdd, x);
+    @P@accelerations(t, qd, tau, axes, whole, along, pivots, wrenches, qdd, added);
     for (int i = 0; i < @NB@; i++) {
         @S@ taken[6];
-        @P@momentum(bodies + 10 * i, x + 6 * i, taken);
+        @P@momentum(bodies + 10 * i, added + 6 * i, taken);
         for (int k = 0; k < 6; k++) {
             f[6 * i + k] += taken[k];
-            a[6 * i + k] += x[6 * i + k];
+            a[6 * i + k] += added[6 * i + k];
         }
     }
     @P@carry(f, 6);
