@@ -148,7 +148,7 @@ def _source(args: argparse.Namespace) -> "Source":
     given = {parameter: binding.value for parameter, binding in bound if parameter in known}
     transforms = _transforms(args)
     if transforms is not None:
-        _note_unknown_frames(*transforms, analysis.model)
+        _judge_transforms(*transforms, analysis.model)
     text = transforms[1] if transforms is not None else None
     return Source(name, analysis, given, text, tuple(_places(args)))
 
@@ -180,17 +180,22 @@ def _transforms(args: argparse.Namespace) -> tuple[str, str] | None:
     return None if path is None else (path, read_whole(path))
 
 
-def _note_unknown_frames(path: str, text: str, model: "Model") -> None:
-    """Warn of frames that the robot lacks where no pair needs them."""
-    from kindsl.language.semantics.transforms import unknown_listed_frames
-    from kindsl.language.syntax.transforms_text import read_transforms
+def _judge_transforms(path: str, text: str, model: "Model") -> None:
+    """Warn of frames that the robot lacks where no pair needs them; refuse what else is wrong."""
+    from kindsl.language.semantics.transforms import unknown_frames, unknown_listed_frames
+    from kindsl.language.syntax.transforms_text import Defect, read_transforms
     from kindsl.language.text.lines import LineIndex
 
-    lines = LineIndex(text)
-    for wrong in unknown_listed_frames(read_transforms(text), model):
+    lines, document = LineIndex(text), read_transforms(text)
+
+    def place(wrong: Defect) -> str:
         line, column = lines.place(wrong.start)
-        place = f"{shown_name(path)}:{line}:{column}"
-        write(sys.stderr, f"{place}: warning[KD801] {printable(wrong.message)}\n")
+        return f"{shown_name(path)}:{line}:{column}"
+
+    for wrong in (*document.defects, *unknown_frames(document, model)):
+        raise CommandError.about(place(wrong), wrong.message, status=1)
+    for wrong in unknown_listed_frames(document, model):
+        write(sys.stderr, f"{place(wrong)}: warning[KD801] {printable(wrong.message)}\n")
 
 
 def _generate(args: argparse.Namespace, source: "Source") -> int:
