@@ -98,6 +98,9 @@ def test_an_unknown_frame_is_an_error_only_where_a_pair_needs_it(
     assert "arm.dtdsl:2:44: error[KD801]" in kdsl_lint("arm.dtdsl").out
     done = kindsl("generate", "arm.kindsl", "--language", "python", "-o", "out")
     assert done.status == 1 and "arm.dtdsl:2:44: error: the robot has no frame 'nose'" in done.err
+    beside.write_text(GOOD.replace("base=tip", "base=lower"))
+    done = kindsl("generate", "arm.kindsl", "--language", "python", "-o", "out")
+    assert "the robot has no frame 'lower'; did you mean 'fr_lower'?" in done.err
 
 
 def test_a_frame_listed_again_is_told_once_each_time(kdsl_lint: Runner, beside: Path) -> None:

@@ -46,7 +46,8 @@ def _unknown(model: Model, words: Iterable[PlacedName]) -> Iterator[Defect]:
     for word in words:
         if word.text not in seen:
             seen.add(word.text)
-            close = hint(nearest_name(word.text, known))
+            own = f"{LINK_PREFIX}{word.text}"
+            close = hint(own if own in known else nearest_name(word.text, known))
             yield Defect(f"the robot has no frame '{word.text}'{close}", word.start, word.end)
 
 
