@@ -313,9 +313,7 @@ static const int @P@before[@NV@] = {@BEFORE@};
         return;
     }
     @S@ base[9], axes[6 * @NV@], bodies[10 * @NB@], wrench[6], whole[36], found[6];
-    for (int k = 0; k < 9; k++) {
-        base[k] = k < 3 ? v0[k] : (@S@)0;
-    }
+    @P@falling(v0, g, base);
     @P@newton_euler(t, q, qd, qdd, base, fext, tau, wrench, axes, bodies);
     @P@carry(bodies, 10);
     @P@inertia(bodies, whole);
@@ -505,25 +503,24 @@ static const int @P@end[@NV@] = {@ENDS@};
 }
 
 /* The inverse of M, a block of its rows at once: what accelerates under a unit force of each
- * coordinate, by articulated bodies.
+ * coordinate, by articulated bodies; the base's inertia is overwritten.
  *
  * Where some are asked for, the other results are what fields change. Of each coordinate there are
  * the products of both with the wrench on what it carries, and the moment of all from there on; of
  * both with its carrier's acceleration; and with its own force. */
-@FN@ void @P@answers(const @S@ *axes, const @S@ *whole, const @S@ *along, const @S@ *pivots,
+@FN@ void @P@answers(const @S@ *axes, @S@ *whole, const @S@ *along, const @S@ *pivots,
     const @S@ *asked, @S@ *dq, @S@ *dqd, @S@ *Minv)
 {
-    @S@ base[36], inverse[36];
+    @S@ inverse[36];
     @ROW@ kept[@P@width];
     for (int k = 0; k < @P@width * @P@width; k++) {
         ((@S@ *)kept)[k] = (@S@)(k < @P@width || k % @P@width < k / @P@width);
     }
     for (int k = 0; k < 36 && @K@ > 0; k++) {
-        base[k] = whole[k];
         inverse[k] = (@S@)(k % 7 == 0);
     }
     if (@K@ > 0) {
-        @P@resisted(base, inverse, 6);
+        @P@resisted(whole, inverse, 6);
     }
     for (int from = 0; from < @NV@; from += @P@block) {
         const int to = from + @P@block < @NV@ ? from + @P@block : @NV@;
@@ -895,7 +892,8 @@ static const int @P@end[@NV@] = {@ENDS@};
     const @S@ *a0, const @S@ *g, @S@ *Y)
 {
     enum { FIRST = @K@ > 0 ? 0 : 1, COLUMNS = 10 * (@NB@ - FIRST) };
-    static const int rows[6] = {0, 0, 1, 0, 1, 2}, columns[6] = {0, 1, 1, 2, 2, 2};
+    static const int lefts[10] = {3, 0, 1, 2, 0, 0, 1, 0, 1, 2};
+    static const int rights[10] = {3, 3, 3, 3, 0, 1, 1, 2, 2, 2};
     @S@ R[9 * @NB@], r[3 * @NB@], axes[6 * @NV@], bodies[10 * @NB@], base[9];
     @S@ v[6 * @NB@], a[6 * @NB@];
     @P@place(t, q, R, r, axes, bodies);
@@ -905,37 +903,24 @@ static const int @P@end[@NV@] = {@ENDS@};
         Y[k] = (@S@)0;
     }
     for (int i = FIRST; i < @NB@; i++) {
-        const @S@ *E = R + 9 * i, *p = r + 3 * i, *w = v + 6 * i, *wd = a + 6 * i;
+        const @S@ *w = v + 6 * i, *wd = a + 6 * i;
+        @S@ vectors[12];
+        for (int k = 0; k < 12; k++) {
+            vectors[k] = k < 9 ? R[9 * i + 3 * (k % 3) + k / 3] : r[3 * i + k - 9];
+        }
         for (int parameter = 0; parameter < 10; parameter++) {
-            @S@ body[10], h[6], f[6], z[3];
-            for (int k = 0; k < 10; k++) {
-                body[k] = (@S@)0;
-            }
-            /* Mass and first moment, placed; the inertia has no effect but its own. */
-            if (parameter < 4) {
-                body[0] = (@S@)(parameter == 0);
-                for (int k = 0; k < 3; k++) {
-                    z[k] = parameter == 0 ? (@S@)0 : E[3 * k + parameter - 1];
-                    body[1 + k] = z[k] + body[0] * p[k];
-                }
-                for (int k = 0, row = 0; row < 3; row++) {
-                    for (int column = row; column < 3; column++, k++) {
-                        body[4 + k] = z[row] * p[column] + p[row] * body[1 + column];
-                    }
-                }
-            } else {
-                const int A = rows[parameter - 4], B = columns[parameter - 4];
-                for (int k = 0, row = 0; row < 3; row++) {
-                    for (int column = row; column < 3; column++, k++) {
-                        @S@ tensor = E[3 * row + A] * E[3 * column + B];
-                        if (A != B) {
-                            tensor += E[3 * row + B] * E[3 * column + A];
-                        }
-                        body[4 + k] = -tensor;
-                        if (row == column && A == B) {
-                            body[4 + k] += (@S@)1 / (@S@)2;
-                        }
-                    }
+            /* Mass and first moment where they are; an inertia alone: half its trace, less itself. */
+            const int is_mass = parameter < 4, is_square = lefts[parameter] == rights[parameter];
+            const @S@ *x = vectors + 3 * lefts[parameter], *y = vectors + 3 * rights[parameter];
+            const @S@ half = (@S@)is_square / (@S@)2;
+            const @S@ size = is_mass ? (@S@)1 - half : half - (@S@)1;
+            @S@ body[10], h[6], f[6];
+            body[0] = (@S@)(parameter == 0);
+            for (int row = 0, k = 4; row < 3; row++) {
+                body[1 + row] = is_mass ? x[row] : (@S@)0;
+                for (int column = row; column < 3; column++, k++) {
+                    body[k] = size * (x[row] * y[column] + y[row] * x[column]);
+                    body[k] += !is_mass && row == column ? half : (@S@)0;
                 }
             }
             @P@momentum(body, w, h);
