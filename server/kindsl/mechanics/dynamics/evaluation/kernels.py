@@ -59,8 +59,7 @@ MOVING_BASE = {
 }  # fmt: skip
 ACCELERATING = (
     "inverse_dynamics", "forward_dynamics", "forward_dynamics_derivatives",
-    "joint_space_inertia_inverse", "contact_dynamics", "inverse_dynamics_loaded",
-    "forward_dynamics_loaded",
+    "joint_space_inertia_inverse", "contact_dynamics",
 )  # fmt: skip
 # Of each frame, a kernel of each kind, whose name ends in the frame's number.
 OF_FRAMES = {
@@ -143,7 +142,7 @@ def _kernel(function: Function, robot: Robot, *, may_be_wide: bool) -> Kernel:
         results = [_homogeneous(function.results[0].entries, len(robot.targets))]
     elif name in ("kinetic_energy", "potential_energy"):
         results = [result._replace(shape=()) for result in results]
-    accelerates = name in ACCELERATING and (
+    accelerates = name.removesuffix("_loaded") in ACCELERATING and (
         robot.tree.is_floating or not name.startswith("inverse_dynamics")
     )
     entries = [entry for result in results for entry in result.entries]

@@ -22,6 +22,7 @@ DIALECT = Dialect("S", sign="", number="S({})", scope="detail::", parameter="S",
 
 def cpp_header(library: Library) -> str:
     """Return the header."""
+    functions = _functions(library)
     methods = "\n".join(_methods(library, function) for function in library.all_functions)
     bound = "    BasicModel() { set(Parameters()); }\n" if library.is_bound else ""
     fields = "".join(f"    double {n} = {v};\n" for n, v in _defaults(library).items())
@@ -42,19 +43,14 @@ def cpp_header(library: Library) -> str:
         NV=library.robot.n_velocities,
         NB=len(library.body_names),
         FIELDS=fields,
-        SIGN=template("sign.hpp") if _has_friction(library) else "",
-        FUNCTIONS=_functions(library),
+        SIGN=template("sign.hpp") if "detail::sign(" in functions else "",
+        FUNCTIONS=functions,
         BOUND=bound,
         SETTING=setting if given and n_constants else "        (void)parameters;\n",
         METHODS=methods,
         SIZE=max(1, n_constants),
         REAL=library.options.real,
     )
-
-
-def _has_friction(library: Library) -> bool:
-    drives = library.robot.tree.drives
-    return drives is not None and any(drives.friction)
 
 
 def _defaults(library: Library) -> dict[str, str]:
