@@ -93,7 +93,6 @@ def parse(text: str, settings: "Settings | None" = None) -> "Document":
     """Return the document of a text; never raises, whatever the text.
 
     Args:
-        text: The source.
         settings: Rules, targets and bindings; None for the default ones.
     """
     from kindsl.judgement.analysis.analysis import analyse

@@ -136,7 +136,6 @@ class DocumentPreview:
         """Return the picture of a version; changes nothing, so any thread may ask.
 
         Args:
-            analysis: The version.
             findings: Its findings; None while they are not known, then the listed ones count.
         """
         given, model, settings = self._given(analysis), analysis.model, analysis.settings

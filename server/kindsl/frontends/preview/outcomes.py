@@ -44,8 +44,6 @@ def drag_outcome(
     """Return what moving or dropping a handle would do.
 
     Args:
-        analysis: The document that is shown.
-        request: The page's request.
         typed: Values of parameters that the preview shows instead of the document's.
     """
     if request.phase == "cancel":
@@ -74,8 +72,6 @@ def plan_outcome(analysis: Analysis, request: Plan, steps: Steps) -> Outcome | R
     """Return what adding or rewriting something as a whole would do.
 
     Args:
-        analysis: The document that is shown.
-        request: The page's request.
         steps: What was written before, to be undone and redone.
     """
     gesture = request.gesture

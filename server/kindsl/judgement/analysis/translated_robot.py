@@ -141,7 +141,6 @@ def analysed_robot(
 
     Args:
         name: The file's, which tells the format.
-        text: Its text.
         settings: Decisions for it.
         path: Where it is read from with the files that it names; None for the text alone.
         choices: How another format is read.

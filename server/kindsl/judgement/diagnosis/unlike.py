@@ -66,7 +66,6 @@ def unlike_among(model: Model, body_of: Callable[[Link], MassDistribution | None
     more pairs differ than agree they are meant to.
 
     Args:
-        model: The robot.
         body_of: Returns the numbers of a link as they are written, None of one that is left out.
     """
     found: dict[Link, Unlike] = {}

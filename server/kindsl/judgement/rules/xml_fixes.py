@@ -98,7 +98,6 @@ def fix_by_counterpart(model: Model, link: Link, odd: Container[Link]) -> Counte
     numbers.
 
     Args:
-        model: A robot in XML.
         link: A part that cannot be as it is.
         odd: All parts that cannot.
     """

@@ -81,7 +81,6 @@ def xml_copied_limbs(model: Model, told_of: Set[str]) -> list[PairOfLimbs]:
     """Return the pair of limbs that is copied where all others are mirrored, if there is one.
 
     Args:
-        model: A robot in XML.
         told_of: Links of which one place is told that makes their limbs alike.
     """
     names, bodies = xml_limb_names(model), xml_bodies(model)

@@ -43,8 +43,6 @@ def body_findings(model: Model, bodies: Sequence[XmlBody], context: Context) -> 
     """Yield what is found of bodies and limbs, with the codes of the rules that tell it.
 
     Args:
-        model: A robot in XML.
-        bodies: Its bodies.
         context: Without values, since XML has no parameters.
     """
     far = [_in_another_unit(com, is_com=True) for _, com in far_coms(bodies)]

@@ -18,7 +18,6 @@ def subtree_first_moments(bodies: Bodies, poses: Array) -> Array:
     """Return mass times centre of mass of each body with all that it carries.
 
     Args:
-        bodies: The mechanism.
         poses: The bodies' poses in the base, from `body_poses`.
 
     Returns:

@@ -19,7 +19,6 @@ def coriolis_matrix(bodies: Bodies, q: Array, qd: Array, base_velocity: Array) -
     All arguments have the same batch shape. `C + C.T` is the rate of the joint-space inertia.
 
     Args:
-        bodies: The mechanism.
         q: Joint positions, shape (..., n), radians and metres.
         qd: Joint velocities, shape (..., n).
         base_velocity: Spatial velocity of the base, shape (..., 6), zero if it is fixed.

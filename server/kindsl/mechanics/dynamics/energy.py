@@ -13,7 +13,6 @@ def kinetic_energy(bodies: Bodies, q: Array, qd: Array, base_velocity: Array) ->
     """Return the kinetic energy, shape (...), joule.
 
     Args:
-        bodies: The mechanism.
         q: Joint positions, shape (..., n), radians and metres.
         qd: Joint velocities, shape (..., n).
         base_velocity: Spatial velocity of the base, shape (..., 6), zero if it is fixed.
@@ -32,7 +31,6 @@ def potential_energy(bodies: Bodies, poses: Array, gravity: Array) -> Array:
     """Return the potential energy, zero for all mass at the base's origin: (...), joule.
 
     Args:
-        bodies: The mechanism.
         poses: The bodies' poses in the base, from `body_poses`.
         gravity: Shape (..., 3), m/s^2, base coordinates.
     """

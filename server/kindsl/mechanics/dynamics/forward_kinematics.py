@@ -14,7 +14,6 @@ def body_poses(bodies: Bodies, q: Array) -> Array:
     """Return `base_T_body` (..., n + 1, 4, 4) of every body, the base first.
 
     Args:
-        bodies: The mechanism.
         q: Joint positions, shape (..., n), radians and metres.
     """
     is_revolute = np.array([kind == "revolute" for kind in bodies.joint_kinds])

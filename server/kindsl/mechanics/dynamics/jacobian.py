@@ -15,7 +15,6 @@ def jacobian(bodies: Bodies, poses: Array, body: int, base_T_frame: Array) -> Ar
     origin: angular part first.
 
     Args:
-        bodies: The mechanism.
         poses: The bodies' poses in the base, from `body_poses`.
         body: Index of the body that carries the frame.
         base_T_frame: The frame's pose, shape (..., 4, 4).
@@ -50,7 +49,6 @@ def relative_jacobian(
     mechanism's base has no part in it.
 
     Args:
-        bodies: The mechanism.
         poses: The bodies' poses in the base, from `body_poses`.
         base: The body that carries the base frame, and the frame's pose (..., 4, 4).
         target: The same of the target.

@@ -15,7 +15,6 @@ def joint_space_inertia(bodies: Bodies, q: Array) -> Array:
     """Return `M`, symmetric, with `M @ (base acceleration, qdd)` = the forces that it takes.
 
     Args:
-        bodies: The mechanism.
         q: Joint positions, shape (..., n), radians and metres.
 
     Returns:

@@ -52,7 +52,6 @@ def prefix_of(robot: str, given: str | None) -> str:
     """Return what all names of a library begin with.
 
     Args:
-        robot: The robot's name.
         given: The name asked for, if any.
 
     Raises:

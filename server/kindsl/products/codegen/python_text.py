@@ -18,7 +18,6 @@ def module_text(
     """Return a whole module.
 
     Args:
-        library: The functions to write.
         how: Requirements and use of the module, for its docstring.
         own: Its imports, the template of its `forward_kinematics`, and those of its `_answer`.
         without: The functions whose code on components is not written.

@@ -46,7 +46,6 @@ def restricted(robot: Robot, wanted: Wanted, names: Sequence[str]) -> tuple[Robo
     """Return a robot and pairs of frames with the poses and Jacobians of some frames only.
 
     Args:
-        robot: The robot.
         wanted: Pairs of frames.
         names: Links and frames, a link's own frame also as `fr_` and its name, and frames of pairs.
 

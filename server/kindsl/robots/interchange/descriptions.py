@@ -56,7 +56,6 @@ def read_description(path: Path, label: str, floating: bool | None) -> ReadDescr
     """Return the robot that a file describes.
 
     Args:
-        path: The file.
         label: Its name in messages.
         floating: Whether the root floats where the file leaves that open; None if nobody says.
 

@@ -60,7 +60,6 @@ def kindsl_text(
     """Return the document of a robot; its names made valid and unique.
 
     Args:
-        robot: The robot.
         comments: Lines on it, see `ReadRobot`.
         unknown: Links whose inertia cannot be read.
     """

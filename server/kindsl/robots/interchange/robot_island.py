@@ -235,7 +235,6 @@ class RobotIsland(OtherIsland):
         """Return the numbers in an attribute, none where one of them is not finite.
 
         Args:
-            element: The element.
             name: The attribute.
             sign: -1 where the format has the opposite sign.
         """
@@ -246,7 +245,6 @@ class RobotIsland(OtherIsland):
         """Return the numbers that an element holds, none where one is not finite.
 
         Args:
-            element: The element.
             sign: -1 where the format has the opposite sign.
         """
         start = self.tag(element)[1]

@@ -23,10 +23,6 @@ def other_format(name: str, text: str) -> "Format | None":
     """Return the format of a robot's file, None for a document of the Kinematics-DSL.
 
     A `.xml` file may hold any of them: its root element decides, as for a name without a suffix.
-
-    Args:
-        name: Of the file.
-        text: Its text.
     """
     suffix = name[name.rfind(".") :].lower() if "." in name else ""
     if suffix == OWN_SUFFIX:
@@ -47,12 +43,7 @@ def is_xml_name(name: str) -> bool:
 
 
 def syntax_of(name: str, text: str) -> "SyntaxDocument":
-    """Return the syntax of a robot's file that is judged where it stands; never raises.
-
-    Args:
-        name: Of the file.
-        text: Its text.
-    """
+    """Return the syntax of a robot's file that is judged where it stands; never raises."""
     root = _root(text)
     kind = "" if root is None or name.endswith(OWN_SUFFIX) else root[1]
     lower = name.lower()

@@ -141,7 +141,6 @@ def xml_document(
     """Return the document of a text, of what is no XML one that says so; never raises.
 
     Args:
-        text: The text.
         former: An earlier version: what has the same text is taken from it.
         of_elements: Makes it of the root element, as a format has it.
     """

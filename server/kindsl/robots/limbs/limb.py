@@ -79,7 +79,6 @@ def limbs_of(model: Model, values: Values) -> dict[Link, list[Limbs]]:
     """Return the groups of limbs that each body carries; left out are those without numbers.
 
     Args:
-        model: The robot.
         values: Of its parameters and constants.
     """
     tree, base = model.tree, model.base

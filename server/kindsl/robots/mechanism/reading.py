@@ -55,7 +55,6 @@ def reachable_linkage(model: Model, values: Mapping[str, float]) -> Linkage:
     """Return the bodies that the base carries, parents first, whatever the ids.
 
     Args:
-        model: A document's model.
         values: Of parameters by name, and of constants by `<name>`.
 
     Raises:
@@ -99,7 +98,6 @@ def _built(model: Model, edges: Sequence[Edge], reader: "_Lenient | _Strict") ->
     """Return the numbered bodies.
 
     Args:
-        model: The document's model.
         edges: The supporting edge of each link, in the order of the bodies 1 to n.
         reader: Makes numbers of what is written.
     """

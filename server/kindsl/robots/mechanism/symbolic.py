@@ -32,7 +32,6 @@ def symbolic_robot(
     """Return a robot whose given parameters are inputs.
 
     Args:
-        model: The document's model.
         values: Of the other parameters by name, and of constants by `<name>`.
         inputs: Names of parameters that stay inputs.
         told: What is told of joints besides, by their names: rotors and friction count.

@@ -20,7 +20,6 @@ def formula_messages(model: Model, values: Mapping[str, float]) -> Iterator[Form
     """Yield the formula of each joint and frame whose place has parameters in it.
 
     Args:
-        model: A document's model.
         values: Of parameters by name, and of constants by `<name>`.
     """
     for edge in model.tree.edges:

@@ -41,7 +41,6 @@ def guesses(model: Model, values: Mapping[str, float]) -> Guesses:
     """Return what to draw with in place of missing values.
 
     Args:
-        model: The document's model.
         values: Of parameters by name, and of constants by `<name>`.
     """
     unbound = [p for p in model.parameters if str(p.name) not in values]

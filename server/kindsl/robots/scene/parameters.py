@@ -19,7 +19,6 @@ def parameter_messages(
     """Return a row for each parameter, in the order of the document.
 
     Args:
-        model: The document's model.
         bindings: Values and ranges from its surroundings.
         typed: Values that were set in the page; they win.
         guessed: Values that are drawn where there is none; a mass or moment counts as zero.

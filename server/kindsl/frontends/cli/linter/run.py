@@ -156,7 +156,6 @@ def check_all(tasks: Sequence[Task], jobs: int) -> Iterator[Checked]:
     """Yield the result of each task, in order.
 
     Args:
-        tasks: The documents.
         jobs: How many processes to use, 0 for as many as pay.
     """
     has_affinity = hasattr(os, "sched_getaffinity")

@@ -23,7 +23,6 @@ def add_frame(analysis: Analysis, link: str, point: Vector3) -> Gesture | Refusa
     """Return the edit that adds a frame to a link.
 
     Args:
-        analysis: The document.
         link: The name of a link or of the base.
         point: The frame's origin in the link's frame, metres, as it is to be written.
     """
@@ -44,7 +43,6 @@ def add_child(
     """Return the edits that add a link and its supporting joint.
 
     Args:
-        analysis: The document.
         parent: The name of a link or of the base.
         point: The joint frame's origin in the parent's frame, metres, as it is to be written.
         kind: `"revolute"` or `"prismatic"`.

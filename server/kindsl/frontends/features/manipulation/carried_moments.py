@@ -36,7 +36,6 @@ def carried_moments(
     """Return the edits of the moments that keep the body the same as its CoM moves.
 
     Args:
-        analysis: The document.
         link: The link's name.
         component: Of its CoM: `x y z`.
         value: The component's new value, metres.

@@ -24,7 +24,6 @@ def handles(
     """Yield the components of a thing: three of a centre of mass, else six.
 
     Args:
-        analysis: The document.
         thing: A joint, frame or centre of mass.
         typed: Values of parameters that the preview shows instead of the document's.
     """

@@ -21,7 +21,6 @@ def pose_as_zero(analysis: Analysis, q: Mapping[str, float]) -> Gesture | Refusa
     """Return the edits after which the robot at zero stands as it does now at `q`.
 
     Args:
-        analysis: The document.
         q: Positions by the joints' names, radians and metres; joints left out are at zero.
     """
     edits: list[TextEdit] = []

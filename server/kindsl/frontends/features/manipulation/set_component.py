@@ -53,7 +53,6 @@ def set_component(
     """Return what to write so that a component has a value.
 
     Args:
-        analysis: The document.
         thing: A joint, frame or centre of mass.
         name: `x y z` in metres, `rx ry rz` in radians.
         value: The new value.

@@ -33,7 +33,6 @@ def unlike_pairs(
     """Yield a finding for each mirrored pair in which one part has a slip.
 
     Args:
-        model: The robot.
         values: Of its parameters.
         body_of: Returns the mass distribution of a part as it is written, anything else if it
             is not known.

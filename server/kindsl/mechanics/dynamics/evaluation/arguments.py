@@ -54,7 +54,6 @@ def checked(
     """Return what is given, by names: all joint vectors, and of the rest what is not standard.
 
     Args:
-        bodies: The mechanism.
         joints: Joint vectors (..., n) by their names.
         base: The base's velocity and acceleration (..., 6) by their names, None for rest.
         gravity: Shape (..., 3).

@@ -62,7 +62,6 @@ class CompiledMechanics(Mechanics):
         """Compile, or find what was compiled before.
 
         Args:
-            bodies: The mechanism.
             threads: How many threads share the work of large batches.
 
         Raises:

@@ -16,7 +16,6 @@ def singular_inertia(bodies: Bodies, q: Array) -> SingularInertiaError:
     """Return the error that names the joint, or the base, whose motion nothing resists.
 
     Args:
-        bodies: The mechanism.
         q: Joint positions, shape (..., n), of which at least one gives a singular matrix.
     """
     n_base = bodies.n_velocities - bodies.n_links
@@ -35,7 +34,6 @@ def not_finite(bodies: Bodies, arrays: Mapping[str, Array]) -> ValueError:
     """Return the error for accelerations that are not finite.
 
     Args:
-        bodies: The mechanism.
         arrays: The joint vectors that were given, by name, `q` among them.
     """
     with np.errstate(all="ignore"):

@@ -23,7 +23,6 @@ def c_files(library: Library, reference: Reference) -> dict[str, str]:
     """Return the text of each file by its name.
 
     Args:
-        library: The functions to write.
         reference: The right answers, for the test program.
     """
     p = library.prefix

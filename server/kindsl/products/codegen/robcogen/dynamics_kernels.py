@@ -119,7 +119,6 @@ def _under_loads(
     there.
 
     Args:
-        robot: The robot.
         name: The function's name.
         takes: Its arguments.
         results: Takes the wrench on each body, none for no forces; returns the results.
