@@ -349,7 +349,7 @@ def test_moments_shifted_twice_are_told_as_such() -> None:
     text = legs_with(RH=twice.replace("Iyz=0.0", "Iyz=0.001"))
     (finding,) = found("KD509", text)
     assert finding.message == (
-        "moments of 'RH_hip' differ from its twins: they would be theirs if "
+        "inertia of 'RH_hip' would be that of 'LF_hip', 'RF_hip' and 'LH_hip' if "
         "the moments were shifted to the frame origin once, not twice"
     )
     assert finding.fix is not None
