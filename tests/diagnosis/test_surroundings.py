@@ -15,6 +15,7 @@ from kindsl.judgement.diagnosis.surroundings import (
     is_mirror_image,
     is_same_body,
     reasons_of_end,
+    same_moments,
     surroundings,
 )
 from kindsl.judgement.diagnosis.suspects import suspects_of
@@ -264,3 +265,22 @@ def test_a_moment_beyond_all_numbers_is_a_copy_of_none(moment: str) -> None:
     told += " Iz = 0.367571 Ixy = -0.067875 Ixz = 0.039114 Iyz = -0.141291 }"
     texts = [told % ("0.1234567", "0.0419"), told % (moment, moment)]
     assert analyse(document_of_bodies(texts), Settings(frozenset({"robcogen2"}))).faults == ()
+
+
+def test_of_equal_moments_those_of_another_part_are_copied() -> None:
+    """A head has the left arm's: its own are unlike those of the other head, an arm's are not."""
+    own, copied = (
+        f"inertia_params {{ mass = 1.0 CoM = ({com}) Ix={moment}013 Iy={moment}217 Iz={moment}335"
+        " Ixy=0.0 Ixz=0.0 Iyz=0.0 }"
+        for com, moment in (("0.0123, 0.0456, 0.0789", "0.02"), ("0.0321, 0.0654, 0.0987", "0.03"))
+    )
+    same_com = copied.replace("0.0321, 0.0654, 0.0987", "0.0123, 0.0456, 0.0789")
+    arms = {"left_arm": copied, "right_arm": copied}
+    model = analyse(legs(**arms, front_head=same_com, rear_head=own)).model
+    copies = {
+        name: [*same_moments(model, model.body_named[name])] for name in (*arms, "front_head")
+    }
+    assert copies["front_head"] == ["left_arm", "right_arm"]
+    assert copies["left_arm"] == []
+    # That a part has another's CoM alone says nothing of its moments.
+    assert [*same_moments(model, model.body_named["rear_head"])] == []
