@@ -2,6 +2,7 @@
 
 import random
 import re
+from itertools import pairwise
 
 import pytest
 from tests.support.amount import usually
@@ -12,6 +13,8 @@ from tests.support.legged import COPIED, REFLECTED, Legs, Walker
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.language.text.edits import apply_edits
+from kindsl.mechanics.rigid.pose import Vector3
+from kindsl.robots.limbs.limb import limbs_of
 
 LIMB_CODES = ("KD208", "KD209", "KD210", "KD509", "KD510")
 JOINT = re.compile(r"r_joint (\w+) \{ ref_frame \{ translation = \((.*?)\) rotation = \((.*?)\) ")
@@ -186,3 +189,22 @@ def test_limbs_may_begin_at_one_place(number: int) -> None:
     assert finding.message == f"mass of 'lower_{number}' is 0.4, by its twins 0.5"
     assert finding.fix is not None
     assert apply_edits(spoilt, finding.fix.edits) == text
+
+
+@pytest.mark.parametrize(("deep", "base"), [(3, (-0.3, 0.0, 0.0)), (30, (0.0, 0.0, 0.0))])
+def test_the_base_is_nowhere_where_the_way_to_it_is_not_gone_to_its_end(
+    deep: int, base: Vector3
+) -> None:
+    pose = "ref_frame { translation = (0.1, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) }"
+    names = ["spine0", *(f"spine{n}" for n in range(1, deep))]
+    below = {names[-1]: ("left_arm", "right_arm"), **{a: (b,) for a, b in pairwise(names)}}
+    listed = {a: " ".join(f"{b} via {b}_joint" for b in all_b) for a, all_b in below.items()}
+    links = [*names, "left_arm", "right_arm"]
+    text = "Robot R { RobotBase base { children { spine0 via spine0_joint } }\n" + "".join(
+        f"link {name} {{ id = {n} children {{ {listed.get(name, '')} }} }}\n"
+        f"r_joint {name}_joint {{ {pose} }}\n"
+        for n, name in enumerate(links, 1)
+    )
+    model = analyse(text + "}").model
+    ((_, (limbs,)),) = limbs_of(model, {}).items()
+    assert limbs.base == pytest.approx(base)

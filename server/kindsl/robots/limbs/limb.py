@@ -110,8 +110,10 @@ def way_up(tree: KinematicTree, link: Link) -> list[Edge]:
 
 
 def _pose_in_base(tree: KinematicTree, link: Link, values: Values) -> RigidPose | None:
-    pose = IDENTITY
-    for edge in way_up(tree, link):
+    pose, way = IDENTITY, way_up(tree, link)
+    if way and not way[-1].predecessor.is_base:
+        return None
+    for edge in way:
         above = written_pose(edge.joint.pose, values) if edge.joint is not None else None
         if above is None:
             return None
