@@ -2,7 +2,7 @@
 "use strict";
 const assert = require("node:assert/strict");
 const vscode = require("vscode");
-const { runAll, eventually, extension, settledApi, documentInFront, open, codes, configure } = require("./harness");
+const { runAll, eventually, extension, settledApi, shownBy, open, codes, configure } = require("./harness");
 
 const BROKEN = "broken.kindsl";
 const URDF = `<robot name="pan"><link name="base"/><link name="head"/>
@@ -82,9 +82,8 @@ exports.run = () =>
     },
 
     "an untitled document is served": async () => {
-      await vscode.commands.executeCommand("kindsl.newFile");
       const isNew = (it) => /^Robot Name \{\n\nRobotBase base \{/.test(it.getText());
-      const document = await documentInFront(isNew, "a new robot");
+      const document = await shownBy(["kindsl.newFile"], isNew, "a new robot");
       assert.equal(document.uri.scheme, "untitled");
       assert.equal(document.languageId, "kinematics-dsl");
       const edit = new vscode.WorkspaceEdit();
@@ -99,10 +98,9 @@ exports.run = () =>
       for (const [name, content] of Object.entries({ "pan.urdf": URDF, "tilt.sdf": SDF })) {
         const uri = vscode.Uri.joinPath(vscode.workspace.workspaceFolders[0].uri, name);
         await vscode.workspace.fs.writeFile(uri, new TextEncoder().encode(content));
-        await vscode.commands.executeCommand("kindsl.importFile", uri);
         const robot = `Robot ${name.split(".")[0]} {`;
         const isRobot = (it) => it.getText().startsWith(robot) && it.getText().includes("link head {");
-        const document = await documentInFront(isRobot, `the robot of ${name}`);
+        const document = await shownBy(["kindsl.importFile", uri], isRobot, `the robot of ${name}`);
         assert.equal(document.uri.scheme, "untitled");
         assert.equal(document.languageId, "kinematics-dsl");
         await eventually(async () => (await symbols(document.uri)).length > 0, "an outline");
@@ -115,8 +113,8 @@ exports.run = () =>
       const edit = new vscode.WorkspaceEdit();
       edit.replace(document.uri, new vscode.Range(0, 0, document.lineCount, 0), URDF.replaceAll("head", "neck"));
       await vscode.workspace.applyEdit(edit);
-      await vscode.commands.executeCommand("kindsl.importFile", document.uri);
-      await documentInFront((it) => /link neck \{/.test(it.getText()), "the open robot's text as a document");
+      const isOpenOne = (it) => /link neck \{/.test(it.getText());
+      await shownBy(["kindsl.importFile", document.uri], isOpenOne, "the open robot's text as a document");
     },
   });
 

@@ -3,7 +3,8 @@
 const { isDeepStrictEqual } = require("node:util");
 const vscode = require("vscode");
 
-const TIMEOUT = 90_000;
+const TIMEOUT = 90_000; // ms
+const PATIENCE = 20_000; // ms
 
 /** Run the tests in order; reject with the names of those that fail. */
 async function runAll(tests) {
@@ -20,15 +21,23 @@ async function runAll(tests) {
   if (failed.length > 0) throw new Error(`failed: ${failed.join("; ")}`);
 }
 
-/** Return what `see` gives once it is truthy. */
-async function eventually(see, what) {
+/** Return what `see` gives once it is truthy; do `act` first, and now and then again, as a user does whose gesture was lost. */
+async function eventually(see, what, act = () => undefined) {
   const deadline = Date.now() + TIMEOUT;
-  for (;;) {
+  for (let due = 0; ; ) {
+    if (Date.now() >= due) {
+      await act();
+      due = Date.now() + PATIENCE;
+    }
     const seen = await see();
     if (seen) return seen;
-    if (Date.now() > deadline) throw new Error(`not seen: ${what}`);
+    if (Date.now() > deadline) throw new Error(`not seen: ${what}; in front: ${inFront()?.uri}`);
     await new Promise((resolve) => setTimeout(resolve, 50));
   }
+}
+
+function inFront() {
+  return vscode.window.activeTextEditor?.document;
 }
 
 function extension() {
@@ -44,10 +53,10 @@ async function settledApi() {
   return api;
 }
 
-/** The document in front, once `see` holds of it: VS Code tells what is in front some time after it has shown it. */
-async function documentInFront(see, what) {
-  const inFront = () => vscode.window.activeTextEditor?.document;
-  return eventually(() => (inFront() !== undefined && see(inFront()) ? inFront() : undefined), what);
+/** The document that a command shows, once `see` holds of what is in front: VS Code tells that some time after. */
+async function shownBy(command, see, what) {
+  const run = () => vscode.commands.executeCommand(...command);
+  return eventually(() => (inFront() !== undefined && see(inFront()) ? inFront() : undefined), what, run);
 }
 
 function fileUri(name) {
@@ -94,7 +103,7 @@ module.exports = {
   eventually,
   extension,
   settledApi,
-  documentInFront,
+  shownBy,
   fileUri,
   open,
   readJson,
