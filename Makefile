@@ -92,10 +92,16 @@ docs-check: $(STAMP)
 	$(BIN)/python -m generating.rule_pages --check
 	$(BIN)/python -m generating.message_types --check
 
-# The soak takes an hour and more: python benchmarks/soak.py.
+# Those that take an hour are run by themselves: python benchmarks/soak.py.
+LONG := soak mutation urdf_fuzz
 bench: $(STAMP)
-	for file in $(filter-out benchmarks/soak.py benchmarks/mutation.py,$(wildcard benchmarks/*.py)); do \
+	for file in $(filter-out $(LONG:%=benchmarks/%.py),$(wildcard benchmarks/*.py)); do \
 		$(BIN)/python $$file || exit 1; done
+
+# What a change makes slow without anyone noticing, held to its limits: a minute or two.
+.PHONY: bench-quick
+bench-quick: $(STAMP)
+	for name in lint lsp parsing preview; do $(BIN)/python benchmarks/$$name.py --quick || exit 1; done
 
 # What findings claim with a probability, and how much of it holds, on so many slips of a kind.
 SLIPS ?= 20
