@@ -72,6 +72,23 @@ def test_shortcuts_work_with_the_focus_in_the_picture(workbench: Workbench) -> N
     expect(names).to_be_hidden()
 
 
+def test_the_status_bar_follows_while_the_picture_has_the_focus(workbench: Workbench) -> None:
+    path = workbench.open("arm.kindsl")
+    before = path.read_text()
+    expect(workbench.status("2 dof")).to_be_visible()
+    picture = workbench.preview_frame().locator("#pane")
+
+    def focus() -> None:
+        picture.click(position={"x": 5, "y": 5}, timeout=PATIENCE)
+        workbench.page.locator(".tab.active", has_text="Preview arm").wait_for(timeout=PATIENCE)
+
+    workbench.insist(focus, "the focus in the picture")
+    path.write_text(models.OTHER)
+    expect(workbench.status("1 dof")).to_be_visible()
+    path.write_text(before)
+    expect(workbench.status("2 dof")).to_be_visible()
+
+
 def test_the_panel_follows_the_active_editor(workbench: Workbench) -> None:
     workbench.open("second.kindsl", models.OTHER)
     expect_robot(workbench, "other")

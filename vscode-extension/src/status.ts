@@ -15,6 +15,8 @@ export class StatusItems implements vscode.Disposable {
   readonly #item = vscode.languages.createLanguageStatusItem("kindsl.status", { language: LANGUAGE });
   readonly #byDocument = new Map<string, DocumentStatus>();
   readonly #disposables: vscode.Disposable[];
+  /** The document whose editor had the focus last: a picture beside it, which has no editor, may change it. */
+  #shown: vscode.Uri | undefined;
 
   constructor(private readonly server: ServerAccess) {
     this.#bar.name = "Degrees of Freedom";
@@ -41,8 +43,9 @@ export class StatusItems implements vscode.Disposable {
 
   #update(): void {
     const document = vscode.window.activeTextEditor?.document;
-    if (document?.languageId === LANGUAGE) this.#showDocument(document.uri);
-    else if (vscode.window.activeTextEditor !== undefined) this.#bar.hide();
+    if (document !== undefined) this.#shown = document.languageId === LANGUAGE ? document.uri : undefined;
+    if (this.#shown !== undefined) this.#showDocument(this.#shown);
+    else if (document !== undefined) this.#bar.hide();
   }
 
   #showDocument(uri: vscode.Uri): void {
