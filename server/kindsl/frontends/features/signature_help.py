@@ -12,9 +12,9 @@ from kindsl.language.syntax.vocabulary import meanings_of
 
 _SECTIONS = {WORDS[section][0]: section for section in VALUES if KINDS[section] == "vector"}
 _ABOUT = {
-    "translation": "origin of the frame, in metres",
-    "rotation": "intrinsic angles, in radians: about x, then the new y, then the new z",
-    "CoM": "centre of mass in the link frame (or in ref_frame), in metres",
+    "translation": "origin of the frame",
+    "rotation": "intrinsic angles: about x, then the new y, then the new z",
+    "CoM": "centre of mass in the link frame (or in ref_frame)",
 }
 _UNITS = {METRES: "metres", RADIANS: "radians"}
 _FARTHEST = 400
