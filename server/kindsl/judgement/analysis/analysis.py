@@ -3,7 +3,7 @@
 # Signatures in `help` are as short as they are written here.
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property, lru_cache, partial
 from typing import TYPE_CHECKING
 
@@ -22,6 +22,7 @@ from kindsl.judgement.analysis.syntax_findings import is_explained, syntax_findi
 from kindsl.judgement.rules.base import Finding, Rule
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.registry import CONCERN_XML, all_rules, checking_rules, rules_with
+from kindsl.judgement.rules.subject import Subject
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Located
 from kindsl.language.syntax.document import SyntaxDocument, paused_collector
@@ -261,19 +262,24 @@ class Analysis:
 
             codes, silenced = self._codes(run), self._suppressions
             found = without_silenced(found, self.syntax, silenced, codes, self._resolve)
-        explained = {(d.start, code) for d in found for code in d.explains}
-        mended = {(d.start, code) for d in found if d.fix or d.choices for code in d.explains}
+        explained = _explained(found)
         if explained:
+            mended = _explained(d for d in found if d.fix or d.choices)
             found = [
                 d
                 for d in found
-                if (d.start, d.code) not in (explained if not (d.fix or d.choices) else mended)
+                if (d.subject, d.code) not in (explained if not (d.fix or d.choices) else mended)
             ]
         return sorted(found, key=lambda d: (d.start, d.end, d.code, d.message))
 
     def _codes(self, run: CheckRun) -> list[str]:
         rules = [rule for rule in all_rules() if is_enabled(rule, self.settings)]
         return [r.code for r in rules if not (run.is_without_twins and r.reads_twins)]
+
+
+def _explained(found: Iterable[Diagnostic]) -> set[tuple[Subject, str]]:
+    """Return the codes of findings that others make needless, with what these are about."""
+    return {(of, code) for d in found for of in (d.subject, *d.also) for code in d.explains}
 
 
 @lru_cache(maxsize=64)

@@ -63,7 +63,7 @@ def xml_findings(
     own = [(flaw.code, Finding(flaw.at, flaw.message)) for flaw in flaws]
     own += ((_PLACEHOLDER, finding) for finding in _placeholders(model))
     own += ((_MISSING, finding) for finding in _missing(bodies))
-    own += ((_REFERENCE, finding) for finding in reference_findings(bodies))
+    own += ((_REFERENCE, finding) for finding in reference_findings(model, bodies))
     own += body_findings(model, bodies, context)
     rules = {rule.code: rule for rule in rules_with(frozenset(code for code, _ in own))}
     enabled = [(rules[code], each) for code, each in own if is_enabled(rules[code], settings)]
@@ -74,7 +74,12 @@ def xml_findings(
     massless = {id(b.link.island) for b in _massless(bodies)} if _MISSING in rules else set()
     copied = {id(finding.at.island) for rule, finding in found if rule.code == _COPIED}
     in_units = {id(f.at.island) for rule, f in (*enabled, *found) if rule.code in _UNITS}
-    explained = {(id(f.at.island), code) for _, f in (*enabled, *found) for code in f.explains}
+    explained = {
+        (id(at.island), code)
+        for _, f in (*enabled, *found)
+        for at in (f.at, *f.also)
+        for code in f.explains
+    }
     told = []
     for rule, finding in (*enabled, *found):
         island, is_of_part = id(finding.at.island), rule.code in _TOLD_OF_PARTS
@@ -95,7 +100,7 @@ def xml_findings(
         is_light = is_of_part and island in light
         is_light = is_light or (rule.code == _DENSITY and has_joints and island in at_rest)
         fixes = is_sure and not is_light
-        is_likely = (finding.probability or 1.0) >= LIKELY
+        is_likely = bool(finding.also) or (finding.probability or 1.0) >= LIKELY
         fix = xml_fix(finding.fix) if fixes and is_likely else None
         choices = xml_choices(finding.choices) if fixes else ()
         severity = Severity.HINT if is_light else finding.severity

@@ -75,8 +75,8 @@ class Finding(NamedTuple):
         message: One sentence without final period: what is wrong, names quoted, with units.
         choices: Edits that fix it where several things may be meant; then there is no `fix`.
         severity: Where it differs from the rule's.
-        explains: Codes of findings at the same place that it makes needless, but for their fixes
-            where it has none.
+        explains: Codes of findings about the same things that it makes needless, but for their
+            fixes where it has none.
         subject: The thing that it is about, if not the one in whose text `at` lies.
         probability: Of the cause that the message names, where one was weighed against others.
         also: Where other things are that it is about as well.

@@ -3,10 +3,12 @@
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from kindsl.judgement.diagnosis.suspects import suspects_of
 from kindsl.judgement.rules.base import Finding, Related, Severity
 from kindsl.judgement.rules.xml_bodies import XmlBody, pose_of_com
 from kindsl.judgement.rules.xml_elements import A_FEW
 from kindsl.language.semantics.declarations import Inertia, Link
+from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import mass_distribution
 from kindsl.mechanics.rigid.body import (
     MassDistribution,
@@ -28,13 +30,14 @@ class _Seen(NamedTuple):
     is_possible: bool
 
 
-def reference_findings(bodies: Sequence[XmlBody]) -> Iterator[Finding]:
+def reference_findings(model: Model, bodies: Sequence[XmlBody]) -> Iterator[Finding]:
     """Yield one finding for a file in which all moments are about the links' origins.
 
     About the CoM they would be impossible for most honest bodies, so that three unlike ones that
-    are possible do not come about by chance.
+    are possible do not come about by chance. Where all are in another unit they are converted.
     """
-    seen = [each for body in bodies if body.moves and (each := _seen(body.link)) is not None]
+    factor = _factor_to_si(model)
+    seen = [e for body in bodies if body.moves and (e := _seen(body.link, factor)) is not None]
     unlike = {_size(each) for each in seen}
     if len(unlike) < _FEWEST or not all(each.is_possible for each in seen):
         return
@@ -45,11 +48,30 @@ def reference_findings(bodies: Sequence[XmlBody]) -> Iterator[Finding]:
     yield Finding(first.inertia, message, tuple(related), severity=Severity.WARNING)
 
 
-def _seen(link: Link) -> _Seen | None:
+def _factor_to_si(model: Model) -> float:
+    """Return what converts all moments to kg·m²: 1 unless each is surely in one other unit."""
+    if len(suspects := suspects_of(model, {})) < _FEWEST:
+        return 1.0
+    # Imported for suspects only, since it delays the linter's start.
+    from kindsl.judgement.diagnosis.judge import diagnoses
+    from kindsl.judgement.diagnosis.slips import Slip
+    from kindsl.judgement.rules.inertia.told import SURE
+
+    powers = set()
+    for _, causes in diagnoses(suspects, model, {}):
+        is_sure = bool(causes) and causes[0].probability >= SURE
+        is_unit = is_sure and causes[0].hypothesis.slips == (Slip.SCALE,)
+        powers.add(causes[0].hypothesis.power if is_unit else 0)
+    return 10.0 ** powers.pop() if len(powers) == 1 else 1.0
+
+
+def _seen(link: Link, factor: float) -> _Seen | None:
     inertia, pose = link.inertia, pose_of_com(link)
     body = mass_distribution(inertia, {}) if inertia is not None else None
     if inertia is None or body is None or pose is None or body.mass <= 0.0:
         return None
+    xx, yy, zz, xy, xz, yz = (factor * moment for moment in body.moments)
+    body = body._replace(moments=(xx, yy, zz, xy, xz, yz))
     if not is_clearly_positive(second_moments_about_com(body)):
         return None
     x, y, z = pose.translation

@@ -52,7 +52,8 @@ def body_findings(model: Model, bodies: Sequence[XmlBody], context: Context) -> 
     yield from (("KD502", finding) for finding in far)
     for code, cause in told_causes(model, context):
         is_sign_of_impossible = code == "KD307" and cause.severity is Severity.INFORMATION
-        if code in _CAUSES and (is_sign_of_impossible or (cause.probability or 0.0) >= LIKELY):
+        is_likely = bool(cause.also) or (cause.probability or 0.0) >= LIKELY
+        if code in _CAUSES and (is_sign_of_impossible or is_likely):
             others = (
                 each._replace(message=in_words_of_xml(each.message)) for each in cause.related
             )

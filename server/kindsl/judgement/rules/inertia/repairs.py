@@ -163,10 +163,16 @@ def _shared(explained: Sequence[Diagnosis], told: Sequence[_Coded], model: Model
     related = [
         Related(keyword(e.found.inertia), f"inertia of '{e.found.link.name}'") for e in others
     ]
-    message = shared_cause(len(explained), cause)
-    whole = Fix(f"{title(cause.hypothesis)} in all links", changes)
+    is_impossible = any(each.found.is_impossible for each in explained)
     finding = Finding(
-        keyword(first.inertia), message, tuple(related[:_MOST_RELATED]), whole, Severity.INFORMATION
+        keyword(first.inertia),
+        shared_cause(len(explained), cause),
+        tuple(related[:_MOST_RELATED]),
+        Fix(f"{title(cause.hypothesis)} in all links", changes),
+        Severity.INFORMATION if is_impossible else Severity.WARNING,
+        explains=_EVIDENCE,
+        probability=max(each.causes[0].probability for each in explained),
+        also=tuple(keyword(each.found.inertia) for each in others),
     )
     return cause.hypothesis.code, finding
 
