@@ -206,6 +206,33 @@ def test_numbers_of_the_other_side_are_the_files() -> None:
     ]
 
 
+WRIST = 'ixx="0.000404603" ixy="{}" ixz="1.89685e-05" iyy="0.000829354" iyz="{}" izz="0.00102014"'
+
+
+@pytest.mark.parametrize(
+    ("y", "products", "is_told"),
+    [
+        ("0.00628", ("4.4107e-06", "7.26613e-05"), True),
+        ("0.00628", ("0.000404247", "-7.81042e-05"), False),
+        ("0.00628", ("4e-05", "7.26613e-05"), False),
+        ("-0.00628", ("0.0000043", "7.81042e-05"), False),
+    ],
+)
+def test_a_side_that_was_moved_to_its_com_before_it_was_mirrored(
+    y: str, products: tuple[str, str], is_told: bool
+) -> None:
+    left = WRIST.format("-0.000404247", "7.81042e-05")
+    text = robot(
+        link("left_wrist", "0.07358 -0.00628 -0.00098", left, "0.442191"),
+        link("right_wrist", f"0.07358 {y} -0.00098", WRIST.format(*products), "0.442191"),
+        joint("left", "base", "left_wrist", "0 0.2 0"),
+        joint("right", "base", "right_wrist", "0 -0.2 0"),
+    )
+    told = "'right_wrist' is not the mirror image of 'left_wrist': about the links' origins they "
+    told += "agree but for signs of the CoM or the products"
+    assert (told in messages(text)) == is_told
+
+
 def test_a_side_whose_com_is_in_another_unit() -> None:
     text = (
         sides("", "-").replace("0.1 -0.05 0", "0.1 -0.05 0.02").replace("0.1 0.05 0", "1 0.5 0.2")

@@ -3,12 +3,17 @@
 from collections.abc import Container, Iterator, Sequence
 
 from kindsl.judgement.diagnosis.body_verdicts import body_verdicts
-from kindsl.judgement.diagnosis.counterparts import images, unlike_numbers
-from kindsl.judgement.diagnosis.unlike import unlike_among
+from kindsl.judgement.diagnosis.counterparts import (
+    images,
+    is_mirror_image,
+    is_same_body,
+    unlike_numbers,
+)
+from kindsl.judgement.diagnosis.unlike import APART, EXACTLY, unlike_among
 from kindsl.judgement.rules.base import Finding, Related, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.geometry import converted
-from kindsl.judgement.rules.inertia.mirror_images import unlike_pairs
+from kindsl.judgement.rules.inertia.mirror_images import sided_pairs, unlike_pairs
 from kindsl.judgement.rules.inertia.told_causes import told_causes
 from kindsl.judgement.rules.limb_places import numbers_at
 from kindsl.judgement.rules.limb_writing import as_numbers, rewriting
@@ -21,11 +26,13 @@ from kindsl.language.semantics.declarations import Link, Vector
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import mass_distribution
+from kindsl.language.semantics.unknown import Unknown
 from kindsl.language.text.phrases import alternatives
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import IDENTITY
 from kindsl.robots.limbs.names import label_of
 from kindsl.robots.limbs.weighing import Suspect
+from kindsl.robots.mechanism.link_inertia import link_inertia
 
 _OF_LIMBS = frozenset(("KD208", "KD209", "KD210", "KD509", "KD510"))
 _SHAPES = ("KD309", "KD313", "KD511")
@@ -76,6 +83,8 @@ def body_findings(model: Model, bodies: Sequence[XmlBody], context: Context) -> 
         yield "KD509", finding
     for finding in unlike_pairs(model, {}, _as_written, told_of.__contains__):
         yield "KD312", finding._replace(message=in_words_of_xml(finding.message))
+    for finding in _moved_unmirrored(model, told_of):
+        yield "KD312", finding
 
 
 def _branches(bodies: Sequence[XmlBody]) -> bool:
@@ -152,6 +161,31 @@ def _unlike(model: Model, told_of: Container[Link]) -> Iterator[tuple[Link, Find
         elif made := set_as(model, link, [peer for peer, _ in peers]):
             fix = made.fix
         yield link, Finding(inertia, what, tuple(others), fix)
+
+
+def _moved_unmirrored(model: Model, told_of: Container[Link]) -> Iterator[Finding]:
+    """Yield the pairs that had either CoM or products mirrored before these were moved to it."""
+    for left, right in sided_pairs(model):
+        if left in told_of or right in told_of:
+            continue
+        here, there = _as_written(left), _as_written(right)
+        if here is None or there is None or is_mirror_image(here, there, APART):
+            continue
+        ours, theirs = link_inertia(left, {}), link_inertia(right, {})
+        if isinstance(ours, Unknown) or isinstance(theirs, Unknown):
+            continue
+        is_apart = not is_same_body(_sizes(here), _sizes(there), EXACTLY)
+        if is_apart and is_same_body(_sizes(ours), _sizes(theirs), EXACTLY):
+            told = f"'{right.name}' is not the mirror image of '{left.name}': about the links' "
+            told += "origins they agree but for signs of the CoM or the products"
+            related = Related(left.inertia or left, f"inertia of '{left.name}'")
+            yield Finding(right.inertia or right, told, (related,))
+
+
+def _sizes(body: MassDistribution) -> MassDistribution:
+    x, y, z = map(abs, body.com)
+    xx, yy, zz, xy, xz, yz = map(abs, body.moments)
+    return MassDistribution(body.mass, (x, y, z), (xx, yy, zz, xy, xz, yz))
 
 
 def _of_same_side(
