@@ -23,6 +23,22 @@ BOXES = """() => [...document.querySelectorAll(".label")]
   .filter((label) => label.style.visibility === "visible")
   .map((label) => label.getBoundingClientRect())
   .map((box) => [box.left, box.top, box.right, box.bottom])"""
+# Names in any of so many pictures around the robot that lie on the scale or the compass.
+NAMES_ON_CORNER = """(count) => {
+  const boxOf = (element) => element.getBoundingClientRect(), found = new Set();
+  for (let i = 0; i < count; i += 1) {
+    kindsl.camera.turn(2 * Math.PI / count, 0);
+    kindsl.viewer.render();
+    const corner = [...document.querySelectorAll("#scale, #compass")].map(boxOf);
+    for (const label of document.querySelectorAll(".label")) {
+      const a = boxOf(label), isShown = label.style.visibility === "visible";
+      const isLevel = (b) => a.top < b.bottom && b.top < a.bottom;
+      const isOn = (b) => isLevel(b) && a.left < b.right && b.left < a.right;
+      if (isShown && corner.some(isOn)) found.add(label.textContent);
+    }
+  }
+  return [...found];
+}"""
 LETTER_POINTS = 16  # of the strokes of X, Y and Z
 # Of the names that are shown, how many stand for things within 110 pixels of one of these.
 MOST_NAMES_NEAR = """() => {
@@ -257,6 +273,8 @@ async def test_large_robots_take_few_draw_calls_and_elements(browser, server):
         assert await page.evaluate(MOST_NAMES_NEAR) <= 4
         await page.evaluate("kindsl.presets.choose('All')")
         assert await page.evaluate(CALLS) <= 25
+        await page.evaluate("kindsl.camera.zoom(0.4)")
+        assert await page.evaluate(NAMES_ON_CORNER, 24) == []
         assert await page.evaluate("document.querySelectorAll('*').length") < 2000
         last = await page.evaluate("kindsl.tree.list.items.at(-1).name")
         await page.evaluate("document.getElementById('tree').scrollTop = 1e6")

@@ -24,6 +24,7 @@ import { Tree } from "./panel/tree.js";
 import { Away } from "./picture/away.js";
 import { Camera } from "./picture/camera.js";
 import { Compass } from "./picture/compass.js";
+import { boxesOn } from "./picture/label_places.js";
 import { Labels } from "./picture/labels.js";
 import { LineArt } from "./picture/line_art.js";
 import { Measure } from "./picture/measure.js";
@@ -87,7 +88,7 @@ page.bars = panelBars(() => page.address.note());
 page.address = new Address(page);
 page.pull = new PullDrag(page);
 page.editing = new Editing(page);
-page.labels.obstacles = () => page.editing.handles.boxes();
+page.labels.obstacles = () => [...page.editing.handles.boxes(), ...boxesOn(pane, [page.scaleBar.element, page.compass.svg])];
 page.history = new History(takeState, putState, page.editing);
 page.keys = new Keys(pane, page);
 page.motion = new Motion(scene, {

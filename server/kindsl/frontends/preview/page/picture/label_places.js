@@ -80,6 +80,18 @@ export function overlaps(a, b) {
 }
 
 /**
+ * Where elements that are shown lie on the pane.
+ * @param {Element} pane
+ * @param {readonly Element[]} elements
+ * @returns {Box[]}
+ */
+export function boxesOn(pane, elements) {
+  const { left: x, top: y } = pane.getBoundingClientRect();
+  const shown = elements.map((element) => element.getBoundingClientRect()).filter(({ width }) => width > 0);
+  return shown.map(({ left, top, right, bottom }) => [left - x, top - y, right - x, bottom - y]);
+}
+
+/**
  * Whether a rod passes through a box that is larger by its radius.
  * @param {Box} box
  * @param {Rod} rod
