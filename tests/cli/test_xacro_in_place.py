@@ -79,6 +79,20 @@ def test_macros_alone_and_folders_say_nothing(told: Linted, folder: Path) -> Non
     assert len(told(ARM, bad, ".")) == 2
 
 
+def test_packages_are_where_the_failure_says(
+    told: Linted, kdsl_lint: Runner, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    arm = ARM.replace("parts.xacro", "$(find parts_of_arm)/parts.xacro")
+    (folder / "arm.urdf.xacro").write_text(arm)
+    failure = kdsl_lint("arm.urdf.xacro").err
+    assert "'parts_of_arm'" in failure and "add a folder to ROS_PACKAGE_PATH" in failure
+    (folder / "ws" / "parts_of_arm").mkdir(parents=True)
+    (folder / "ws" / "parts_of_arm" / "package.xml").write_text("<package/>")
+    (folder / "ws" / "parts_of_arm" / "parts.xacro").write_text(PARTS)
+    monkeypatch.setenv("ROS_PACKAGE_PATH", str(folder / "ws"))
+    assert told(arm) == []
+
+
 def test_what_cannot_be_expanded_is_a_failure(kdsl_lint: Runner, folder: Path) -> None:
     (folder / "arm.xacro").write_text(ARM)
     done = kdsl_lint("arm.xacro")

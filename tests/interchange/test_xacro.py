@@ -123,7 +123,8 @@ PACKAGE = f'{HEAD}<xacro:include filename="$(find nopkg)/a.xacro"/></robot>'
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        (PACKAGE, "the package 'nopkg' is in none of {folder}: --package-path DIR"),
+        (PACKAGE, "the package 'nopkg' is in none of {folder}: add a folder to ROS_PACKAGE_PATH, "
+         "or give --package-path DIR to kindsl convert"),
         (f'{HEAD}<link name="$(env NO_VALUE)"/></robot>',
          "environment variable 'NO_VALUE' is not set"),
         (f'{HEAD}<xacro:include filename="non.xacro"/></robot>',

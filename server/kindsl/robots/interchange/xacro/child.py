@@ -89,7 +89,9 @@ def _let_find(searched: list[Path]) -> None:
         found = package_folder(name, searched)
         if found is None:
             listed = ", ".join(map(str, searched))
-            raise LookupError(f"the package '{name}' is in none of {listed}: --package-path DIR")
+            message = f"the package '{name}' is in none of {listed}: add a folder to "
+            message += "ROS_PACKAGE_PATH, or give --package-path DIR to kindsl convert"
+            raise LookupError(message)
         return str(found)
 
     index, packages = (ModuleType(f"ament_index_python{end}") for end in ("", ".packages"))
