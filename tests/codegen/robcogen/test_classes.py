@@ -382,13 +382,15 @@ def test_no_compiler_warns(compiler: str, standard: str, tmp_path: Path) -> None
 @needs_cpp
 def test_names_that_headers_and_classes_have_are_changed_and_told(tmp_path: Path) -> None:
     names = {"Crab": "Eigen", "Left": "union", "claw": "null", "right": "scalar", "L1": "UNION",
-             "L2": "m_pi", "tip": "operator", "reach": "INFINITY"}  # fmt: skip
+             "L2": "m_pi", "tip": "operator", "reach": "INFINITY", "bend": "defaults",
+             "spin": "math_errhandling", "twist": "RuntimeInertiaParams"}  # fmt: skip
     text = re.sub(r"\w+", lambda word: names.get(word[0], word[0]), CRAB)
     values = {names.get(name, name): value for name, value in VALUES.items()}
     _, library = generated(text, values, tmp_path, layout="robcogen-0.5")
     assert GeneratedRobot(library).renamed == {
         "Eigen": "Eigen_", "union": "UNION_2", "null": "NULL_", "scalar": "SCALAR_2",
         "m_pi": "M_PI_", "operator": "operator_", "INFINITY": "INFINITY_",
+        "defaults": "defaults_", "math_errhandling": "math_errhandling_",
     }  # fmt: skip
     whole = "".join(
         f"template class iit::Eigen_::{name}<iit::rbd::DoubleTrait>;\n"

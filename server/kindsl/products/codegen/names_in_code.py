@@ -11,7 +11,8 @@ _UNSAFE = re.compile(r"[^A-Za-z0-9_]")
 _COMMENT_END = re.compile(r'[*"\\]|[^\w\s!-~]|[^\S ]')
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 
-# Of C, C++ and Python; what one of them reserves is no name in any. At the end, macros of headers.
+# Of C, C++ and Python; what one of them reserves is no name in any. At the end, macros of headers,
+# and what RobCoGen's structures of parameters have beside these.
 _C_AND_CPP = """
     alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t
     char32_t char8_t class compl concept const const_cast consteval constexpr constinit
@@ -21,12 +22,12 @@ _C_AND_CPP = """
     register reinterpret_cast requires restrict return short signed sizeof static
     static_assert static_cast std struct switch template this thread_local throw true try
     typedef typeid typename union unsigned using virtual void volatile wchar_t while xor
-    xor_eq errno linux unix stdin stdout stderr
+    xor_eq errno linux unix stdin stdout stderr math_errhandling
     BUFSIZ EDOM EILSEQ EINTR EIO ELOOP EOF ERANGE EROFS ETIME EXIT_FAILURE EXIT_SUCCESS
     FILENAME_MAX FOPEN_MAX FP_INFINITE FP_NAN FP_NORMAL FP_SUBNORMAL FP_ZERO HUGE_VAL HUGE_VALF
     HUGE_VALL INFINITY INT_MAX INT_MIN LINE_MAX LONG_MAX LONG_MIN MATH_ERRNO MAXFLOAT MAX_INPUT
     M_1_PI M_2_PI M_E M_LN10 M_LN2 M_PI M_PI_2 M_PI_4 M_SQRT2 NAME_MAX NAN NULL NZERO PATH_MAX
-    RAND_MAX SEEK_CUR SEEK_END SEEK_SET SNAN TMP_MAX
+    RAND_MAX SEEK_CUR SEEK_END SEEK_SET SNAN TMP_MAX defaults
 """
 RESERVED = frozenset(_C_AND_CPP.split()) | frozenset(keyword.kwlist)
 

@@ -4,7 +4,7 @@ struct @name@ {
 {% for x in parameters %}
     double @x.name@ = @"std::numeric_limits<double>::quiet_NaN()" if x.value is none else x.value@;
 {% endfor %}
-    void defaults() { *this = @name@(); }
+    void defaults() { *this = {}; }
 };
 {% endmacro %}
 
