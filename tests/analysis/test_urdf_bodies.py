@@ -57,6 +57,14 @@ def test_a_rod_behind_its_joint() -> None:
     assert found(arm("0 0 -0.15"))[0] == ("KD511", '<link name="upper"><inertial>')
 
 
+def test_a_link_that_carries_a_slide_is_as_long_as_that_goes() -> None:
+    for com in ("0 0 -0.15", "0 0 9"):
+        slide = joint("elbow", "upper", "lower", "0 0 0.3", "prismatic")
+        text = arm(com).replace(joint("elbow", "upper", "lower", "0 0 0.3", "continuous"), slide)
+        assert arm(com) != text and "KD304" in [code for code, _ in found(text)]
+        assert not {code for code, _ in found(text)} & {"KD309", "KD313", "KD511"}
+
+
 def test_a_quaternion_turns_as_angles_do() -> None:
     turns = 'rpy="0.5 1.5707963267948966 0"', 'quat_xyzw="0.17494 0.68512 -0.17494 0.68512"'
     by_angles, by_quaternion = (

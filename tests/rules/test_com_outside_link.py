@@ -204,3 +204,10 @@ def test_an_inertia_is_in_the_frame_that_it_names(com: str, count: int) -> None:
     frames = eye("toe", "0.0, 0.0, -0.3") + eye("tip", "0.0, 0.0, 0.3")
     arm = link("arm", 1, "", given).removesuffix("}\n") + f" frames {{ {frames} }} }}\n"
     assert len(told("KD309", arm)) == count
+
+
+def test_a_rail_is_as_long_as_its_slide_goes() -> None:
+    far = document(np.array([0.05, 0.0, 0.0]), np.array([2.0, 0.0, 0.0]), 0.01)
+    assert "KD309" in [each.code for each in analyse(far).findings]
+    rail = analyse(far.replace("r_joint wrist", "p_joint wrist"))
+    assert "KD309" not in [each.code for each in rail.findings]

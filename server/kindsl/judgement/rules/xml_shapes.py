@@ -69,8 +69,13 @@ def body_findings(model: Model, bodies: Sequence[XmlBody], context: Context) -> 
     told_of, branches = set(odd), _branches(bodies)
     yield from _limb_findings(model, context) if branches else ()
     accused = _accused(model, context) if branches else set()
-    # What a misplaced joint is an end of has another shape than its own.
-    of_joints = [b.parent for b in bodies if (b.link.name, "translation") in accused]
+    # What a misplaced joint is an end of has another shape than its own, and a rail any length.
+    of_joints = {
+        b.parent
+        for b in bodies
+        if (b.link.name, "translation") in accused
+        or (b.joint is not None and b.joint.kind == "prismatic")
+    }
     for n, body in enumerate(bodies):
         links = {part.link for part in body.parts}
         is_shaped = body.moves and not links & odd and n not in of_joints

@@ -66,7 +66,12 @@ def shape_verdicts(
 def link_ends(
     body: Link, joints: tuple[Joint, ...], context: Context
 ) -> tuple[tuple[Vector3, ...], tuple[Vector3, ...]]:
-    """Return the known origins of the children's joints and of the frames, in the link frame."""
+    """Return the known origins of the children's joints and of the frames, in the link frame.
+
+    None of a link that carries a slide: its rail may be of any length.
+    """
+    if any(joint.kind == "prismatic" for joint in joints):
+        return (), ()
     children = _places([joint.pose for joint in joints], context)
     return children, _places([frame.pose for frame in body.frames], context)
 
