@@ -364,3 +364,29 @@ def test_forces_that_are_nothing_but_rounding_confirm_as_well() -> None:
     found = compared_mechanics(ours, theirs)
     assert found.is_equal
     assert torques(ours, theirs, found).is_confirmed
+
+
+def gantry(com: str) -> str:
+    """Return a URDF of three slides, the first of which has this CoM."""
+    tensor = '<inertia ixx="{}" iyy="0.3" izz="0.4" ixy="0" ixz="0" iyz="0"/>'
+    axes = {"bridge": "1 0 0", "carriage": "0 1 0", "quill": "0 0 -1"}
+    blocks, above = ['<link name="frame"/>'], "frame"
+    for n, (name, axis) in enumerate(axes.items(), 1):
+        origin = com if name == "bridge" else f"0.02 0 0.0{n}"
+        blocks.append(
+            f'<link name="{name}"><inertial><origin xyz="{origin}"/><mass value="{n}"/>'
+            f'{tensor.format(0.2 + 0.1 * n)}</inertial></link><joint name="{name}_slide" '
+            f'type="prismatic"><parent link="{above}"/><child link="{name}"/>'
+            f'<origin xyz="0 0 0.{n}"/><axis xyz="{axis}"/></joint>'
+        )
+        above = name
+    return f'<robot name="gantry">{"".join(blocks)}</robot>'
+
+
+def test_a_com_that_is_off_is_no_link_frame_elsewhere_of_a_slide() -> None:
+    found = compared_mechanics(
+        described_urdf(gantry("0.005 0 0.012"), False), described_urdf(gantry("0.5 0 12"), False)
+    )
+    told = [(n.owner, n.quantity, n.here, n.there) for n in found.numbers]
+    assert told == [("bridge", "CoM x", 0.005, 0.5), ("bridge", "CoM z", 0.012, 12.0)]
+    assert found.conventions == ()

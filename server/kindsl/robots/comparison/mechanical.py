@@ -118,7 +118,9 @@ def compared_mechanics(
         # The choice between frames may have been led astray by digits, which cost time to heed.
         root = found.alignment.frames[0]
         again = _under(_aligned(ours, theirs, matching, root, bounds), bounds)
-        found = min(found, again, key=_n_differences)
+        # A frame chosen for one body's sake may put others elsewhere.
+        written = _under(Pair(ours, theirs, matching, as_written(matching)), bounds)
+        found = min(found, again, written, key=lambda f: (_n_differences(f), len(f.conventions)))
     if has_rounded and found.numbers:
         aligned_pair = _aligned(ours, theirs, matching, found.alignment.frames[0], loose)
         found = _under_rounding(aligned_pair, bounds, loose) or found
