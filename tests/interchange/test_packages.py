@@ -107,7 +107,8 @@ def test_a_model_that_is_not_found_is_told_with_its_line(tmp_path: Path, uri: st
     with pytest.raises(FormatError) as caught:
         included(tmp_path, uri)
     assert str(caught.value).startswith(message)
-    assert str(caught.value).endswith(": --model-path DIR")
+    how = ": add a folder to GZ_SIM_RESOURCE_PATH, or give --model-path DIR to kindsl convert"
+    assert str(caught.value).endswith(how)
 
 
 @pytest.mark.parametrize(

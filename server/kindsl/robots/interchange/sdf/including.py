@@ -47,7 +47,8 @@ def not_found(inclusion: Any, searched: Sequence[Path]) -> FormatError:
     """Return the error for a model that is in none of the folders."""
     folders = ", ".join(map(str, searched)) or "no folder"
     missing = f"names '{_uri(inclusion)}', which is in none of {folders}"
-    return defect(inclusion, f"{missing}: --model-path DIR")
+    how = f"add a folder to {_VARIABLES[1]}, or give --model-path DIR to kindsl convert"
+    return defect(inclusion, f"{missing}: {how}")
 
 
 def _uri(inclusion: Any) -> str:
