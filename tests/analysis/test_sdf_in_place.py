@@ -74,6 +74,12 @@ def test_a_sound_robot_has_no_finding() -> None:
             25,
         ),
         ("<child>hand::palm</child>", "", "KD008", 24),
+        (
+            "0 1 0</xyz></axis>\n    </joint>\n  <",
+            "0 1 0</xyz><limit><upper>0,4</upper></limit></axis>\n    </joint>\n  <",
+            "KD005",
+            25,
+        ),
         ("<mass>0.5", "<mass>0,5", "KD005", 16),
         ('name="wrist"', 'name="shoulder"', "KD103", 24),
         ("hand::palm", "palm", "KD105", 24),

@@ -56,6 +56,7 @@ def test_a_limit_as_far_as_sdformat_s_default_is_none(tmp_path: Path) -> None:
         ("-1e16", "1e16", (None, None)),
         ("-9e15", "1e16", (-9e15, None)),
         ("-1e17", "9e15", (None, 9e15)),
+        ("-inf", " Infinity ", (None, None)),
     ):
         limit = f"<limit><lower>{lower}</lower><upper>{upper}</upper></limit>"
         text = ARM.replace("<xyz>0 0 -1</xyz>", f"<xyz>0 0 -1</xyz>{limit}")

@@ -28,6 +28,7 @@ from kindsl.robots.interchange.sdf.elements import (
     text_of,
 )
 from kindsl.robots.interchange.sdf.frame_graph import WORLD, FrameGraph
+from kindsl.robots.interchange.sdf.joint_properties import joint_properties
 from kindsl.robots.interchange.sdf.nesting import flatten
 from kindsl.robots.interchange.sdf.sdf_reading import carried, mass_of
 from kindsl.robots.interchange.xml_document import (
@@ -187,6 +188,7 @@ def _connections(
         try:
             if joint is not None:
                 yield _connection(element, joint, graph, prefix)
+            joint_properties(element)  # Its limits are read when the robot is.
         except SdfError as error:
             yield error
 

@@ -37,7 +37,10 @@ def add_properties(axis: Element, own: JointProperties) -> None:
 
 
 def _number(element: Any, tag: str) -> float | None:
-    return None if element is None or element.find(tag) is None else number_of(element, tag, 0.0)
+    """Return the number of a child, None of an infinite one, which SDFormat takes for none."""
+    text = None if element is None else element.findtext(tag)
+    is_endless = text is None or text.strip().lstrip("+-").lower() in ("inf", "infinity")
+    return None if is_endless else number_of(element, tag, 0.0)
 
 
 def _amount(value: float | None) -> float | None:
