@@ -51,7 +51,7 @@ class Loaded:
         n: int | None = None,
     ) -> Callable[[], None]:
         """Return a call that fills outputs."""
-        name = self.library.function_names[function.name]
+        name = self.library.function_names[function.key]
         given = [values[a.name] for a in function.arguments]
         if function.loaded is not None:
             given.append(values.get("fext"))

@@ -49,13 +49,14 @@ def test_a_files_name_ends_no_comment() -> None:
     assert file_name('a*/b\n"""\\.kindsl') == "a__b_____.kindsl"
 
 
-def test_a_frame_called_like_a_batch_is_another_function() -> None:
+def test_functions_of_frames_called_like_other_functions_differ() -> None:
     bodies = bodies_of_seed(2)
     frames = tuple(
         BodyFrame(name, 1, bodies.frames[0].body_R_frame, bodies.frames[0].body_r_frame)
-        for name in ("tip", "tip_batch", "tip_in_base")
+        for name in ("tip", "tip_batch", "tip_in_base", "drift_tip")
     )
-    renamed = library(replace(bodies, frames=frames), ("jacobians",))
-    names = list(renamed.function_names.values())
+    renamed = library(replace(bodies, frames=frames), ("jacobians", "frame_motions"))
+    names = [renamed.function_names[function.key] for function in renamed.all_functions]
     names += [f"{name}_batch" for name in names]
     assert len(set(names)) == len(names)
+    assert {"jacobian_tip_in_base", "acceleration_drift_tip"} <= {*names}

@@ -59,7 +59,7 @@ def _language(bodies, language: str, quantities: tuple[str, ...] = PLAIN) -> Mod
 def _assert_right(module, made, expected: Reference, tolerance: float = 1e-12, **more) -> None:
     for function in made.all_functions:
         given = {NAMES.get(a.name, a.name): expected.values[a.name] for a in function.arguments}
-        call = getattr(module, made.function_names[function.name])
+        call = getattr(module, made.function_names[function.key])
         cases = [({}, expected.results(function))]
         if function.loaded is not None:
             wrenches = expected.values["fext"]

@@ -117,7 +117,7 @@ def quantity_source(library: Library, functions: Sequence[Function]) -> str:
 
 
 def _definition(library: Library, function: Function) -> str:
-    name = f"{library.prefix}_{library.function_names[function.name]}"
+    name = f"{library.prefix}_{library.function_names[function.key]}"
     if function.is_loop:
         statements = loop_call(function, dialect(library), f"{library.prefix}_", "m")
         declared = ", ".join(parameters(library, function, "restrict "))
@@ -163,7 +163,7 @@ def has_lanes(library: Library) -> bool:
 
 
 def _batch(library: Library, function: Function) -> str:
-    name = f"{library.prefix}_{library.function_names[function.name]}"
+    name = f"{library.prefix}_{library.function_names[function.key]}"
     arguments = ["m"]
     for argument in function.arguments:
         is_shared = argument.name == "g"
@@ -192,7 +192,7 @@ def _is_wide(library: Library, function: Function) -> bool:
 
 def _lanes(library: Library, function: Function) -> tuple[str, str]:
     """Return a function for several configurations, and the statements that call it for all."""
-    name = library.function_names[function.name]
+    name = library.function_names[function.key]
     wide = Wide(
         name,
         {argument.name: argument.components for argument in function.arguments},

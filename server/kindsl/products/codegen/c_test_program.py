@@ -52,7 +52,7 @@ def test_program(library: Library, reference: Reference, include: str) -> str:
 
 
 def _test(library: Library, reference: Reference, function: Function) -> str:
-    number, name = real(library), library.function_names[function.name]
+    number, name = real(library), library.function_names[function.key]
     results, tolerance = function.results, _tolerance(library, reference, function)
     lines = [f"    {number} {r.name}_[{len(r.entries)}];" for r in results]
     lines.append("    int failures = 0;")

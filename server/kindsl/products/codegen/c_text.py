@@ -64,13 +64,13 @@ def parameters(library: Library, function: Function, qualifier: str = "") -> Ite
 
 def declaration(library: Library, function: Function) -> str:
     """Return a function's declaration, without qualifiers or semicolon."""
-    name = library.function_names[function.name]
+    name = library.function_names[function.key]
     return _wrapped(f"void {library.prefix}_{name}", list(parameters(library, function)))
 
 
 def batch_declaration(library: Library, function: Function) -> str:
     """Return the declaration of a function for many configurations."""
-    number, name = real(library), library.function_names[function.name]
+    number, name = real(library), library.function_names[function.key]
     arguments = [
         f"const {number} {a.name}[{3 if a.name == 'g' else ''}]" for a in function.arguments
     ]

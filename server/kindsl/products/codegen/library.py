@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Literal, NamedTuple
 
+from kindsl.language.text.distinct import distinct
 from kindsl.mechanics.dynamics.generation.emitters.numbers import evaluate
 from kindsl.mechanics.dynamics.generation.emitters.straight_line import setup_nodes
 from kindsl.mechanics.dynamics.generation.function import Function, Inputs, inputs_of
@@ -21,7 +22,7 @@ from kindsl.mechanics.dynamics.generation.robot import Robot
 from kindsl.mechanics.dynamics.generation.terms import Scalar, Term, needed, operand_nodes
 from kindsl.mechanics.dynamics.quantities import SingularInertiaError
 from kindsl.products.codegen.layouts import LAYOUTS
-from kindsl.products.codegen.names_in_code import identifiers, prefix_of
+from kindsl.products.codegen.names_in_code import identifier, identifiers, prefix_of
 
 Real = Literal["double", "float"]
 
@@ -154,10 +155,11 @@ class Library:
         return any(function.is_loop for function in self.all_functions)
 
     @cached_property
-    def function_names(self) -> dict[str, str]:
-        """The names of functions in code, without prefix; `_batch` is the end of others."""
-        names = identifiers(function.name for function in self.all_functions)
-        return {k: f"{name}_" if name.endswith("_batch") else name for k, name in names.items()}
+    def function_names(self) -> dict[tuple[str, ...], str]:
+        """The names of functions in code, by their keys; `_batch` is the end of others."""
+        names = distinct(identifier(function.name) for function in self.all_functions)
+        safe = (f"{name}_" if name.endswith("_batch") else name for name in names)
+        return dict(zip((function.key for function in self.all_functions), safe, strict=True))
 
     @cached_property
     def body_names(self) -> dict[str, str]:

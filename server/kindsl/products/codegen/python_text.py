@@ -76,7 +76,7 @@ def straight_lines(library: Library, without: Collection[str]) -> Iterator[str]:
     for function in library.all_functions:
         if function.name in without:
             continue
-        name = library.function_names[function.name]
+        name = library.function_names[function.key]
         arguments: dict[str, list[Scalar]] = {"p": parameters}
         arguments.update((a.name, [*a.components]) for a in function.arguments)
         results = [result.entries for result in function.results]
@@ -89,7 +89,7 @@ def straight_lines(library: Library, without: Collection[str]) -> Iterator[str]:
 
 def public_function(library: Library, function: Function) -> str:
     """Return a function with the arguments of kindsl's own interface."""
-    name = library.function_names[function.name]
+    name = library.function_names[function.key]
     names = [KEYWORDS.get(a.name, a.name) for a in function.arguments]
     defaults = {"gravity": "STANDARD_GRAVITY", "base_velocity": "None", "base_acceleration": "None"}
     declared = [f"{n}={defaults[n]}" if n in defaults else n for n in names]
@@ -121,5 +121,5 @@ def jacobian_table(library: Library) -> str:
     for function in library.functions.get("jacobians", ()):
         frame = function.about[0]
         table = "_JACOBIANS" if function.name == f"jacobian_{frame}" else "_JACOBIANS_IN_BASE"
-        tables[table].append(f"    {frame!r}: {library.function_names[function.name]},\n")
+        tables[table].append(f"    {frame!r}: {library.function_names[function.key]},\n")
     return "".join(f"{name} = {{\n{''.join(rows)}}}\n" for name, rows in tables.items())

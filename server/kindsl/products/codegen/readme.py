@@ -61,7 +61,7 @@ def _parameter_section(library: Library) -> Iterator[str]:
 def _function_section(library: Library) -> str:
     rows = [
         (
-            f"`{library.function_names[f.name]}`",
+            f"`{library.function_names[f.key]}`",
             ", ".join((*(a.name for a in f.arguments), *(["fext"] if f.loaded else []))),
             ", ".join(f"{r.name} {'x'.join(map(str, r.shape))}" for r in f.results),
             f.summary,

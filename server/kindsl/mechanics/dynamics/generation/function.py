@@ -50,6 +50,11 @@ class Function(NamedTuple):
     about: tuple[str, ...] = ()
     is_loop: bool = False
 
+    @property
+    def key(self) -> tuple[str, ...]:
+        """Its name and what it is about: frames' names can make two names of functions equal."""
+        return (self.name, *self.about)
+
 
 @dataclass(frozen=True, slots=True)
 class Inputs:

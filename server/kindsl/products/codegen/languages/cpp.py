@@ -73,7 +73,7 @@ def _functions(library: Library) -> str:
     if parameters and constants:
         texts.append(_of_pointers(graph, "set_up", {"p": parameters}, {CONSTANTS: constants}))
     for function in library.all_functions:
-        name = library.function_names[function.name]
+        name = library.function_names[function.key]
         if function.is_loop:
             texts.append(_loop(function, name))
             continue
@@ -113,7 +113,7 @@ def _load(function: Function) -> list[str]:
 
 def _methods(library: Library, function: Function) -> str:
     """Return a function of pointers, and one of Eigen's vectors."""
-    name, load = library.function_names[function.name], _load(function)
+    name, load = library.function_names[function.key], _load(function)
     names = [argument.name for argument in function.arguments]
     results = [result.name for result in function.results]
     declared = [f"const S* {n}" for n in names + load] + [f"S* {n}" for n in results]
