@@ -14,6 +14,7 @@ from kindsl.judgement.analysis.settings import Settings
 from kindsl.language.semantics.parameters import Binding
 from kindsl.products.codegen.c_text import _wrapped
 from kindsl.products.codegen.generating import Source, generate
+from kindsl.products.codegen.language import language_named
 from kindsl.products.codegen.library import Options
 from kindsl.robots.interchange.generated_folder import digest
 
@@ -87,6 +88,18 @@ def test_a_line_is_cut_where_the_next_part_would_not_fit(parts: list[str]) -> No
 def test_names_that_are_others_in_code_are_listed() -> None:
     readme = files(OPTIONS, LIFT.replace("shoulder", "class"))["README.md"]
     assert "## Changed names\n\n| document | code |\n| --- | --- |\n| class | class_ |\n" in readme
+
+
+@pytest.mark.parametrize("language", ["casadi", "jax", "python"])
+def test_in_python_names_of_functions_are_others_alone(language: str) -> None:
+    text = LIFT.replace("shoulder", "class").replace("upper", "höhe").replace("Arm", "Int")
+    options = replace(OPTIONS, language=language, prefix="int_", quantities=("jacobians",))
+    library, _ = generate(Source("arm.kindsl", analyse(text, Settings()), {}), options)
+    assert language_named(language).renamed(library) == {
+        "jacobian_höhe": "jacobian_h_he",
+        "jacobian_höhe_in_base": "jacobian_h_he_in_base",
+        "Int": "int_",
+    }
 
 
 @pytest.mark.parametrize(

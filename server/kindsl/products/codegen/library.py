@@ -184,7 +184,16 @@ class Library:
     @cached_property
     def renamed(self) -> dict[str, str]:
         """The names that are others in code; the robot's is in lower case there."""
-        groups = (self.joint_names, self.body_names, self.pose_names, self.parameter_names)
+        return self._changed(
+            self.joint_names, self.body_names, self.pose_names, self.parameter_names
+        )
+
+    @property
+    def renamed_in_python(self) -> dict[str, str]:
+        """The names that are others in Python: of functions, and the robot's."""
+        return self._changed({name: safe for (name, *_), safe in self.function_names.items()})
+
+    def _changed(self, *groups: Mapping[str, str]) -> dict[str, str]:
         found = {name: safe for group in groups for name, safe in group.items() if name != safe}
         if self.prefix == prefix_of(self.robot_name, None) != self.robot_name.lower():
             found[self.robot_name] = self.prefix

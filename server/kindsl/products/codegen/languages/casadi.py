@@ -9,4 +9,7 @@ poses are 4x4 matrices by name. Wrap a call in casadi.Function to differentiate 
 
 OWN = "import casadi\nfrom casadi import cos, sign, sin\n", "casadi_poses", "casadi_answer"
 
-LANGUAGE = Language(lambda library, _: {f"{library.prefix}.py": module_text(library, HOW, OWN)})
+LANGUAGE = Language(
+    lambda library, _: {f"{library.prefix}.py": module_text(library, HOW, OWN)},
+    renamed=lambda library: library.renamed_in_python,
+)

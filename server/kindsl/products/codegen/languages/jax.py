@@ -61,4 +61,4 @@ def _tables(library: Library) -> str:
     )
 
 
-LANGUAGE = Language(_files)
+LANGUAGE = Language(_files, renamed=lambda library: library.renamed_in_python)

@@ -9,4 +9,7 @@ OWN = (
 )  # fmt: skip
 HOW = "Needs NumPy only. Leading dimensions of all arguments are batches and broadcast."
 
-LANGUAGE = Language(lambda library, _: {f"{library.prefix}.py": module_text(library, HOW, OWN)})
+LANGUAGE = Language(
+    lambda library, _: {f"{library.prefix}.py": module_text(library, HOW, OWN)},
+    renamed=lambda library: library.renamed_in_python,
+)
