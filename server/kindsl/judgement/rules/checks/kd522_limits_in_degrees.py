@@ -2,8 +2,9 @@
 
 ## What it does
 Reports a revolute joint with a limit beyond two full turns where both limits are whole multiples of
-five up to 720, as degrees are. Limits of 1, 2 or 5 times a power of ten that are equal but for the
-sign, as `-20` and `20`, are taken to mean none.
+five up to 720, as degrees are, or one is beyond 30 and both have a decimal at most, unless they are
+half turns, as `-62.8` and `62.8`. Limits of 1, 2 or 5 times a power of ten that are equal but for
+the sign, as `-20` and `20`, are taken to mean none.
 
 ## Why is this bad?
 URDF and SDF have radians here: 90 are fourteen turns, so nothing keeps the joint within its range.
@@ -25,6 +26,8 @@ from kindsl.language.semantics.model import Model
 _MOST = 4.0 * pi
 _DEGREES = 720.0
 _STEP = 5.0
+# Of any other numbers a winch may have some turns.
+_MANY, _HALF_TURN = 30.0, 0.02
 
 
 def check_document(model: Model, _: object) -> Iterator[Finding]:
@@ -42,6 +45,10 @@ def _are_degrees(ends: list[float]) -> bool:
     is_round = f"{greatest:e}".startswith(("1.000000e", "2.000000e", "5.000000e"))
     is_none = is_round and {abs(end) for end in ends if end} == {greatest}
     are_whole = all(end % _STEP == 0.0 for end in ends)
+    if not are_whole and greatest > _MANY:
+        in_half_turns = (end / pi for end in ends)
+        are_turns = all(abs(turns - round(turns)) < _HALF_TURN for turns in in_half_turns)
+        are_whole = all(end == round(end, 1) for end in ends) and not are_turns
     return _MOST < greatest <= _DEGREES and are_whole and not is_none
 
 
