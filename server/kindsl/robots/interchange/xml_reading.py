@@ -27,6 +27,12 @@ JOINT_KINDS: dict[str, LinkJoint] = {
 # The moments of `Symmetric`, as URDF and SDF call them.
 TENSOR = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 _GREATEST = 1e50
+# What stands before a character that cannot be there, and why that is.
+_CAUSES = {
+    "&": ": '&' has to be written '&amp;'",
+    "--": ": '--' must not be in a comment",
+    "=": ": a value needs quotes",
+}
 
 
 class XmlError(ValueError):
@@ -139,9 +145,11 @@ class _Reading:
         if what == expat.errors.XML_ERROR_TAG_MISMATCH:
             return error.lineno, f"<{tag}> in line {line} is not closed"
         if what == expat.errors.XML_ERROR_INVALID_TOKEN:
-            found = content[self._offset(self._parser.ErrorByteIndex) :][:1]
-            sign = found if isinstance(found, str) else found.decode("ascii", "ignore")
+            at = self._offset(self._parser.ErrorByteIndex)
+            near = (content[max(at - 2, 0) : at], content[at : at + 1])
+            before, sign = (s if isinstance(s, str) else s.decode("ascii", "ignore") for s in near)
             what = f"unexpected '{sign}'" if sign and sign.isprintable() else "invalid character"
+            what += next((why for end, why in _CAUSES.items() if before.endswith(end)), "")
         return error.lineno, what
 
     def _offset(self, index: int) -> int:
