@@ -241,6 +241,11 @@ def test_a_side_that_was_moved_to_its_com_before_it_was_mirrored(
     assert (told in messages(text)) == is_told
 
 
+def test_a_negative_mass_is_told_and_no_sign_beside_it() -> None:
+    text = sides("", "-").replace('-0.05 0"/><mass value="1.2"', '-0.05 0"/><mass value="-1.2"')
+    assert [code for code, _ in found(text)] == ["KD303"]
+
+
 def test_a_side_whose_com_is_in_another_unit() -> None:
     text = (
         sides("", "-").replace("0.1 -0.05 0", "0.1 -0.05 0.02").replace("0.1 0.05 0", "1 0.5 0.2")

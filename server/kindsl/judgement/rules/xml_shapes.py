@@ -86,10 +86,16 @@ def body_findings(model: Model, bodies: Sequence[XmlBody], context: Context) -> 
     for link, finding in _unlike(model, told_of):
         told_of.add(link)
         yield "KD509", finding
+    told_of |= {link for link in model.links if _has_negative_mass(link)}
     for finding in unlike_pairs(model, {}, _as_written, told_of.__contains__):
         yield "KD312", finding._replace(message=in_words_of_xml(finding.message))
     for finding in _moved_unmirrored(model, told_of):
         yield "KD312", finding
+
+
+def _has_negative_mass(link: Link) -> bool:
+    mass = link.inertia.mass if link.inertia is not None else None
+    return mass is not None and (mass.literal or 0.0) < 0.0
 
 
 def _branches(bodies: Sequence[XmlBody]) -> bool:
