@@ -220,7 +220,7 @@ def _typed_anew(found: Judgement, around: LinkSurroundings) -> Iterator[Hypothes
 
 def _in_file(number: float, name: str, link: Link) -> float:
     """Return a number as a file has it: products are entries of a tensor in other formats."""
-    return -number if name in MOMENTS[3:] and isinstance(link.island, OtherIsland) else number
+    return 0.0 - number if name in MOMENTS[3:] and isinstance(link.island, OtherIsland) else number
 
 
 def weighed(h: Hypothesis, found: Judgement, around: LinkSurroundings) -> Cause | None:
