@@ -38,6 +38,15 @@ def test_nothing_is_said_of_possible_bodies_and_of_those_made_of_shapes() -> Non
     assert told(robot('diaginertia="0.02 0.03 0.04"')) == []
 
 
+def test_a_product_that_a_diagonal_lacks_is_zero_without_a_sign() -> None:
+    leg = """<body name="{}_thigh"><joint/>
+      <inertial pos="-0.003 0 -0.03" mass="1.02" {}inertia="0.0058 0.0055 0.001{}"/></body>"""
+    legs = leg.format("FL", "full", " 0.02 0 0") + leg.format("FR", "diag", "")
+    text = f"<mujoco><worldbody><body>{legs}</body></worldbody></mujoco>"
+    (cause,) = (f.message for f in analysis(text).findings if f.code == "KD308")
+    assert "if ixy were 0 (" in cause
+
+
 @pytest.mark.parametrize(
     ("inertia", "code"),
     [

@@ -51,12 +51,6 @@ def test_a_product_is_told_as_the_file_has_it() -> None:
     assert [edit.text for edit in fix.edits] == ["0.000128738"]
 
 
-def test_a_product_that_is_zero_is_told_without_a_sign() -> None:
-    found = announced(analyse(spoilt('iyz="0"', 'iyz="0.0128738"')))
-    (cause,) = (each.message for each in found if each.code == "KD308")
-    assert "if iyz were 0 (" in cause
-
-
 def test_a_fix_is_offered_at_the_number_too_that_it_writes() -> None:
     text = spoilt('ixy="1.28738e-04"', 'ixy="0.0128738"')
     at = text.index("0.0128738") + 3
