@@ -53,6 +53,8 @@ def source(text: str = LIFT, transforms: str | None = None, **settings: object) 
         (source(MASSLESS), {"quantities": ("poses", "center_of_mass")},
          "'center_of_mass' is not defined: the total mass is zero; "
          "use --quantities to choose others, such as poses,jacobians"),
+        (source(MASSLESS), {"language": "robcogen", "parameters": "all"},
+         "'forward_dynamics' is not defined: nothing resists motion of joint 'lift'"),
         (source(LIGHT), {"language": "python", "quantities": ("center_of_mass",)},
          "'center_of_mass': values of the document are too large or too small"),
         (source(LIFT.replace("mass = 1.0", "mass = 1.0e+39")),
@@ -90,6 +92,11 @@ def test_a_rotor_resists_where_the_code_has_rotors() -> None:
     assert "forward_dynamics" in generate(driven, options)[0].functions
     with pytest.raises(GenerationError, match="nothing resists motion of joint"):
         generate(driven, replace(options, language="robcogen", parameters="all"))
+
+
+def test_octave_needs_no_inertia_of_a_fixed_base() -> None:
+    options = replace(POSES, language="octave", quantities=PLAIN, parameters="all")
+    assert "inverseDynamics.m" in generate(source(MASSLESS), options)[1]
 
 
 @pytest.mark.parametrize(

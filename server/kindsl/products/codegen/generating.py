@@ -64,6 +64,7 @@ def generate(
         kindsl.robots.mechanism.errors.ModelError: The document describes no mechanism.
     """
     language = language_named(options.language)
+    options = replace(options, quantities=language.quantities or options.quantities)
     model, values = source.analysis.model, source.analysis.context.values
     inputs = _inputs(source.analysis, options.parameters)
     joints = {} if language.is_rigid else source.analysis.settings.joints
@@ -81,7 +82,10 @@ def generate(
     if language.is_rigid:
         mechanics = Mechanism(mechanics.linkage)
     values_of_arguments = sample(mechanics.bodies)
-    refuse_unresisted(options.quantities, mechanics.bodies, values_of_arguments["q"])
+    refuse_unresisted(
+        options.quantities, mechanics.bodies, values_of_arguments["q"],
+        are_chosen=not language.quantities,
+    )  # fmt: skip
     try:
         listed = source.transforms
         if listed is None and language.makes_transforms:

@@ -25,6 +25,7 @@ class Language(NamedTuple):
         makes_transforms: Whether it has transforms where no transforms document lists them.
         is_rigid: Whether rotors and friction of joints are left out.
         has_loops: Whether long functions are loops over bodies.
+        quantities: What it always has, whatever is chosen; empty if that decides.
         renamed: Takes a library; returns the names that are others in the code.
     """
 
@@ -34,6 +35,7 @@ class Language(NamedTuple):
     makes_transforms: bool = False
     is_rigid: bool = False
     has_loops: bool = False
+    quantities: tuple[str, ...] = ()
     renamed: "Callable[[Library], Mapping[str, str]]" = attrgetter("renamed")
 
 

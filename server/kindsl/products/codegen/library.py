@@ -31,10 +31,10 @@ class GenerationError(ValueError):
     """Code cannot be generated for a document as asked."""
 
 
-def undefined(quantity: str, why: str) -> GenerationError:
+def undefined(quantity: str, why: str, *, are_chosen: bool = True) -> GenerationError:
     """Return the error of a quantity that a robot does not have."""
-    others = "use --quantities to choose others, such as poses,jacobians"
-    return GenerationError(f"'{quantity}' is not defined: {why}; {others}")
+    others = "; use --quantities to choose others, such as poses,jacobians" * are_chosen
+    return GenerationError(f"'{quantity}' is not defined: {why}{others}")
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,13 +20,16 @@ _OF_THE_BASE = "inverse_dynamics"
 _SINGULAR = 1e15
 
 
-def refuse_unresisted(quantities: Iterable[str], bodies: Bodies, q: Array) -> None:
+def refuse_unresisted(
+    quantities: Iterable[str], bodies: Bodies, q: Array, *, are_chosen: bool = True
+) -> None:
     """Check that all motions that quantities solve for meet some inertia.
 
     Args:
         quantities: Their names.
         bodies: The mechanism, with values for all parameters.
         q: Joint positions of an ordinary configuration, shape (n,).
+        are_chosen: Whether others can be chosen.
 
     Raises:
         GenerationError: One does not; the joint, or the base, is named.
@@ -39,9 +42,9 @@ def refuse_unresisted(quantities: Iterable[str], bodies: Bodies, q: Array) -> No
     for name in quantities:
         if name in _OF_ALL and _is_singular(M):
             moving = singular_inertia(bodies, q).moving
-            raise undefined(name, f"nothing resists motion of {moving}")
+            raise undefined(name, f"nothing resists motion of {moving}", are_chosen=are_chosen)
         if name == _OF_THE_BASE and _is_singular(M[:n_base, :n_base]):
-            raise undefined(name, "nothing resists motion of the base")
+            raise undefined(name, "nothing resists motion of the base", are_chosen=are_chosen)
 
 
 def magnification(quantity: str, M: Array, n_links: int) -> float:

@@ -101,5 +101,6 @@ LANGUAGE = Language(
     parameters="all",
     makes_transforms=True,
     is_rigid=True,
+    quantities=("inverse_dynamics",),
     renamed=lambda library: GeneratedRobot(library).renamed,
 )

@@ -10,5 +10,6 @@ LANGUAGE = Language(
     parameters="all",
     makes_transforms=True,
     is_rigid=True,
+    quantities=("inverse_dynamics", "forward_dynamics"),
     renamed=lambda library: GeneratedRobot(library).renamed,
 )
