@@ -244,11 +244,12 @@ def test_a_folder_that_cannot_be_written(kindsl: Runner, document: Path, folder:
 
 
 def test_what_is_missing_on_the_command_line(kindsl: Runner, document: Path) -> None:
-    told = kindsl("generate", document)
-    assert (told.status, told.err) == (
-        2,
-        "kindsl generate: error: --language and -o DIR are needed\n",
-    )
+    for more in ((), ("--language", "c", "-o", "")):
+        told = kindsl("generate", document, *more)
+        assert (told.status, told.err) == (
+            2,
+            "kindsl generate: error: --language and -o DIR are needed\n",
+        )
 
 
 def test_the_manifest_tells_document_and_options(

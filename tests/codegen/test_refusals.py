@@ -50,6 +50,8 @@ def source(text: str = LIFT, transforms: str | None = None, **settings: object) 
     [
         (source(), {"quantities": ("inverse_dynamics_actuated",)},
          "none of the quantities exists for a fixed base"),
+        (source(), {"quantities": ("jacobians",), "frames": ()},
+         "none of the quantities exists for the frames in --frames"),
         (source(MASSLESS), {"quantities": ("poses", "center_of_mass")},
          "'center_of_mass' is not defined: the total mass is zero; "
          "use --quantities to choose others, such as poses,jacobians"),

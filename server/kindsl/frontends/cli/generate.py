@@ -114,7 +114,7 @@ def run(args: argparse.Namespace) -> int:
     """
     if args.write_transforms is not None and args.language is None and args.check is None:
         return _write_transforms(args, _source(args))
-    if args.check is None and (args.language is None or args.output is None):
+    if args.check is None and (args.language is None or not args.output):
         raise CommandError.about("kindsl generate", "--language and -o DIR are needed")
     if args.check is None and (option := _refused_option(args)):
         message = f"{option} cannot be used with --language {args.language}"

@@ -253,7 +253,8 @@ def library_of(
     }
     functions |= {name: tuple(group) for name, group in pairs.items() if group}
     if not functions:
-        raise GenerationError("none of the quantities exists for a fixed base")
+        what = "a fixed base" if options.frames is None else "the frames in --frames"
+        raise GenerationError(f"none of the quantities exists for {what}")
     return Library(options, stamp, robot_name, robot, functions, defaults, inputs, wanted)
 
 
