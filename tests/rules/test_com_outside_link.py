@@ -206,8 +206,15 @@ def test_an_inertia_is_in_the_frame_that_it_names(com: str, count: int) -> None:
     assert len(told("KD309", arm)) == count
 
 
-def test_a_rail_is_as_long_as_its_slide_goes() -> None:
-    far = document(np.array([0.05, 0.0, 0.0]), np.array([2.0, 0.0, 0.0]), 0.01)
-    assert "KD309" in [each.code for each in analyse(far).findings]
-    rail = analyse(far.replace("r_joint wrist", "p_joint wrist"))
-    assert "KD309" not in [each.code for each in rail.findings]
+@pytest.mark.parametrize(
+    ("com", "radius", "of_arm", "of_rail"),
+    [(0.4, 0.01, "CoM", "CoM"), (0.0, 0.2, "radius", ""), (0.02, 0.01, "", "")],
+)
+def test_a_rail_is_as_long_as_its_slide_goes(
+    com: float, radius: float, of_arm: str, of_rail: str
+) -> None:
+    text = document(np.array([0.03, 0.0, 0.0]), np.array([com, 0.0, 0.0]), radius)
+    for kind, expected in (("r_joint", of_arm), ("p_joint", of_rail)):
+        found = analyse(text.replace("r_joint wrist", f"{kind} wrist")).findings
+        told = "".join(each.message for each in found if each.code == "KD309")
+        assert told.startswith(expected) and bool(told) == bool(expected)

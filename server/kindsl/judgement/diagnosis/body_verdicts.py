@@ -62,6 +62,10 @@ class BodyDoubt(StrEnum):
     BEHIND = "behind"
 
 
+# What only a known length tells: that of a rail is none from its joint to where its slide stands.
+OF_LENGTH = frozenset((BodyDoubt.TOO_LONG, BodyDoubt.ACROSS, BodyDoubt.BEHIND))
+
+
 class BodyVerdict(NamedTuple):
     """One thing that is doubtful.
 

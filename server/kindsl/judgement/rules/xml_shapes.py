@@ -2,7 +2,7 @@
 
 from collections.abc import Container, Iterator, Sequence
 
-from kindsl.judgement.diagnosis.body_verdicts import body_verdicts
+from kindsl.judgement.diagnosis.body_verdicts import OF_LENGTH, BodyDoubt, body_verdicts
 from kindsl.judgement.diagnosis.counterparts import (
     images,
     is_mirror_image,
@@ -69,17 +69,15 @@ def body_findings(model: Model, bodies: Sequence[XmlBody], context: Context) -> 
     told_of, branches = set(odd), _branches(bodies)
     yield from _limb_findings(model, context) if branches else ()
     accused = _accused(model, context) if branches else set()
-    # What a misplaced joint is an end of has another shape than its own, and a rail any length.
-    of_joints = {
-        b.parent
-        for b in bodies
-        if (b.link.name, "translation") in accused
-        or (b.joint is not None and b.joint.kind == "prismatic")
-    }
+    # What a misplaced joint is an end of has another shape than its own.
+    of_joints = [b.parent for b in bodies if (b.link.name, "translation") in accused]
+    slides = (b for b in bodies if b.joint is not None and b.joint.kind == "prismatic")
+    rails = {b.parent for b in slides}
     for n, body in enumerate(bodies):
         links = {part.link for part in body.parts}
         is_shaped = body.moves and not links & odd and n not in of_joints
-        shapes = list(_shapes(body)) if is_shaped else []
+        left_out = OF_LENGTH if n in rails else frozenset[BodyDoubt]()
+        shapes = list(_shapes(body, left_out)) if is_shaped else []
         yield from shapes
         if shapes or any(body.link.name == name for name, _ in accused):
             told_of |= links
@@ -119,14 +117,14 @@ def _accused(model: Model, context: Context) -> set[tuple[str, str]]:
     return {(place.link, place.what) for verdict in verdicts for place in verdict.places}
 
 
-def _shapes(body: XmlBody) -> Found:
+def _shapes(body: XmlBody, left_out: Container[BodyDoubt]) -> Found:
     """Yield what is doubtful about where a body's mass is; the greatest part is to blame."""
     mass, inertia = body.mass, body.heaviest.link.inertia
     if mass is None or inertia is None or not body.ends:
         return  # A frame alone tells no length: it may be a sensor's.
     frames = tuple(part.pose.translation for part in body.parts[1:])
     for verdict in body_verdicts(str(body.link.name), mass, body.ends, frames):
-        if verdict.code in _SHAPES:
+        if verdict.code in _SHAPES and verdict.kind not in left_out:
             yield verdict.code, Finding(inertia, verdict.sentence)
 
 

@@ -4,8 +4,8 @@
 Compares a moving link's centre of mass with the known places of the link: its own joint, the
 joints of its children, its frames. Reports a distance of more than the link's length and three
 times its radius of gyration together, and a radius of gyration of more than five times the length,
-unless its density is reported (KD311): both come from the same moments. A link that carries a slide
-has no known length, and is left out.
+unless its density is reported (KD311): both come from the same moments. The radius of a
+link that carries a slide is left out: a rail may have any length.
 
 ## Why is this bad?
 A body's mass is where the body is. Mostly a digit is lost, a unit is wrong, or the numbers

@@ -6,7 +6,7 @@ written besides.
 
 from collections.abc import Iterator
 
-from kindsl.judgement.diagnosis.body_verdicts import BodyVerdict, body_verdicts
+from kindsl.judgement.diagnosis.body_verdicts import OF_LENGTH, BodyVerdict, body_verdicts
 from kindsl.judgement.diagnosis.judgements import (
     Verdict,
     is_impossible,
@@ -57,21 +57,18 @@ def shape_verdicts(
     if body.inertia is None or not is_moving(body):
         return
     numbers = link_inertia(body, context.values)
+    is_rail = any(joint.kind == "prismatic" for joint in joints)
     if not isinstance(numbers, Unknown):
         for verdict in body_verdicts(str(body.name), numbers, *link_ends(body, joints, context)):
-            if verdict.code != _OF_DENSITY or _is_of_no_material(body, context):
+            is_told = not (is_rail and verdict.kind in OF_LENGTH)
+            if is_told and (verdict.code != _OF_DENSITY or _is_of_no_material(body, context)):
                 yield verdict
 
 
 def link_ends(
     body: Link, joints: tuple[Joint, ...], context: Context
 ) -> tuple[tuple[Vector3, ...], tuple[Vector3, ...]]:
-    """Return the known origins of the children's joints and of the frames, in the link frame.
-
-    None of a link that carries a slide: its rail may be of any length.
-    """
-    if any(joint.kind == "prismatic" for joint in joints):
-        return (), ()
+    """Return the known origins of the children's joints and of the frames, in the link frame."""
     children = _places([joint.pose for joint in joints], context)
     return children, _places([frame.pose for frame in body.frames], context)
 
