@@ -3,6 +3,7 @@
 import hashlib
 import io
 import json
+import re
 import shlex
 from pathlib import Path
 
@@ -12,6 +13,7 @@ from tests.cli.samples import GOOD, UNBOUND
 from tests.codegen.compiling import COMPILERS, build, needs_compiler, run_tests
 
 from kindsl import __version__
+from kindsl.products.codegen.language import language_names
 
 
 @pytest.fixture
@@ -131,14 +133,48 @@ def test_one_sentence_and_nothing_written(
     assert not (folder / "out").exists()
 
 
-@pytest.mark.parametrize("option", ["--real float", "--single-header"])
-def test_options_of_c_are_of_no_use_elsewhere(
-    option: str, kindsl: Runner, document: Path, folder: Path
+@pytest.mark.parametrize(
+    ("option", "language", "others"),
+    [("--real float", "jax", "c, cpp and robcogen"), ("--single-header", "cpp", "c"),
+     ("--layout robcogen", "c", "robcogen"), ("--runtime", "octave", "robcogen"),
+     ("--derivatives", "robcogen", "c, casadi, cpp, jax and python")],
+)  # fmt: skip
+def test_an_option_without_effect_is_refused(
+    option: str, language: str, others: str, kindsl: Runner, document: Path, folder: Path
 ) -> None:
-    told = kindsl("generate", str(document), "--language", "jax", "-o", "out", *option.split())
-    message = f"{option} cannot be used with --language jax"
+    told = kindsl("generate", str(document), "--language", language, "-o", "out", *option.split())
+    message = f"{option.split()[0]} has no effect with --language {language}, only with {others}"
     assert (told.status, told.err) == (2, f"kindsl generate: error: {message}\n")
     assert not (folder / "out").exists()
+
+
+@pytest.mark.parametrize(
+    "option",
+    ["--name other", "--quantities poses", "--derivatives", "--control", "--real float",
+     "--single-header", "--frames tip", "--layout robcogen", "--runtime", "--namespace a::b",
+     "--sources", "--transforms listed.dtdsl"],
+)  # fmt: skip
+@pytest.mark.parametrize("language", language_names())
+def test_an_option_has_an_effect_or_is_refused(
+    option: str, language: str, kindsl: Runner, document: Path, folder: Path
+) -> None:
+    document.write_text(UNBOUND)
+    listed = "Robot arm\nFrames { tip }\nTransforms { base=tip, target=fr_base }\n"
+    (folder / "listed.dtdsl").write_text(listed)
+    generate = ("generate", str(document), "--language", language, "--param", "length=1")
+
+    def code(folder: str, *more: str) -> dict[str, str] | None:
+        """Return the files less what they say of the command, None where it was refused."""
+        if kindsl(*generate, "-o", folder, *more).status == 2:
+            return None
+        texts = {
+            path.relative_to(folder).as_posix(): path.read_text()
+            for path in Path(folder).rglob("*.*")
+        }
+        del texts["kindsl-generated.json"]
+        return {name: re.sub(".*kindsl generate .*", "", text) for name, text in texts.items()}
+
+    assert code("plain") != code("out", *option.split())
 
 
 def test_a_library_in_cpp_tells_how_it_is_used(

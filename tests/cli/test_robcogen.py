@@ -168,15 +168,6 @@ def test_frames_can_be_chosen(language: str, kindsl: Runner, document: Path) -> 
     assert "--frames: the robot has no frame 'fr_slidr'; did you mean 'fr_slider'?" in told.err
 
 
-@pytest.mark.parametrize("option", ["--runtime", "--layout robcogen"])
-def test_other_languages_have_no_runtime_and_no_layout(
-    option: str, kindsl: Runner, document: Path
-) -> None:
-    told = kindsl("generate", "arm.kindsl", "--language", "c", "-o", "out", *option.split())
-    assert told.status == 2
-    assert "cannot be used with --language c" in told.err
-
-
 @pytest.mark.parametrize("language", ["robcogen", "c"])
 def test_cmake_carries_the_robots_version(language: str, kindsl: Runner, document: Path) -> None:
     generate = ("generate", "arm.kindsl", "--language", language, "-o", "out")

@@ -32,7 +32,7 @@ from kindsl.frontends.cli.documents.document_reading import (
 from kindsl.frontends.cli.documents.sources import STDIN, reason
 from kindsl.frontends.cli.documents.writing import unwritable, write_output
 from kindsl.frontends.cli.options import add_parameter_arguments
-from kindsl.language.text.phrases import counted
+from kindsl.language.text.phrases import counted, listed
 from kindsl.language.text.printable import printable
 from kindsl.products.codegen.language import language_named, language_names
 from kindsl.products.codegen.layouts import LAYOUTS
@@ -48,6 +48,7 @@ SUMMARY = "write code for kinematics and dynamics"
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     add = parser.add_argument
+    parser.set_defaults(default_of=parser.get_default)
     add("file", metavar="FILE", help="the document, or '-' for stdin")
     add("--language", choices=language_names(), help="what to write")
     add("-o", "--output", metavar="DIR", help="the folder to write to")
@@ -116,23 +117,22 @@ def run(args: argparse.Namespace) -> int:
         return _write_transforms(args, _source(args))
     if args.check is None and (args.language is None or not args.output):
         raise CommandError.about("kindsl generate", "--language and -o DIR are needed")
-    if args.check is None and (option := _refused_option(args)):
-        message = f"{option} cannot be used with --language {args.language}"
-        raise CommandError.about("kindsl generate", message)
+    if args.check is None:
+        _refuse_unheeded(args)
     source = _source(args)
     if args.write_transforms is not None:
         _write_transforms(args, source)
     return _generate(args, source) if args.check is None else _check(args, source)
 
 
-def _refused_option(args: argparse.Namespace) -> str | None:
-    asked = {
-        "--real float": args.real == "float", "--single-header": args.single_header,
-        "--layout": args.layout != LAYOUTS[0], "--runtime": args.runtime,
-        "--namespace": args.namespace is not None, "--sources": args.sources,
-    }  # fmt: skip
-    taken = language_named(args.language).options
-    return next((name for name, is_asked in asked.items() if is_asked and name not in taken), None)
+def _refuse_unheeded(args: argparse.Namespace) -> None:
+    heeded = {name: language_named(name).options for name in language_names()}
+    for option in sorted(frozenset().union(*heeded.values()) - heeded[args.language]):
+        given = option.removeprefix("--").replace("-", "_")
+        if getattr(args, given) != args.default_of(given):
+            others = listed([name for name, options in heeded.items() if option in options])
+            message = f"{option} has no effect with --language {args.language}, only with {others}"
+            raise CommandError.about("kindsl generate", message)
 
 
 def _source(args: argparse.Namespace) -> "Source":

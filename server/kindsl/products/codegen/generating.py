@@ -140,9 +140,11 @@ def _inputs(analysis: Analysis, choice: str) -> list[str]:
 def _typed(options: Options, source: Source) -> str:
     """Return what gives the same, as it could be typed in the folder of the document."""
     words = ["kindsl", "generate", *(source.places or [source.name])]
-    words += ["--language", options.language, "--name", options.prefix]
+    words += ["--language", options.language]
+    heeded = language_named(options.language).options
+    words += ["--name", options.prefix] if "--name" in heeded else []
     words += ["--real", options.real, "--parameters", options.parameters]
-    words += ["--quantities", ",".join(options.quantities)]
+    words += ["--quantities", ",".join(options.quantities)] if "--quantities" in heeded else []
     words += ["--single-header"] if options.is_single_header else []
     words += ["--layout", options.layout] if options.layout != LAYOUTS[0] else []
     words += ["--runtime"] if options.has_runtime else []

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from kindsl.products.codegen.reference import Reference
 
 Files = dict[str, str]
+COMMON_OPTIONS = frozenset(("--name", "--quantities", "--derivatives", "--control"))
 
 
 class Language(NamedTuple):
@@ -20,7 +21,8 @@ class Language(NamedTuple):
 
     Attributes:
         files: Takes a library and the right answers; returns the text of each file by its name.
-        options: Those options that not every language takes and this one does, as typed.
+        options: Of the options of `kindsl generate` that not every language heeds, those that this
+            one does.
         parameters: Which parameters stay inputs where that is not said.
         makes_transforms: Whether it has transforms where no transforms document lists them.
         is_rigid: Whether rotors and friction of joints are left out.
@@ -30,7 +32,7 @@ class Language(NamedTuple):
     """
 
     files: "Callable[[Library, Reference], Files]"
-    options: frozenset[str] = frozenset()
+    options: frozenset[str] = COMMON_OPTIONS
     parameters: str = "unbound"
     makes_transforms: bool = False
     is_rigid: bool = False

@@ -13,7 +13,7 @@ from kindsl.products.codegen.c_sources import (
 from kindsl.products.codegen.c_test_program import test_program
 from kindsl.products.codegen.c_text import cmake_lists, macro
 from kindsl.products.codegen.filling import fill, template
-from kindsl.products.codegen.language import Language
+from kindsl.products.codegen.language import COMMON_OPTIONS, Language
 from kindsl.products.codegen.library import Library
 from kindsl.products.codegen.readme import readme
 from kindsl.products.codegen.reference import Reference
@@ -64,4 +64,4 @@ def _usage(library: Library, file: str) -> str:
     return fill(template(f"usage/{file}"), PREFIX=library.prefix, MACRO=macro(library))
 
 
-LANGUAGE = Language(c_files, frozenset(("--real float", "--single-header")), has_loops=True)
+LANGUAGE = Language(c_files, COMMON_OPTIONS | {"--real", "--single-header"}, has_loops=True)

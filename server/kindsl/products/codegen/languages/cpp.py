@@ -10,7 +10,7 @@ from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar
 from kindsl.products.codegen.c_test_program import test_program
 from kindsl.products.codegen.c_text import EXTERNAL, cmake_lists, stamp_comment
 from kindsl.products.codegen.filling import fill, template
-from kindsl.products.codegen.language import Language
+from kindsl.products.codegen.language import COMMON_OPTIONS, Language
 from kindsl.products.codegen.library import Library
 from kindsl.products.codegen.readme import readme
 from kindsl.products.codegen.reference import Reference
@@ -185,4 +185,4 @@ def _files(library: Library, reference: Reference) -> dict[str, str]:
     }
 
 
-LANGUAGE = Language(_files, frozenset(("--real float",)), has_loops=True)
+LANGUAGE = Language(_files, COMMON_OPTIONS | {"--real"}, has_loops=True)

@@ -98,6 +98,7 @@ def _stamped(library: Library, text: str) -> str:
 
 LANGUAGE = Language(
     lambda library, _: octave_files(library),
+    frozenset(),
     parameters="all",
     makes_transforms=True,
     is_rigid=True,

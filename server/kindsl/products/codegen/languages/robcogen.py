@@ -6,7 +6,7 @@ from kindsl.products.codegen.robcogen.robot import GeneratedRobot
 
 LANGUAGE = Language(
     lambda library, _: robot_files(library),
-    frozenset(("--real float", "--runtime", "--layout", "--namespace", "--sources")),
+    frozenset(("--name", "--real", "--runtime", "--layout", "--namespace", "--sources")),
     parameters="all",
     makes_transforms=True,
     is_rigid=True,
