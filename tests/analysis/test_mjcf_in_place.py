@@ -6,6 +6,7 @@ from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.analysis.fixing import fixed, is_fixable
 from kindsl.judgement.analysis.settings import Settings
+from kindsl.language.semantics.lowering import declarations
 from kindsl.language.text.edits import TextEdit
 from kindsl.robots.interchange.syntaxes import syntax_of
 
@@ -163,3 +164,79 @@ def test_a_body_that_hardly_weighs_beside_what_it_is_fixed_to_is_a_hint(
     dummy = f'<body name="imu">{joint}{DUMMY}'
     (found,) = analysis(robot(POSSIBLE).replace('<body name="lower">', dummy)).findings
     assert (found.code, found.subject.name, str(found.severity)) == ("KD311", "imu", severity)
+
+
+def quadruped(compiler: str = "") -> str:
+    leg = """
+    <body name="{0}_hip" pos="{1} {2} 0"><joint name="{0}_HAA" axis="1 0 0"/>
+      <inertial pos="0 {4} 0" mass="1.9" fullinertia="0.0016 0.003 0.0031 0 0 0"/>
+      <geom type="sphere" size="0.02"/>
+      <body name="{0}_thigh" pos="0 {3} 0"><joint name="{0}_HFE" class="knee"/>
+        <inertial pos="0 0 -0.1" mass="1.1" diaginertia="0.009 0.0091 0.0012"/>
+        <body name="{0}_shank" pos="0 0 -0.28"><joint name="{0}_KFE" class="knee" range="-2 2"/>
+          <inertial pos="0.01 0 -0.13" mass="0.4" diaginertia="0.004 0.0041 0.0002"/>
+        </body></body></body>"""
+    rows = (("F", 0.24), ("H", -0.24))
+    sides = (("L", 0.09, 0.06, 0.01), ("R", -0.09, -0.06, -0.01))
+    legs = "".join(leg.format(s + r, x, *ys) for s, *ys in sides for r, x in rows)
+    defaults = '<default><default class="knee"><joint axis="0 1 0"/></default></default>'
+    return f"""<mujoco>{compiler}{defaults}<worldbody><body name="trunk"><freejoint/>{legs}
+    </body></worldbody></mujoco>
+"""
+
+
+def test_limbs_are_compared() -> None:
+    honest = quadruped()
+    assert told(honest) == []
+    for old, new, code, at in [
+        ('"0 0 -0.28"', '"0 0 -0.82"', "KD509", "0 0 -0.82"),
+        ('mass="1.1"', 'mass="1.7"', "KD509", ""),
+    ]:
+        (found,) = told(honest.replace(old, new, 1))
+        assert found[0] == code and at in found[2]
+    shorter = honest.replace('"0 0 -0.28"', '"0 0 -0.82"', 1)
+    assert fixed(analysis(shorter), is_fixable).analysis.text == honest
+    head, knee = honest.split('<default class="knee">')
+    assert told(f'{head}<default class="elbow">{knee}') == []
+
+
+@pytest.mark.parametrize("turn", ['axisangle="0 0 1 30"', 'xyaxes="0 1 0 -1 0 0"'])
+def test_a_body_that_is_turned_in_an_unknown_way_is_no_part_of_a_limb(turn: str) -> None:
+    longer = quadruped().replace('pos="0 0 -0.28"', f'pos="0 0 -0.82" {turn}', 1)
+    assert told(longer) == []
+
+
+@pytest.mark.parametrize(
+    ("compiler", "limits", "code", "message"),
+    [
+        (
+            "",
+            "2 -2",
+            "KD521",
+            "limits of joint 'LF_KFE' are reversed: lower 2, upper -2 °",
+        ),
+        ('<compiler autolimits="false"/>', "2 -2", "", ""),
+        ("", "-90 45", "", ""),
+        (
+            '<compiler angle="radian"/>',
+            "-90 45",
+            "KD522",
+            "limit -90 rad of joint 'LF_KFE' looks like degrees",
+        ),
+    ],
+)
+def test_limits_are_judged_in_their_unit(
+    compiler: str, limits: str, code: str, message: str
+) -> None:
+    text = quadruped(compiler).replace('range="-2 2"', f'range="{limits}"', 1)
+    found = [(f.code, f.message, text[f.start : f.end]) for f in analysis(text).findings]
+    assert found == ([(code, message, limits)] if code else [])
+
+
+def test_what_defaults_say_is_read_again_with_them() -> None:
+    honest = quadruped()
+    before = analysis(honest).syntax
+    at = honest.index('axis="0 1 0"')
+    after = before.edited([TextEdit(at, at, 'type="slide" ')])
+    kinds = {str(j.name): j.kind for i in after.islands for j in declarations(i).joints}
+    assert kinds["LF_KFE"] == "prismatic" and kinds["LF_HAA"] == "revolute"

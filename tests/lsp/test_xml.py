@@ -6,11 +6,15 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.analysis.test_mjcf_in_place import quadruped
 from tests.analysis.test_urdf_fixes import spoilt
 from tests.cli.test_other_formats import URDF
 from tests.support.lsp import RawClient, ready_client
 
+from kindsl.frontends.features.xml_things import thing_at, xml_hover
 from kindsl.frontends.lsp.text import uris
+from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.robots.interchange.syntaxes import syntax_of
 
 EXTENSION = Path(__file__).parents[2] / "vscode-extension"
 BAD = URDF.replace('iyy="0.02"', 'iyy="0.07"')
@@ -102,6 +106,22 @@ def test_hovers_have_mechanics_in_the_files_frames(client: RawClient, tmp_path: 
     assert joint.startswith("**revolute joint `shoulder`**")
     assert "- turns about (0, 1, 0) of its frame\n- limits -57.3 to 57.3°" in joint
     assert hover("?xml") == ""
+
+
+def test_a_body_of_an_mjcf_and_its_joint_have_their_own_hovers() -> None:
+    text = quadruped()
+    robot = Analysis(syntax_of("robot.xml", text))
+
+    def hover(word: str) -> str:
+        found = xml_hover(robot, text.index(word))
+        return "" if found is None else found.markdown
+
+    assert "- carried by joint `LF_KFE`, parent `LF_thigh`" in hover('<body name="LF_shank"')
+    joint = hover('<joint name="LF_KFE"')
+    assert joint.startswith("**revolute joint `LF_KFE`**")
+    assert "- turns about (0, 1, 0) of its frame\n- limits -2 to 2°" in joint
+    assert thing_at(robot, text.index('"LF_KFE"')) == ("joint", "LF_KFE")
+    assert thing_at(robot, text.index('"LF_shank"')) == ("link", "LF_shank")
 
 
 def test_the_preview_shows_it_and_keeps_its_last_picture(client: RawClient, tmp_path: Path) -> None:

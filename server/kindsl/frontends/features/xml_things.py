@@ -1,6 +1,7 @@
 """Links and joints of a robot in XML under a cursor, with their mechanics in the file's frames."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from math import degrees
 
 from kindsl.frontends.features.wording import (
@@ -17,21 +18,24 @@ from kindsl.frontends.features.wording import (
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.rules.base import Severity
 from kindsl.judgement.rules.xml_bodies import XmlBody, XmlPart, xml_bodies
+from kindsl.judgement.rules.xml_elements import LimitedJoint, joints_of
 from kindsl.language.semantics.declarations import Joint, Link
 from kindsl.language.semantics.lowering import declarations
+from kindsl.language.syntax.tree import Node
 from kindsl.language.text.phrases import listed
-from kindsl.robots.interchange.robot_island import RobotIsland
 from kindsl.robots.interchange.xml_document import Connection, XmlDocument
-from kindsl.robots.interchange.xml_reading import XmlElement
 
 _UNLIMITED = "without limits"
 
 
 def thing_at(analysis: Analysis, offset: int) -> tuple[str, str]:
     """Return kind and name, as pictures have them, of what an offset is in; empty for nothing."""
-    declared = declarations(analysis.syntax.island_at(offset).island)
+    place = analysis.syntax.island_at(offset)
+    declared = declarations(place.island)
     for joint in declared.joints:
-        return "joint", str(joint.name)
+        # In an MJCF it is within the body that it moves.
+        if not declared.links or joint.start <= offset - place.start < joint.end:
+            return "joint", str(joint.name)
     for link in declared.links:
         heads = {body.link for body in xml_bodies(analysis.model)}
         return "link" if link in heads else "frame", str(link.name)
@@ -42,15 +46,15 @@ def xml_hover(analysis: Analysis, offset: int) -> Hover | None:
     """Return the hover of a link or joint whose first tag, or inertia, is at an offset."""
     place = analysis.syntax.island_at(offset)
     declared = declarations(place.island)
-    nodes = [joint.node for joint in declared.joints]
+    things: list[tuple[Node, Callable[[], str]]]
+    things = [(each.node, partial(_of_joint, analysis, each)) for each in declared.joints]
     for link in declared.links:
-        nodes += [link.node, *([] if link.inertia is None else [link.inertia.node])]
-    for node in nodes:
+        nodes = [link.node, *([] if link.inertia is None else [link.inertia.node])]
+        things += ((node, partial(_of_link, analysis, link)) for node in nodes)
+    for node, text in things:
         tag = node.children[0]
         if place.start + tag.start <= offset <= place.start + tag.end:
-            text = [_of_link(analysis, link) for link in declared.links]
-            text += [_of_joint(analysis, joint) for joint in declared.joints]
-            return Hover(place.start + tag.start, place.start + tag.end, text[0])
+            return Hover(place.start + tag.start, place.start + tag.end, text())
     return None
 
 
@@ -105,32 +109,27 @@ def _finding_lines(analysis: Analysis, link: Link) -> Iterator[str]:
 
 
 def _of_joint(analysis: Analysis, joint: Joint) -> str:
-    document, island = analysis.syntax, joint.island
+    document = analysis.syntax
     connections = document.connections if isinstance(document, XmlDocument) else ()
-    element = island.element if isinstance(island, RobotIsland) else None
-    kind = (element.get("type") if element is not None else None) or ""
-    lines = (_joint_lines(c, element) for c in connections if c.joint is joint)
+    limited = next((e for e in joints_of(analysis.model) if e.name == joint.name), None)
+    kind = limited.kind if limited is not None else ""
+    lines = (_joint_lines(c, limited) for c in connections if c.joint is joint)
     return paragraph(f"**{kind} joint `{joint.name}`**", next(lines, ()))
 
 
-def _joint_lines(connection: Connection, element: XmlElement | None) -> Iterator[str]:
+def _joint_lines(connection: Connection, limited: LimitedJoint | None) -> Iterator[str]:
     is_length = connection.joint.kind == "prismatic"
     yield f"parent {code(connection.parent)}, child {code(connection.child)}"
     yield f"at zero: {pose_text(connection.parent_T_child.then(connection.child_T_joint))}"
     if connection.axis is not None:
         motion = "slides along" if is_length else "turns about"
         yield f"{motion} {vector(connection.axis)} of its frame"
-    limit = element.find("limit") if element is not None else None
-    if limit is not None:
-        yield f"limits {_limits([limit.get(name) for name in ('lower', 'upper')], is_length)}"
+    if limited is not None and limited.limit is not None:
+        yield f"limits {_limits(limited)}"
 
 
-def _limits(ends: Sequence[str | None], is_length: bool) -> str:
-    try:
-        numbers = [float(end) for end in ends if end is not None]
-    except ValueError:
+def _limits(joint: LimitedJoint) -> str:
+    if joint.lower is None or joint.upper is None:
         return _UNLIMITED
-    if len(numbers) != 2:
-        return _UNLIMITED
-    shown = numbers if is_length else [degrees(each) for each in numbers]
-    return f"{' to '.join(map(number, shown))}{' m' if is_length else '°'}"
+    ends = [degrees(x) if joint.unit == "rad" else x for x in (joint.lower, joint.upper)]
+    return f"{' to '.join(map(number, ends))}{' m' if joint.unit == 'm' else '°'}"

@@ -1,6 +1,6 @@
 """Findings of an XML file that is judged where it stands."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from math import inf, log
 
 from kindsl.judgement.analysis.settings import Settings, is_enabled
@@ -58,17 +58,17 @@ def xml_findings(
         found: What the rules found that concern it.
     """
     flaws = document.flaws if isinstance(document, XmlDocument) else ()
-    movers = document.movers if isinstance(document, XmlDocument) else None
+    has_shapes = isinstance(document, XmlDocument) and document.has_shapes
     bodies = xml_bodies(model)
     own = [(flaw.code, Finding(flaw.at, flaw.message)) for flaw in flaws]
     own += ((_PLACEHOLDER, finding) for finding in _placeholders(model))
-    own += ((_MISSING, finding) for finding in _missing(bodies))
+    own += ((_MISSING, finding) for finding in (() if has_shapes else _missing(bodies)))
     own += ((_REFERENCE, finding) for finding in reference_findings(model, bodies))
     own += body_findings(model, bodies, context)
     rules = {rule.code: rule for rule in rules_with(frozenset(code for code, _ in own))}
     enabled = [(rules[code], each) for code, each in own if is_enabled(rules[code], settings)]
-    light = _light_parts(bodies, movers or {})
-    at_rest = _parts_at_rest(bodies) if movers is None else set()
+    light = _light_parts(bodies)
+    at_rest = set() if has_shapes else _parts_at_rest(bodies)
     # Where nothing moves but a base may float its density matters.
     has_joints = any(body.moves for body in bodies)
     massless = {id(b.link.island) for b in _massless(bodies)} if _MISSING in rules else set()
@@ -170,15 +170,12 @@ def _is_massless(link: Link) -> bool:
     return is_empty or (mass is not None and mass.literal == 0.0)
 
 
-def _light_parts(bodies: Iterable[XmlBody], movers: Mapping[str, str]) -> set[int]:
+def _light_parts(bodies: Iterable[XmlBody]) -> set[int]:
     """Return the islands of parts whose mass is next to nothing beside that of their body."""
-    light, fixed = set(), dict[object, list[Link]]()
+    light = set()
     for body in bodies:
-        mover = movers.get(str(body.link.name)) or id(body)
-        fixed.setdefault(mover, []).extend(part.link for part in body.parts)
-    for links in fixed.values():
-        least = _NEGLIGIBLE * sum(map(_mass, links))
-        light |= {id(link.island) for link in links if _mass(link) < least}
+        least = _NEGLIGIBLE * sum(_mass(part.link) for part in body.parts)
+        light |= {id(part.link.island) for part in body.parts if _mass(part.link) < least}
     return light
 
 

@@ -93,7 +93,8 @@ def xml_bodies(model: Model) -> list[XmlBody]:
     for connection in document.connections if isinstance(document, XmlDocument) else ():
         if carried.setdefault(connection.child, connection) is connection:
             below.setdefault(connection.parent, []).append(connection)
-    return _BodyWalk(links, below, carried).bodies()
+    has_shapes = isinstance(document, XmlDocument) and document.has_shapes
+    return _BodyWalk(links, below, carried, has_shapes).bodies()
 
 
 def odd_links(model: Model, bodies: Sequence[XmlBody]) -> set[Link]:
@@ -152,8 +153,10 @@ class _BodyWalk:
         links: Mapping[str, Link],
         below: Mapping[str, Sequence[Connection]],
         carried: Mapping[str, Connection],
+        has_shapes: bool,
     ) -> None:
         self._links, self._below, self._carried = links, below, carried
+        self._has_shapes = has_shapes
         self._seen: set[str] = set()
         self._bodies: list[XmlBody] = []
 
@@ -176,7 +179,7 @@ class _BodyWalk:
             moves = above is not None and not above.is_fixed
             index = len(self._bodies)
             self._bodies.append(
-                XmlBody(parts, moves, carrier, parent, placement, ends, _mass(parts))
+                XmlBody(parts, moves, carrier, parent, placement, ends, self._mass(parts))
             )
             pending += [(each.child, index, each, pose) for each, pose in reversed(moving)]
 
@@ -198,10 +201,10 @@ class _BodyWalk:
                     moving.append((each, pose.then(each.child_T_joint)))
         return tuple(parts), moving
 
-
-def _mass(parts: Sequence[XmlPart]) -> MassDistribution | None:
-    known = [seen_from(part.mass, part.pose) for part in parts if part.mass is not None]
-    return lumped(known) if known else None
+    def _mass(self, parts: Sequence[XmlPart]) -> MassDistribution | None:
+        known = [seen_from(part.mass, part.pose) for part in parts if part.mass is not None]
+        is_whole = len(known) == len(parts) or not self._has_shapes
+        return lumped(known) if known and is_whole else None
 
 
 def _part(link: Link, pose: RigidPose) -> XmlPart:

@@ -32,9 +32,11 @@ def elements(model: Model, tag: str) -> "Iterator[tuple[RobotIsland, XmlElement]
 
         for island in model.islands:
             if isinstance(island, RobotIsland):
-                element = island.element
+                element: Any = island.element
                 if element is not None and element.tag == tag:
                     yield island, element
+                elif element is not None and element.tag == "body":
+                    yield from ((island, each) for each in element.findall(tag))
 
 
 class LimitedJoint(NamedTuple):
@@ -43,28 +45,26 @@ class LimitedJoint(NamedTuple):
     Attributes:
         island: Where it stands.
         element: The joint.
-        limit: Its limits, None where it has none.
-        kind: Its type.
+        kind: Its type, as in a URDF.
+        unit: The unit of its position.
+        limit: Where its limits are, None where it has none.
         lower: The lower one, None where it is not given.
         upper: The upper one.
     """
 
     island: "RobotIsland"
     element: "XmlElement"
-    limit: "XmlElement | None"
     kind: str
+    unit: str
+    limit: "XmlElement | None"
     lower: float | None
     upper: float | None
 
     @property
     def name(self) -> str:
-        """The joint's name."""
-        return self.island.full_name
-
-    @property
-    def unit(self) -> str:
-        """The unit of its position."""
-        return "m" if self.kind == "prismatic" else "rad"
+        """The joint's name, of one without its body's."""
+        is_own = self.element is self.island.element
+        return (not is_own and self.element.get("name")) or self.island.full_name
 
     @property
     def is_broken(self) -> bool:
@@ -77,8 +77,8 @@ class LimitedJoint(NamedTuple):
 
     @property
     def is_needed(self) -> bool:
-        """True if a joint without limits cannot move: in an SDF it has none then."""
-        return self.island.has_attributes
+        """True if a joint without limits cannot move: in an SDF or MJCF it has none then."""
+        return self.island.has_attributes and self.limit is not self.element
 
     def at(self, limit: str) -> Place:
         """Return the place of a limit, or of the element, or of the joint."""
@@ -88,9 +88,9 @@ class LimitedJoint(NamedTuple):
 def joints_of(model: Model) -> Iterator[LimitedJoint]:
     """Yield the joints of any type."""
     for island, joint in elements(model, "joint"):
-        limit: Any = joint.find("limit" if island.has_attributes else "axis/limit")
-        ends = island.value(limit, "lower"), island.value(limit, "upper")
-        yield LimitedJoint(island, joint, limit, joint.get("type") or "", *ends)
+        kind, *limits = island.limits(joint)
+        unit = "m" if kind == "prismatic" else model.document.angle_unit
+        yield LimitedJoint(island, joint, kind, unit, *limits)
 
 
 def limited_joints(model: Model) -> Iterator[LimitedJoint]:

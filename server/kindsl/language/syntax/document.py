@@ -73,9 +73,11 @@ class SyntaxDocument:
     Attributes:
         versions: Results about the version that was last looked at: shared by all that
             edits have made of each other.
+        is_xml: Whether it is XML, of whatever format.
+        angle_unit: That of joints.
     """
 
-    is_xml = False
+    is_xml, angle_unit = False, "rad"
 
     def __init__(self, chunks: tuple[Chunk, ...], versions: Facts | None = None) -> None:
         self.chunks = chunks

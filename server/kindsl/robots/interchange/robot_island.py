@@ -28,6 +28,8 @@ from kindsl.robots.interchange.xml_reading import TAG, XmlElement, finite_number
 _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _ATTRIBUTE = r"""[\s"']{name}\s*=\s*(["'])(.*?)\1"""
 _WORD = re.compile(r"\S+")
+# URDF's and SDF's word, and MuJoCo's.
+_SLIDES = ("prismatic", "slide")
 
 
 class XmlPiece(NamedTuple):
@@ -65,12 +67,13 @@ class RobotIsland(OtherIsland):
         element: The element, None for the tags around elements.
         prefix: What stands before its name in the document.
         has_attributes: Whether its values are attributes, as in a URDF.
+        limit: The way from a joint to its limits.
         negated: Where numbers begin that have the opposite sign in the document.
     """
 
     __slots__ = ("_declared", "element", "negated", "prefix")
 
-    has_attributes = True
+    has_attributes, limit = True, "limit"
 
     def __init__(self, text: str, element: XmlElement | None, prefix: str = "") -> None:
         self.element, self.prefix, self.negated = element, prefix, set[int]()
@@ -103,7 +106,7 @@ class RobotIsland(OtherIsland):
         if element.tag == "link":
             yield self.declare_link(self.link_with(element, element.find("inertial")))
         elif element.tag == "joint":
-            joint = self._joint(element)
+            joint = self.joint_of(element, self._name(element), element)
             self._declared = Declarations(None, (), (), (joint,), (joint,))
             yield joint.node
 
@@ -190,13 +193,20 @@ class RobotIsland(OtherIsland):
             if value is not None and value.text == EXACT_ZERO:
                 inertia.moments[name] = self.number(zero, value.start, value.end)
 
-    def _joint(self, element: XmlElement) -> Joint:
-        joint = Joint(self.block("joint", element), self, self._name(element), "")
-        joint.kind = "prismatic" if element.get("type") == "prismatic" else "revolute"
+    def joint_of(self, element: XmlElement, name: Name, placed: XmlElement) -> Joint:
+        """Return the joint of an element, at the pose that it has, or that another one has."""
+        joint = Joint(self.block("joint", element), self, name, "")
+        joint.kind = "prismatic" if element.get("type") in _SLIDES else "revolute"
         joint.id, joint.id_place = None, None
         joint.frame = JointFrame(joint.node, self, Name(""), joint.name)
-        joint.frame.translation, joint.frame.rotation = self.pose_in(element)
+        joint.frame.translation, joint.frame.rotation = self.pose_in(placed)
         return joint
+
+    def limits(self, joint: Any) -> tuple[str, Any, float | None, float | None]:
+        """Return a joint's type in a URDF's words, where its limits are, the lower and upper."""
+        limit = joint.find(self.limit)
+        ends = self.value(limit, "lower"), self.value(limit, "upper")
+        return joint.get("type") or "", limit, *ends
 
     def tag(self, element: Any) -> tuple[int, int]:
         """Return where the tag is that an element begins with."""

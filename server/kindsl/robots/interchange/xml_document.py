@@ -4,7 +4,7 @@ A comment before an element belongs to its island, and one behind it in the line
 """
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -25,6 +25,7 @@ from kindsl.robots.interchange.xml_reading import (
     parsed_xml,
 )
 
+_TAG_OR_COMMENT = re.compile(r"""<!--.*?-->|<(?:[^"'>]|"[^"]*"|'[^']*')*>""", re.DOTALL)
 _REST_OF_LINE = re.compile(r"(?:[^\S\r\n]|<!--[^\r\n]*?-->)*")
 
 
@@ -72,12 +73,11 @@ class XmlDocument(SyntaxDocument):
     Attributes:
         flaws: What keeps it from being in its format.
         connections: Its joints with the links that they connect.
-        movers: Where all links in it move, though it tells no connections: of those that are fixed
-            to others the one that a joint moves, by name. None elsewhere.
+        has_shapes: Whether links without an inertia have that of their shapes.
     """
 
     is_xml = True
-    movers: Mapping[str, str] | None = None
+    has_shapes = False
 
     def __init__(self, islands: Sequence[Island], former: SyntaxDocument | None = None) -> None:
         super().__init__(chunks_of(islands), None if former is None else former.versions)
@@ -122,6 +122,22 @@ def pieces(text: str, root: XmlElement) -> list[XmlPiece]:
     elements = (None, *root, None)
     places = zip([0, *ends], [*ends, len(text)], elements, strict=True)
     return [XmlPiece(text[start:end], start, each) for start, end, each in places]
+
+
+def pieces_around(text: str, elements: Iterable[tuple[Any, str]]) -> Iterator[XmlPiece]:
+    """Yield elements with the comments around them and what stands before names, and the rest."""
+    done = 0
+    for element, before in elements:
+        tags = _TAG_OR_COMMENT.finditer(text, done, element.offset)
+        around = [tag.end() for tag in tags if not tag[0].startswith("<!--")]
+        if around or not done:
+            start = around[-1] if around else element.offset
+            yield XmlPiece(text[done:start], done, None)
+            done = start
+        end = rest_of_line(text, element)
+        yield XmlPiece(text[done:end], done, element, before)
+        done = end
+    yield XmlPiece(text[done:], done, None)
 
 
 def rest_of_line(text: str, element: Any) -> int:

@@ -1,7 +1,7 @@
 """The lower limit of a joint is above the upper one.
 
 ## What it does
-Looks at the limits of joints in a URDF or SDF.
+Looks at the limits of joints in a URDF, SDF or MJCF.
 
 ## Why is this bad?
 No position is within such limits: simulators stop, clamp to one end, or turn the range around. A

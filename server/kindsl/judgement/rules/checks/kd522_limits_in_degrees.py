@@ -7,7 +7,8 @@ half turns, as `-62.8` and `62.8`. Limits of 1, 2 or 5 times a power of ten that
 the sign, as `-20` and `20`, are taken to mean none.
 
 ## Why is this bad?
-URDF and SDF have radians here: 90 are fourteen turns, so nothing keeps the joint within its range.
+URDF and SDF have radians here, as MJCF where its `<compiler>` says so: 90 are fourteen turns, so
+nothing keeps the joint within its range.
 
 ## Example
 ```xml
@@ -33,7 +34,7 @@ _MANY, _HALF_TURN = 30.0, 0.02
 def check_document(model: Model, _: object) -> Iterator[Finding]:
     for joint in limited_joints(model):
         ends = [end for end in (joint.lower, joint.upper) if end is not None]
-        if joint.kind == "revolute" and ends and _are_degrees(ends):
+        if joint.kind == "revolute" and joint.unit == "rad" and ends and _are_degrees(ends):
             worst = max(ends, key=abs)
             message = f"limit {worst:g} rad of joint '{joint.name}' looks like degrees"
             yield Finding(joint.at("upper" if worst == joint.upper else "lower"), message)

@@ -5,7 +5,6 @@ models stand before theirs. Poses are relative to frames that may be anywhere, s
 connects is known of the whole document only.
 """
 
-import re
 from collections.abc import Iterator, Mapping
 from functools import partial
 from typing import Any
@@ -18,7 +17,7 @@ from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.language.text.nearest import hint, nearest_word
 from kindsl.mechanics.rigid.pose import IDENTITY
 from kindsl.robots.interchange.format import FormatError
-from kindsl.robots.interchange.robot_island import RobotIsland, XmlPiece
+from kindsl.robots.interchange.robot_island import RobotIsland
 from kindsl.robots.interchange.sdf.elements import (
     SdfError,
     defect,
@@ -35,13 +34,12 @@ from kindsl.robots.interchange.xml_document import (
     Connection,
     Flaw,
     XmlDocument,
-    rest_of_line,
+    pieces_around,
     xml_document,
 )
 from kindsl.robots.interchange.xml_reading import JOINT_KINDS, TENSOR, XmlElement, parsed_xml
 
 _NAMED = ("link", "joint", "frame")
-_TAG_OR_COMMENT = re.compile(r"""<!--.*?-->|<(?:[^"'>]|"[^"]*"|'[^']*')*>""", re.DOTALL)
 _DEFAULT = "1.0"
 _TYPES = (*JOINT_KINDS, "ball", "gearbox", "revolute2", "screw", "universal")
 
@@ -51,7 +49,7 @@ class SdfIsland(RobotIsland):
 
     __slots__ = ()
 
-    has_attributes = False
+    has_attributes, limit = False, "axis/limit"
 
     def inertia_in(self, inertial: XmlElement, owner: str) -> Inertia | None:
         """Return an inertia, None where the simulator computes it."""
@@ -90,7 +88,8 @@ class SdfIsland(RobotIsland):
 
 
 def _of_elements(text: str, root: Any, former: SyntaxDocument | None) -> XmlDocument:
-    islands = SdfIsland.made_of(list(_pieces(text, root)), former)
+    own = (each for model, prefix in _models(root) for each in _elements(model, prefix))
+    islands = SdfIsland.made_of(pieces_around(text, own), former)
     document = XmlDocument(islands, former)
     flaws: list[Flaw] = []
     if root.tag != "sdf":
@@ -136,23 +135,6 @@ def _elements(model: Any, prefix: str) -> Iterator[tuple[Any, str]]:
             yield from _elements(child, f"{prefix}{child.get('name') or ''}::")
         elif child.tag in _NAMED:
             yield child, prefix
-
-
-def _pieces(text: str, root: Any) -> Iterator[XmlPiece]:
-    """Yield elements with the comments around them and what stands before names, and the rest."""
-    done = 0
-    for model, prefix in _models(root):
-        for element, before in _elements(model, prefix):
-            tags = _TAG_OR_COMMENT.finditer(text, done, element.offset)
-            around = [tag.end() for tag in tags if not tag[0].startswith("<!--")]
-            if around or not done:
-                start = around[-1] if around else element.offset
-                yield XmlPiece(text[done:start], done, None)
-                done = start
-            end = rest_of_line(text, element)
-            yield XmlPiece(text[done:end], done, element, before)
-            done = end
-    yield XmlPiece(text[done:], done, None)
 
 
 def _connections(
