@@ -57,6 +57,35 @@ def test_links_attached_unlike_their_twins_are_told_at_the_name(
     assert found.related and all(text[r.start : r.end][:2] in LEGS for r in found.related)
 
 
+def _renamed(kind: str, old: str, new: str) -> str:
+    return legs().replace(f'{kind} name="{old}"', f'{kind} name="{new}"')
+
+
+KNEE = re.search(r'<joint name="RF_KFE".*?</joint>', legs(), re.DOTALL)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (_renamed("joint", "RF_KFE", "LF_KFE"), "<joint name='LF_KFE'> has the name of"),
+        (
+            _renamed("link", "RF_thigh", "LF_thigh"),
+            "<link name='LF_thigh'> has the name of the link in line 10; did you mean 'RF_thigh'?",
+        ),
+        (legs().replace('"RF_thigh"', '"LF_thigh"'), "<link name='LF_thigh'> has the name of"),
+        (legs().replace(KNEE[0], 2 * KNEE[0]) if KNEE else "", "<joint name='RF_KFE'> has the"),
+        (
+            legs().replace('child link="RF_shank"', 'child link="LF_shank"'),
+            "<joint name='RF_KFE'> gives link 'LF_shank' a second parent after joint 'LF_KFE'; "
+            "did you mean 'RF_shank'?",
+        ),
+    ],
+)
+def test_what_follows_from_one_name_is_told_once(text: str, message: str) -> None:
+    (found,) = analyse(text).findings
+    assert found.message.startswith(message)
+
+
 def test_legs_that_are_alike_have_no_such_finding() -> None:
     assert [each.code for each in analyse(legs()).findings] == []
 

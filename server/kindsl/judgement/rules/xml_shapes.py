@@ -30,11 +30,14 @@ from kindsl.language.semantics.unknown import Unknown
 from kindsl.language.text.phrases import alternatives
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import IDENTITY
+from kindsl.robots.interchange.xml_document import XmlDocument
 from kindsl.robots.limbs.names import label_of
 from kindsl.robots.limbs.weighing import Suspect
 from kindsl.robots.mechanism.link_inertia import link_inertia
 
 _OF_LIMBS = frozenset(("KD208", "KD209", "KD210", "KD509", "KD510"))
+# Of names that are there twice nobody knows which is meant.
+_BY_NAME = frozenset(("KD208", "KD209"))
 _SHAPES = ("KD309", "KD313", "KD511")
 _CAUSES = ("KD307", "KD308", "KD314")
 # From which probability on a cause is told, signs of an impossible body apart, and fixed: of those
@@ -104,7 +107,9 @@ def _branches(bodies: Sequence[XmlBody]) -> bool:
 def _limb_findings(model: Model, context: Context) -> Found:
     """Yield what does not fit in limbs, as the rules of a document tell it."""
     # Imported for branches only, since they delay the linter's start.
-    for rule in rules_with(_OF_LIMBS):
+    flaws = model.document.flaws if isinstance(model.document, XmlDocument) else ()
+    is_unique = {"KD102", "KD103"}.isdisjoint(flaw.code for flaw in flaws)
+    for rule in rules_with(_OF_LIMBS if is_unique else _OF_LIMBS - _BY_NAME):
         for finding in rule.check_document(model, context) if rule.check_document else ():
             yield rule.code, finding._replace(message=in_words_of_xml(finding.message))
 

@@ -4,6 +4,7 @@ What is kept is what the Kinematics-DSL can say: links with their inertias, join
 and axes. Meshes, materials, limits and whatever other programs add cannot be wrong for us.
 """
 
+from collections import Counter
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
@@ -109,13 +110,14 @@ def defects(robot: Any) -> Iterator[UrdfDefect]:
     """Yield what keeps a `<robot>` from being a tree with finite numbers, but for several roots."""
     links, joints = robot.findall("link"), robot.findall("joint")
     yield from _missing(robot, "name")
-    yield from _of_names(links, "KD102")
+    meant = _meant_by_repeated(links, joints)
+    yield from _of_names(links, "KD102", hint(meant))
     yield from _of_names(joints, "KD103")
     for link in links:
         yield from (defect._replace(is_shown=True) for defect in of_inertia(link))
     for joint in joints:
         yield from _of_joint(joint)
-    yield from _of_tree(links, joints)
+    yield from _of_tree(links, joints, meant)
 
 
 def root_links(links: list[Any], joints: list[Any]) -> list[str]:
@@ -131,7 +133,7 @@ def end_of(joint: Any, which: str) -> str:
     return "" if element is None else str(element.get("link") or "")
 
 
-def _of_names(elements: list[Any], code: str) -> Iterator[UrdfDefect]:
+def _of_names(elements: list[Any], code: str, meant: str = "") -> Iterator[UrdfDefect]:
     seen: dict[str, Any] = {}
     for element in elements:
         name = element.get("name")
@@ -141,7 +143,7 @@ def _of_names(elements: list[Any], code: str) -> Iterator[UrdfDefect]:
             yield UrdfDefect(_SYNTAX, element, "has an empty name", "name")
         elif name in seen:
             first = seen[name].sourceline
-            what = f"has the name of the {element.tag} in line {first}"
+            what = f"has the name of the {element.tag} in line {first}{meant}"
             yield UrdfDefect(code, element, what, "name")
         seen.setdefault(name or "", element)
 
@@ -209,31 +211,68 @@ def _of_origin(parent: Any) -> Iterator[UrdfDefect]:
                 yield UrdfDefect(_NUMBER, origin, what, "quat_xyzw")
 
 
-def _of_tree(links: list[Any], joints: list[Any]) -> Iterator[UrdfDefect]:
-    """Yield links that are missing, have two parents, or are part of a loop."""
-    names = dict.fromkeys(link.get("name") for link in links)
+def _repeated(links: list[Any]) -> set[str]:
+    count = Counter(link.get("name") for link in links)
+    return {name for name, number in count.items() if name and number > 1}
+
+
+def _meant_by_repeated(links: list[Any], joints: list[Any]) -> str | None:
+    """Return the name that joints have for a link whose own is another's, None where that is open.
+
+    One name is there twice, one is not there at all, and joints carry both.
+    """
+    names = {link.get("name") for link in links} | {WORLD, ""}
+    missing = {end_of(joint, end) for joint in joints for end in ("parent", "child")} - names
+    both = missing | _repeated(links)
+    is_clear = len(missing) == 1 and len(both) == 2
+    return missing.pop() if is_clear and both <= {end_of(j, "child") for j in joints} else None
+
+
+def _of_tree(links: list[Any], joints: list[Any], meant: str | None) -> Iterator[UrdfDefect]:
+    """Yield links that are missing, have two parents, or are part of a loop.
+
+    What follows from a name that is another's is not told again.
+    """
+    names = dict.fromkeys([*(link.get("name") for link in links), *filter(None, [meant])])
     if any(end_of(joint, "parent") == WORLD for joint in joints):
         names[WORLD] = None
+    repeated, second = _repeated(links), list[Any]()
     parent: dict[str, Any] = {}
     for joint in joints:
         for end in (*joint.findall("parent")[:1], *joint.findall("child")[:1]):
             name = end.get("link")
             if name is not None and name not in names:
-                meant = hint(nearest_name(name, [n for n in names if n is not None]))
+                near = hint(nearest_name(name, [n for n in names if n is not None]))
                 what = f"of joint '{joint.get('name')}' names a link '{name}' that does not exist"
-                yield UrdfDefect("KD105", end, f"{what}{meant}", "link")
+                yield UrdfDefect("KD105", end, f"{what}{near}", "link")
         child = end_of(joint, "child")
         if child in parent:
-            first = parent[child].get("name")
-            what = f"gives link '{child}' a second parent after joint '{first}'"
-            yield UrdfDefect("KD202", joint, what)
+            is_repeated = joint.get("name") == parent[child].get("name") or child in repeated
+            second += [] if is_repeated else [joint]
         elif child and end_of(joint, "parent"):
             parent[child] = joint
+    for joint in second:
+        child = end_of(joint, "child")
+        first = parent[child].get("name")
+        lost = hint(uncarried(joint, links, joints)) if len(second) == 1 else ""
+        what = f"gives link '{child}' a second parent after joint '{first}'{lost}"
+        yield UrdfDefect("KD202", joint, what)
     done: set[str] = set()
     for joint in joints:
         loop = _loop_above(end_of(joint, "child"), parent, done)
         if loop:
             yield UrdfDefect("KD201", parent[loop[-1]], f"closes a loop: {' -> '.join(loop)}")
+
+
+def uncarried(joint: Any, links: list[Any], joints: list[Any]) -> str | None:
+    """Return the only link that no joint carries but for what carries a joint, if there is one."""
+    above = {end_of(each, "child"): end_of(each, "parent") for each in reversed(joints)}
+    link, seen = end_of(joint, "parent"), set[str]()
+    while link in above and link not in seen:
+        seen.add(link)
+        link = above[link]
+    others = [root for root in root_links(links, joints) if root != link]
+    return others[0] if len(others) == 1 else None
 
 
 def _loop_above(link: str, parent: dict[str, Any], done: set[str]) -> list[str]:

@@ -23,6 +23,7 @@ from kindsl.robots.interchange.urdf.checking import (
     end_of,
     root_links,
     rotation_of,
+    uncarried,
 )
 from kindsl.robots.interchange.xml_document import (
     Connection,
@@ -112,7 +113,8 @@ def _flaws(root: XmlElement) -> Iterator[tuple[str, str, int, str]]:
         message = f"not a URDF: its root element is <{root.tag}>, not <robot>"
         yield "KD001", message, root.offset, ""
         return
-    for defect in defects(root):
+    found = list(defects(root))
+    for defect in found:
         yield defect.code, defect.message, defect.element.offset, defect.attribute
     links, joints = root.findall("link"), root.findall("joint")
     for link in links:
@@ -125,6 +127,8 @@ def _flaws(root: XmlElement) -> Iterator[tuple[str, str, int, str]]:
     children = {end_of(joint, "child") for joint in joints}
     # A misspelled name is told where it is, not at the link that it means.
     meant = {nearest_name(child, names) for child in children.difference(names, [""])}
+    seconds = [each.element for each in found if each.code == "KD202"]
+    meant |= {uncarried(joint, links, joints) for joint in seconds if len(seconds) == 1}
     roots = [name for name in root_links(links, joints) if name not in meant]
     if any(end_of(joint, "parent") == WORLD for joint in joints):
         roots = [WORLD, *(name for name in roots if name != WORLD)]
