@@ -2,11 +2,13 @@
 
 import keyword
 import re
+import subprocess
 from dataclasses import replace
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.codegen.compiling import EIGEN, Compiler, each_compiler
 from tests.codegen.robots import bodies_of_seed, library
 
 from kindsl.mechanics.dynamics.bodies import BodyFrame
@@ -16,6 +18,7 @@ from kindsl.products.codegen.names_in_code import (
     file_name,
     identifier,
     identifiers,
+    is_reserved,
     prefix_of,
 )
 
@@ -31,7 +34,35 @@ def test_names_are_valid_and_differ(names: list[str]) -> None:
     assert len(set(found.values())) == len(names)
     for safe in found.values():
         assert re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", safe)
-        assert safe not in RESERVED
+        assert not is_reserved(safe)
+
+
+HEADERS = """
+    assert complex ctype errno float inttypes limits math stdbool stddef stdint stdio stdlib string
+    time
+"""
+EIGEN_AND_COMPANY = ("Eigen/Dense", "chrono", "fstream", "iostream", "memory", "mutex", "thread")
+
+
+@each_compiler
+@pytest.mark.parametrize("standard", ["c99", "gnu17", "c++14", "gnu++20"])
+def test_no_name_is_a_macro_of_a_header(compiler: Compiler, standard: str) -> None:
+    headers = [f"{name}.h" for name in HEADERS.split()]
+    language, folder = "c", []
+    if "+" in standard:
+        language, folder = "c++", [f"-I{EIGEN}"] if EIGEN else []
+        headers += EIGEN_AND_COMPANY[0 if EIGEN else 1 :]
+    text = "".join(f"#include <{name}>\n" for name in headers)
+    command = [*compiler.command, f"-std={standard}", *folder, "-x", language, "-dM", "-E", "-"]
+    told = subprocess.run(command, input=text, capture_output=True, text=True, check=True).stdout
+    macros = re.findall(r"^#define ([A-Za-z]\w*)(?: |$)", told, flags=re.M)
+    assert len(macros) > 200
+    assert [name for name in macros if not is_reserved(name)] == []
+
+
+def test_names_of_robots_are_no_macros() -> None:
+    names = "L1 L_MAX EE ELBOW LC_ANKLE LF_HAA M_ARM MOD_A INTAKE SYS_BASE INT_ARM LINK1_MAX"
+    assert [name for name in names.split() if is_reserved(name)] == []
 
 
 def test_prefixes() -> None:
