@@ -485,3 +485,23 @@ def test_a_robot_for_planning_has_no_inertia_at_all() -> None:
     text = robot('<link name="upper"/>\n', joint("pan", "base", "upper", "0 0 1"))
     (told,) = analyse(text).findings
     assert (told.code, str(told.severity)) == ("KD304", "info")
+
+
+@pytest.mark.parametrize(
+    ("limits", "base", "word"),
+    [
+        ('lower="-250" upper="240"', link("base"), "-250"),
+        ('lower="0" upper="40"', link("base"), "40"),
+        ('lower="-0.25" upper="0.24"', link("base"), ""),
+        ('lower="-100" upper="100"', link("base"), ""),
+        ('lower="-250" upper="240"', '<link name="base"/>', ""),
+        ('lower="0" upper="12"', link("base"), ""),
+    ],
+)
+def test_limits_of_a_slide_that_are_in_millimetres(limits: str, base: str, word: str) -> None:
+    text = robot(link("upper"), joint("rail", "base", "upper", "0 0 0.5"))
+    text = text.replace("revolute", "prismatic").replace('lower="-1" upper="1"', limits)
+    text = text.replace('<link name="base"/>', base)
+    told = [(f.message, text[f.start : f.end]) for f in analyse(text).findings]
+    what = f"limit {word} m of joint 'rail' is implausible; is it in millimetres?"
+    assert [each for each in told if "limit" in each[0]] == ([(what, word)] if word else [])

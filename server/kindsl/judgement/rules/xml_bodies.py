@@ -108,21 +108,25 @@ def far_coms(bodies: Sequence[XmlBody]) -> Iterator[tuple[Link, Vector]]:
     """Yield the CoMs that lie farther from their links than all joints together reach.
 
     Of 3,199 published parts none lies farther than nine tenths of that; a robot whose only joint
-    is next to its base has longer links, of which none is as long as `DOUBTFUL_LENGTH`. Joints that
-    are too far away reach no farther than any.
+    is next to its base has longer links, of which none is as long as `DOUBTFUL_LENGTH`.
     """
-    reaches: list[float] = []
-    for body in bodies:
-        above = 0.0 if body.parent is None else reaches[body.parent]
-        reached = above + hypot(*body.placement.translation)
-        reaches.append(GREATEST_LENGTH if far_joint(body, bodies) else reached)
-    reach = max(reaches, default=0.0)
+    reach = reach_of(bodies)
     for part in (part for body in bodies for part in body.parts if reach > 0.0):
         frame, pose = frame_of_com(part.link), pose_of_com(part.link)
         if frame is None or pose is None or frame.pose.translation is None:
             continue
         if hypot(*pose.translation) > max(reach, DOUBTFUL_LENGTH):
             yield part.link, frame.pose.translation
+
+
+def reach_of(bodies: Sequence[XmlBody]) -> float:
+    """Return how far all joints together reach; those too far away reach no farther than any."""
+    reaches: list[float] = []
+    for body in bodies:
+        above = 0.0 if body.parent is None else reaches[body.parent]
+        reached = above + hypot(*body.placement.translation)
+        reaches.append(GREATEST_LENGTH if far_joint(body, bodies) else reached)
+    return max(reaches, default=0.0)
 
 
 def far_joint(body: XmlBody, bodies: Sequence[XmlBody]) -> Vector | None:

@@ -98,6 +98,16 @@ def limited_joints(model: Model) -> Iterator[LimitedJoint]:
     return (joint for joint in joints_of(model) if joint.kind in _LIMITED)
 
 
+def is_without_limits(ends: Sequence[float]) -> bool:
+    """Return whether limits are 1, 2 or 5 times a power of ten, equal but for the sign: none.
+
+    Those of bases that float, and of rings closed by a simulator, are such.
+    """
+    greatest = max(map(abs, ends), default=0.0)
+    is_round = f"{greatest:e}".startswith(("1.000000e", "2.000000e", "5.000000e"))
+    return is_round and {abs(end) for end in ends if end} == {greatest}
+
+
 def told_together(found: Sequence[tuple[LimitedJoint, str]]) -> tuple[str, tuple[Related, ...]]:
     """Return the first joint's name with the number of others, and places of a few of these.
 

@@ -1,8 +1,14 @@
 """Doubts about the shape of bodies in XML, and parts of two sides that differ, in XML's words."""
 
 from collections.abc import Container, Iterator, Sequence
+from math import sqrt
 
-from kindsl.judgement.diagnosis.body_verdicts import OF_LENGTH, BodyDoubt, body_verdicts
+from kindsl.judgement.diagnosis.body_verdicts import (
+    GREATEST_LENGTH,
+    OF_LENGTH,
+    BodyDoubt,
+    body_verdicts,
+)
 from kindsl.judgement.diagnosis.counterparts import (
     images,
     is_mirror_image,
@@ -19,8 +25,19 @@ from kindsl.judgement.rules.limb_places import numbers_at
 from kindsl.judgement.rules.limb_writing import as_numbers, rewriting
 from kindsl.judgement.rules.registry import rules_with
 from kindsl.judgement.rules.units import LENGTH_UNITS
-from kindsl.judgement.rules.xml_bodies import XmlBody, far_coms, far_joint, odd_links, pose_of_com
-from kindsl.judgement.rules.xml_elements import in_words_of_xml
+from kindsl.judgement.rules.xml_bodies import (
+    XmlBody,
+    far_coms,
+    far_joint,
+    odd_links,
+    pose_of_com,
+    reach_of,
+)
+from kindsl.judgement.rules.xml_elements import (
+    in_words_of_xml,
+    is_without_limits,
+    limited_joints,
+)
 from kindsl.judgement.rules.xml_fixes import set_as
 from kindsl.language.semantics.declarations import Link, Vector
 from kindsl.language.semantics.expressions import Expression
@@ -38,6 +55,7 @@ from kindsl.robots.mechanism.link_inertia import link_inertia
 _OF_LIMBS = frozenset(("KD208", "KD209", "KD210", "KD509", "KD510"))
 # Of names that are there twice nobody knows which is meant.
 _BY_NAME = frozenset(("KD208", "KD209"))
+_MILLIMETRES = 1000.0  # in a metre
 _SHAPES = ("KD309", "KD313", "KD511")
 _CAUSES = ("KD307", "KD308", "KD314")
 # From which probability on a cause is told, signs of an impossible body apart, and fixed: of those
@@ -59,6 +77,7 @@ def body_findings(model: Model, bodies: Sequence[XmlBody], context: Context) -> 
     joints = filter(None, (far_joint(body, bodies) for body in bodies))
     far += (_in_another_unit(joint, is_com=False) for joint in joints)
     odd = odd_links(model, bodies)
+    far += _far_slides(model, bodies)
     yield from (("KD502", finding) for finding in far)
     for code, cause in told_causes(model, context):
         is_sign_of_impossible = code == "KD307" and cause.severity is Severity.INFORMATION
@@ -154,6 +173,25 @@ def _in_another_unit(vector: Vector, is_com: bool) -> Finding:
         if fix is not None
     )
     return Finding(farthest, told, choices=tuple(choices), probability=probability)
+
+
+def _far_slides(model: Model, bodies: Sequence[XmlBody]) -> Iterator[Finding]:
+    """Yield the slides whose way in millimetres is nearer to the robot's reach than in metres."""
+    carriers = {
+        str(b.joint.name): bodies[b.parent] for b in bodies if b.joint and b.parent is not None
+    }
+    reach = reach_of(bodies)
+    for joint in limited_joints(model):
+        ends = [end for end in (joint.lower, joint.upper) if end is not None]
+        carrier, far = carriers.get(joint.name), max(map(abs, ends), default=0.0)
+        is_far = far > GREATEST_LENGTH and reach > 0.0 and far > sqrt(_MILLIMETRES) * reach
+        # What stands in a world may go anywhere.
+        is_carried = carrier is not None and carrier.mass is not None
+        if joint.kind == "prismatic" and is_far and is_carried and not is_without_limits(ends):
+            worst = max(ends, key=abs)
+            at = joint.at("upper" if worst == joint.upper else "lower")
+            told = f"limit {worst:g} m of joint '{joint.name}' is implausible; "
+            yield Finding(at, f"{told}is it in millimetres?")
 
 
 def _unlike(model: Model, told_of: Container[Link]) -> Iterator[tuple[Link, Finding]]:

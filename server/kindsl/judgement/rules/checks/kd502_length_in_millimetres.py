@@ -3,9 +3,11 @@
 ## What it does
 Reports a translation or a centre of mass of more than 10 m in some direction, and one of more than
 5 m of an impossible inertia, or of a URDF's part that lies beyond all that its robot reaches. A
-body whose mass and moments are as great as a crane's may have such lengths. Says
-of an impossible inertia (KD301, KD302) that it would be consistent if its centre of mass were in
-millimetres, centimetres or inches. KD306 tells how causes are weighed.
+body whose mass and moments are as great as a crane's may have such lengths. In XML a slide is
+reported whose limit is beyond 10 m and is nearer to the robot's reach in millimetres, unless limits
+are equal and 1, 2 or 5 times a power of ten, which means none. Says of an impossible inertia
+(KD301, KD302) that it would be consistent if its centre of mass were in millimetres, centimetres or
+inches. KD306 tells how causes are weighed.
 
 ## Why is this bad?
 Lengths are in metres, and no robot of this kind is that large.

@@ -20,7 +20,7 @@ from collections.abc import Iterator
 from math import pi
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
-from kindsl.judgement.rules.xml_elements import limited_joints
+from kindsl.judgement.rules.xml_elements import is_without_limits, limited_joints
 from kindsl.language.semantics.model import Model
 
 # Cables let some joints turn twice each way, none more.
@@ -42,15 +42,12 @@ def check_document(model: Model, _: object) -> Iterator[Finding]:
 
 def _are_degrees(ends: list[float]) -> bool:
     greatest = max(map(abs, ends))
-    # Those of bases that float, and of rings closed by a simulator, are such.
-    is_round = f"{greatest:e}".startswith(("1.000000e", "2.000000e", "5.000000e"))
-    is_none = is_round and {abs(end) for end in ends if end} == {greatest}
     are_whole = all(end % _STEP == 0.0 for end in ends)
     if not are_whole and greatest > _MANY:
         in_half_turns = (end / pi for end in ends)
         are_turns = all(abs(turns - round(turns)) < _HALF_TURN for turns in in_half_turns)
         are_whole = all(end == round(end, 1) for end in ends) and not are_turns
-    return _MOST < greatest <= _DEGREES and are_whole and not is_none
+    return _MOST < greatest <= _DEGREES and are_whole and not is_without_limits(ends)
 
 
 RULE = Rule(__name__, Severity.WARNING, check_document=check_document)
