@@ -7,7 +7,6 @@ import pytest
 from kindsl.mechanics.dynamics.generation.emitters import c
 from kindsl.mechanics.dynamics.generation.emitters.c import (
     SHORTEST_LOOP,
-    CArray,
     CBody,
     Dialect,
     c_definition,
@@ -43,9 +42,8 @@ def _written(body: str) -> dict[tuple[str, int], str]:
     return found
 
 
-def _definition(outputs: list[Scalar | None], takes: list[CArray], graph: Graph) -> str:
-    gives = [CArray("o", "double o[]", outputs)]
-    return c_definition(graph, CBody("f", takes, gives, {}), DOUBLE)
+def _definition(outputs: list[Scalar | None], takes: dict[str, list[Scalar]], graph: Graph) -> str:
+    return c_definition(graph, CBody("f", takes, {"o": outputs}), DOUBLE)
 
 
 @pytest.mark.parametrize("length", [1, SHORTEST_LOOP - 1, SHORTEST_LOOP, SHORTEST_LOOP + 3])
@@ -53,7 +51,7 @@ def _definition(outputs: list[Scalar | None], takes: list[CArray], graph: Graph)
 def test_runs_of_one_constant_are_loops(length: int, first: int) -> None:
     """And every entry has its value, those around the run and those left alone too."""
     entries: list[Scalar | None] = [1.5] * first + [7.0] * length + [None, 7.0, -2.0]
-    text = _definition(entries, [], Graph())
+    text = _definition(entries, {}, Graph())
     (body,) = (body for _, body in _functions(text).values())
     assert len(LOOP.findall(body)) == (length >= SHORTEST_LOOP)
     expected = {
@@ -72,7 +70,7 @@ def test_a_part_takes_what_it_uses(monkeypatch: pytest.MonkeyPatch) -> None:
     shared = x * y
     alone: list[Scalar | None] = [x + 1.0, x - 2.0, z + 3.0, z * 4.0]
     for outputs in (alone, [*alone, shared, y + 3.0, shared + 5.0, y * 6.0, shared * z]):
-        takes = [CArray("a", "double a[]", [2.5, x, y]), CArray("b", "double b[]", [z])]
+        takes: dict[str, list[Scalar]] = {"a": [2.5, x, y], "b": [z]}
         functions = _functions(_definition(outputs, takes, graph))
         *parts, (name, (arguments, whole)) = functions.items()
         assert name == "f" and arguments == ["a", "b", "o"]
@@ -89,13 +87,8 @@ def test_what_is_known_is_read_from_its_context(size: int, monkeypatch: pytest.M
     graph = Graph()
     x, mass = graph.vector(2)
     outputs: list[Scalar | None] = [x + 1.0, x * 2.0, x * mass, mass + 3.0]
-    body = CBody(
-        "f",
-        [CArray("a", "double a[]", [x])],
-        [CArray("o", "double o[]", outputs)],
-        {mass.index: "m->mass"},
-        ("m", "const model *m"),
-    )
+    known, context = {mass.index: "m->mass"}, ("m", "const model *m")
+    body = CBody("f", {"a": [x]}, {"o": outputs}, known, context)
     text = c_definition(graph, body, DOUBLE)
     assert "(void)" not in text
     for given, inside in _functions(text).values():
@@ -107,13 +100,8 @@ def test_a_member_of_the_context_is_no_argument(monkeypatch: pytest.MonkeyPatch)
     monkeypatch.setattr(c, "OPERATIONS_PER_PART", 1)
     graph = Graph()
     x, length = graph.vector(2)
-    body = CBody(
-        "f",
-        [CArray("a", "double a[]", [x])],
-        [CArray("c", "double c[]", [x * length + 1.0])],
-        {length.index: "m->c[0]"},
-        ("m", "const model *m"),
-    )
+    known, context = {length.index: "m->c[0]"}, ("m", "const model *m")
+    body = CBody("f", {"a": [x]}, {"c": [x * length + 1.0]}, known, context)
     taken = [given for given, _ in _functions(c_definition(graph, body, DOUBLE)).values()]
     assert taken == [["m", "a", "w"], ["c", "w"], ["m", "a", "c"]]
 
@@ -127,11 +115,7 @@ def test_a_template_reads_all_before_it_stores(size: int, monkeypatch: pytest.Mo
     x, y, z = graph.vector(3)
     outputs: list[Scalar | None] = [y, x + y, None, x * y - z, 2.0, x]
     dialect = Dialect("S", sign="", number="S({})", parameter="S", scalar="S")
-    body = CBody(
-        "f",
-        dialect.arrays({"a": [x, y, z]}, are_given=True),
-        dialect.arrays({"o": outputs}, are_given=False),
-    )
+    body = CBody("f", {"a": [x, y, z]}, {"o": outputs})
     functions = _functions(c_definition(graph, body, dialect))
     assert (len(functions) > 1) == (size == 2)
     *parts, (_, whole) = functions.values()

@@ -11,7 +11,6 @@ from tests.support.recorded import assert_as_recorded
 
 from kindsl.mechanics.dynamics.generation.emitters import c
 from kindsl.mechanics.dynamics.generation.emitters.c import (
-    CArray,
     CBody,
     Dialect,
     c_definition,
@@ -80,17 +79,12 @@ def sources(patch: pytest.MonkeyPatch) -> Iterator[str]:
 
 
 def body(recorded: Trace) -> CBody:
-    takes = [
-        CArray(name, f"const double {name}[]", entries)
-        for name, entries in zip("qp", recorded.arguments, strict=True)
-    ]
-    gives = [
-        CArray("a", "double a[]", recorded.outputs[:5]),
-        CArray("b", "double b[]", recorded.outputs[5:]),
-        CArray("none", "double none[]", []),
-    ]
+    takes = dict(zip("qp", recorded.arguments, strict=True))
+    gives = {"a": recorded.outputs[:5], "b": recorded.outputs[5:], "none": []}
     known = {recorded.arguments[0][0].index: "m->x"}
-    return CBody("f", takes, gives, known, ("m", "const model *m"))
+    declared = {name: f"const double {name}[]" for name in takes}
+    declared |= {name: f"double {name}[]" for name in gives}
+    return CBody("f", takes, gives, known, ("m", "const model *m"), declared=declared)
 
 
 def test_sources_are_as_recorded(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -2,9 +2,8 @@
 
 from collections.abc import Iterator, Sequence
 
-from kindsl.mechanics.dynamics.generation.emitters.c import CArray, CBody, c_definition, literal
+from kindsl.mechanics.dynamics.generation.emitters.c import CBody, c_definition, literal
 from kindsl.mechanics.dynamics.generation.emitters.lanes import (
-    Wide,
     is_worth_lanes,
     prefixed,
     shared,
@@ -12,7 +11,7 @@ from kindsl.mechanics.dynamics.generation.emitters.lanes import (
     wide_loop,
 )
 from kindsl.mechanics.dynamics.generation.emitters.loops import loop_call, loops_text
-from kindsl.mechanics.dynamics.generation.function import Function, Result
+from kindsl.mechanics.dynamics.generation.function import Function
 from kindsl.mechanics.dynamics.generation.terms import Scalar, Term
 from kindsl.products.codegen.c_text import (
     EXTERNAL,
@@ -85,11 +84,11 @@ def model_source(library: Library) -> str:
         parameter.index: f"parameters->{library.parameter_names[name]}"
         for name, parameter in library.robot.parameters.items()
     }
-    constants = CArray("c", f"{number} *restrict c", library.setup or [0.0])
+    constants: dict[str, Sequence[Scalar]] = {"c": library.setup or [0.0]}
     context = ("parameters", f"const {p}_parameters *parameters")
     setup = c_definition(
         library.robot.graph,
-        CBody(f"{p}_set_up", [], [constants], known, context),
+        CBody(f"{p}_set_up", {}, constants, known, context),
         style,
         "static ",
     )
@@ -118,43 +117,25 @@ def quantity_source(library: Library, functions: Sequence[Function]) -> str:
 
 def _definition(library: Library, function: Function) -> str:
     name = f"{library.prefix}_{library.function_names[function.key]}"
+    style, graph = dialect(library), library.robot.graph
+    declared = parameters(library, function, "restrict ")
+    head = f"void {name}({', '.join(declared.values())})"
     if function.is_loop:
-        statements = loop_call(function, dialect(library), f"{library.prefix}_", "m")
-        declared = ", ".join(parameters(library, function, "restrict "))
-        return f"void {name}({declared})\n{{\n{statements}}}\n"
+        return f"{head}\n{{\n{loop_call(function, style, f'{library.prefix}_', 'm')}}}\n"
+    takes: dict[str, Sequence[Scalar]] = {a.name: a.components for a in function.arguments}
+    known = {value.index: f"m->c[{place}]" for place, value in enumerate(library.setup)}
+    context = ("m", declared.pop("m"))
     if function.loaded is None:
-        return _body(library, function, name, function.results, "")
-    loaded = _body(library, function, f"{name}_loaded", function.loaded, "static ")
-    names = [declared.split("[")[0].split(" ")[-1].lstrip("*")
-             for declared in parameters(library, function)]  # fmt: skip
-    head = f"void {name}({', '.join(parameters(library, function, 'restrict '))})"
+        gives = {r.name: r.entries for r in function.results}
+        body = CBody(name, takes, gives, known, context, declared=declared)
+        return c_definition(graph, body, style)
+    takes[EXTERNAL], gives = library.external, {r.name: r.entries for r in function.loaded}
+    body = CBody(f"{name}_loaded", takes, gives, known, context)
+    loaded = c_definition(graph, body, style, "static ")
     # Forces that are zero cost at most a tenth of the time, a function without them the text again.
     zeros = f"static const {real(library)} none[{len(library.external)}] = {{0}};"
-    given = ", ".join(f"{n} != NULL ? {n} : none" if n == EXTERNAL else n for n in names)
+    given = ", ".join(f"{n} != NULL ? {n} : none" if n == EXTERNAL else n for n in ("m", *declared))
     return f"{loaded}\n{head}\n{{\n    {zeros}\n    {name}_loaded({given});\n}}\n"
-
-
-def _body(
-    library: Library, function: Function, name: str, results: Sequence[Result], linkage: str
-) -> str:
-    style, p = dialect(library), library.prefix
-    arguments: dict[str, Sequence[Scalar]] = {a.name: a.components for a in function.arguments}
-    if results is function.loaded:
-        arguments[EXTERNAL] = library.external
-    takes = style.arrays(arguments, are_given=True)
-    gives = style.arrays({r.name: r.entries for r in results}, are_given=False)
-    if not linkage:
-        declared = parameters(library, function, "restrict ")
-        names = ("m", *(array.name for array in (*takes, *gives)))
-        by_name = dict(zip(names, declared, strict=True))
-        takes, gives = (
-            [array._replace(declaration=by_name[array.name]) for array in arrays]
-            for arrays in (takes, gives)
-        )
-    known = {value.index: f"m->c[{place}]" for place, value in enumerate(library.setup)}
-    context = ("m", f"const {p}_model *m")
-    body = CBody(name, takes, gives, known, context)
-    return c_definition(library.robot.graph, body, style, linkage)
 
 
 def has_lanes(library: Library) -> bool:
@@ -193,7 +174,7 @@ def _is_wide(library: Library, function: Function) -> bool:
 def _lanes(library: Library, function: Function) -> tuple[str, str]:
     """Return a function for several configurations, and the statements that call it for all."""
     name = library.function_names[function.key]
-    wide = Wide(
+    wide = CBody(
         name,
         {argument.name: argument.components for argument in function.arguments},
         {result.name: result.entries for result in function.results},

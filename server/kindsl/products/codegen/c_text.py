@@ -1,6 +1,6 @@
 """Pieces of text that all C files of a library share."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from textwrap import wrap
 
 from kindsl.mechanics.dynamics.generation.emitters.c import Dialect
@@ -44,8 +44,8 @@ def macro(library: Library) -> str:
     return library.prefix.upper()
 
 
-def parameters(library: Library, function: Function, qualifier: str = "") -> Iterator[str]:
-    """Yield the declarations of a function's parameters.
+def parameters(library: Library, function: Function, qualifier: str = "") -> dict[str, str]:
+    """Return the declarations of a function's parameters, by their names.
 
     Args:
         library: The library.
@@ -53,19 +53,20 @@ def parameters(library: Library, function: Function, qualifier: str = "") -> Ite
         qualifier: `restrict ` in definitions.
     """
     number = real(library)
-    yield f"const {library.prefix}_model *m"
+    declared = {"m": f"const {library.prefix}_model *m"}
     for name, _ in function.arguments:
-        yield f"const {number} {name}[{_bound(name, qualifier)}]"
+        declared[name] = f"const {number} {name}[{_bound(name, qualifier)}]"
     if function.loaded is not None:
-        yield f"const {number} *{EXTERNAL}"
-    for result in function.results:
-        yield f"{number} {result.name}[{_bound(result.name, qualifier)}]"
+        declared[EXTERNAL] = f"const {number} *{EXTERNAL}"
+    for name, *_ in function.results:
+        declared[name] = f"{number} {name}[{_bound(name, qualifier)}]"
+    return declared
 
 
 def declaration(library: Library, function: Function) -> str:
     """Return a function's declaration, without qualifiers or semicolon."""
     name = library.function_names[function.key]
-    return _wrapped(f"void {library.prefix}_{name}", list(parameters(library, function)))
+    return _wrapped(f"void {library.prefix}_{name}", [*parameters(library, function).values()])
 
 
 def batch_declaration(library: Library, function: Function) -> str:

@@ -92,7 +92,7 @@ class CompiledMechanics(Mechanics):
         batches = group not in ("plain", "bias", "masses") or self._threads == 1
         for name in METHODS[group]:
             method: Method = partial(_general, getattr(Mechanics, name), self)
-            if name in extension.shapes:
+            if name in extension.kernels:
                 method = extension.bind(name, method, batches=batches)
             setattr(self, name, method)
 
@@ -177,16 +177,17 @@ class _Rows:
         name = f"{request.function}_loaded" if has_load else request.function
         group = next(group for group, names in GROUPS.items() if request.function in names)
         extension = self._owner._group("loads" if has_load else group)
+        kernel = extension.kernels[name]
         given = {KEYWORDS.get(key, key): vector for key, vector in request.vectors.items()}
         nothing = np.zeros(6 * (self._owner.n_joints + 1))
         given["external_forces"] = given.pop("fext", nothing)
         size = math.prod(request.batch_shape)
         rows = [
-            _in_rows(given[key], request.batch_shape) if length else None
-            for key, length in extension.arguments[name]
+            _in_rows(given[argument.name], request.batch_shape) if argument.components else None
+            for argument in kernel.arguments
         ]
         rows[0] = np.ascontiguousarray(rows_of(given["q"], request.batch_shape))
-        outs = tuple(np.empty((size, *shape)) for shape in extension.shapes[name])
+        outs = tuple(np.empty((size, *result.shape)) for result in kernel.results)
         _run_in_threads(extension.bind(name, _refuse), rows, outs, self._threads)
         entries = np.concatenate(
             [out.reshape((size, math.prod(out.shape[1:]))) for out in outs], axis=1

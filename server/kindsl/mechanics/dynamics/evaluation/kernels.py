@@ -76,14 +76,12 @@ class Extension:
     """The compiled functions of a group.
 
     Attributes:
-        shapes: The shapes of their results, by name.
-        arguments: Keywords and lengths of their arguments, by name; 0 for what has to be None.
+        kernels: What they compute, by name.
     """
 
     def __init__(self, robot: Robot, group: str) -> None:
         kernels = kernels_of(robot, group)
-        self.shapes = {k.name: [result.shape for result in k.results] for k in kernels}
-        self.arguments = {k.name: [(a.name, a.length) for a in k.arguments] for k in kernels}
+        self.kernels = {kernel.name: kernel for kernel in kernels}
         source = extension_source(robot.graph, robot.tree, kernels, STANDARD_GRAVITY)
         # The function, not its module: a file that is loaded again fills one module of this name
         # with whatever robot's functions were loaded last.
@@ -150,12 +148,7 @@ def _kernel(function: Function, robot: Robot, *, may_be_wide: bool) -> Kernel:
     given = {argument.name: argument.components for argument in function.arguments}
     names = _names(name, given)
     arguments = [
-        KernelArgument(
-            KEYWORDS.get(name, name),
-            len(given.get(name, ())),
-            list(given.get(name, ())),
-            DEFAULTS.get(name),
-        )
+        KernelArgument(KEYWORDS.get(name, name), given.get(name, ()), DEFAULTS.get(name))
         for name in names
     ]
     in_code = ["fext" if name == "external_forces" else name for name in names if name in given]

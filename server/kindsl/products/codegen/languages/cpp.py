@@ -1,12 +1,12 @@
 """A header in C++14 with Eigen's types, a template of the type of numbers."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from kindsl.mechanics.dynamics.generation.emitters.c import CBody, Dialect, c_definition
 from kindsl.mechanics.dynamics.generation.emitters.loops import loop_call, loops_text
 from kindsl.mechanics.dynamics.generation.function import Function, Result
-from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar
+from kindsl.mechanics.dynamics.generation.terms import Scalar
 from kindsl.products.codegen.c_test_program import test_program
 from kindsl.products.codegen.c_text import EXTERNAL, cmake_lists, stamp_comment
 from kindsl.products.codegen.filling import fill, template
@@ -71,7 +71,8 @@ def _functions(library: Library) -> str:
         given = f"const S* {CONSTANTS}, "
         texts.append(loops_text(library.robot.tree, DIALECT, "", given, lambda x: places[x.index]))
     if parameters and constants:
-        texts.append(_of_pointers(graph, "set_up", {"p": parameters}, {CONSTANTS: constants}))
+        body = CBody("set_up", {"p": parameters}, {CONSTANTS: constants})
+        texts.append(c_definition(graph, body, DIALECT))
     for function in library.all_functions:
         name = library.function_names[function.key]
         if function.is_loop:
@@ -82,20 +83,8 @@ def _functions(library: Library) -> str:
         if function.loaded is not None:
             takes[EXTERNAL] = library.external
         gives = {r.name: r.entries for r in function.loaded or function.results}
-        texts.append(_of_pointers(graph, name, takes, gives))
+        texts.append(c_definition(graph, CBody(name, takes, gives), DIALECT))
     return "\n".join(texts)
-
-
-def _of_pointers(
-    graph: Graph,
-    name: str,
-    takes: Mapping[str, Sequence[Scalar]],
-    gives: Mapping[str, Sequence[Scalar]],
-) -> str:
-    """Return a function of pointers."""
-    given = DIALECT.arrays(takes, are_given=True)
-    body = CBody(name, given, DIALECT.arrays(gives, are_given=False))
-    return c_definition(graph, body, DIALECT)
 
 
 def _loop(function: Function, name: str) -> str:

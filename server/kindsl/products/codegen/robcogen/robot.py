@@ -214,9 +214,8 @@ class GeneratedRobot:
         """Return a function; where the robot has parameters, it takes them first."""
         parameters: list[Scalar] = [*self.library.robot.parameters.values()]
         first = {"p": parameters} if parameters else {}
-        given = DIALECT.arrays({**first, **takes}, are_given=True)
-        filled = DIALECT.arrays(gives, are_given=False)
-        body = CBody(name, given, filled, comments=self._comments if has_comments else {})
+        comments = self._comments if has_comments else {}
+        body = CBody(name, {**first, **takes}, gives, comments=comments)
         return c_definition(self.library.robot.graph, body, DIALECT)
 
     @cached_property

@@ -81,26 +81,10 @@ class Dialect:
         """How a parameter is declared that is filled, before its name."""
         return f"{self.scalar}* " if self.parameter else f"{self.type} *restrict "
 
-    def arrays(
-        self, values: Mapping[str, Sequence[Scalar | None]], *, are_given: bool
-    ) -> "list[CArray]":
-        """Return arrays that a function takes (`are_given`) or fills, by their names."""
-        head = f"{'const ' * are_given}{self.pointer}"
-        return [CArray(name, f"{head}{name}", entries) for name, entries in values.items()]
-
-
-class CArray(NamedTuple):
-    """An array that a function takes or fills.
-
-    Attributes:
-        name: Its name.
-        declaration: Of the parameter.
-        entries: Its values; None where a function leaves the old one.
-    """
-
-    name: str
-    declaration: str
-    entries: Sequence[Scalar | None]
+    def declarations(self, body: "CBody") -> dict[str, str]:
+        """Return the declarations of what a function takes and fills, by their names."""
+        taken = {name: f"const {self.pointer}{name}" for name in body.takes}
+        return taken | {name: f"{self.pointer}{name}" for name in body.gives} | {**body.declared}
 
 
 class CBody(NamedTuple):
@@ -108,19 +92,21 @@ class CBody(NamedTuple):
 
     Attributes:
         name: The function's name.
-        takes: Arguments.
-        gives: Results that it fills.
+        takes: The components of its arguments, by their names.
+        gives: The entries of the arrays that it fills, None where it leaves the old one.
         known: Texts of nodes that are given otherwise, through `context`.
         context: Name and declaration of a parameter that `known` reads, if any.
         comments: What stands before the first operation on an argument, by its node.
+        declared: Declarations other than the dialect's, by name.
     """
 
     name: str
-    takes: Sequence[CArray]
-    gives: Sequence[CArray]
+    takes: Mapping[str, Sequence[Scalar]]
+    gives: Mapping[str, Sequence[Scalar | None]]
     known: Mapping[int, str] = MappingProxyType({})
     context: tuple[str, str] | None = None
     comments: Mapping[int, str] = MappingProxyType({})
+    declared: Mapping[str, str] = MappingProxyType({})
 
 
 def c_definition(graph: Graph, body: CBody, dialect: Dialect, linkage: str = "") -> str:
@@ -137,7 +123,7 @@ def c_definition(graph: Graph, body: CBody, dialect: Dialect, linkage: str = "")
     """
     writer = _Writer(graph, body, dialect)
     context = [body.context] if body.context else []
-    arrays = [*context, *((a.name, a.declaration) for a in (*body.takes, *body.gives))]
+    arrays = [*context, *dialect.declarations(body).items()]
     parts = writer.parts()
     written = [writer.written(part) for part in parts.parts]
     rest = [*writer.copied(), *writer.rest()]
@@ -186,22 +172,22 @@ class _Writer:
         self._notation = Notation(
             partial(literal, dialect=dialect), f"{dialect.call}({{1}})", dialect.sign
         )
-        self._values = [entry for array in body.gives for entry in array.entries]
+        self._values = [entry for entries in body.gives.values() for entry in entries]
         self._comments = dict(body.comments)
         self._texts = dict(body.known)
-        for array in body.takes:
-            for number, entry in enumerate(array.entries):
-                if isinstance(entry, Term):
-                    self._texts[entry.index] = f"{array.name}[{number}]"
+        for name, components in body.takes.items():
+            for number, component in enumerate(components):
+                if isinstance(component, Term):
+                    self._texts[component.index] = f"{name}[{number}]"
         self._given = frozenset(self._texts)
         self._places: dict[int, list[str]] = {}
         self._rest: list[tuple[str, int, Scalar]] = []
-        for array in body.gives:
-            for number, entry in enumerate(array.entries):
+        for name, entries in body.gives.items():
+            for number, entry in enumerate(entries):
                 if self._is_stored_at_once(entry):
-                    self._places.setdefault(entry.index, []).append(f"{array.name}[{number}]")
+                    self._places.setdefault(entry.index, []).append(f"{name}[{number}]")
                 elif entry is not None:
-                    self._rest.append((array.name, number, entry))
+                    self._rest.append((name, number, entry))
 
     def _is_stored_at_once(self, entry: Scalar | None) -> TypeGuard[Term]:
         is_computed = isinstance(entry, Term) and entry.index not in self._given

@@ -8,7 +8,6 @@ from typing import NamedTuple
 
 from kindsl.mechanics.dynamics.generation.emitters.c import CBody, Dialect, c_definition
 from kindsl.mechanics.dynamics.generation.emitters.lanes import (
-    Wide,
     shared,
     wide_functions,
     wide_loop,
@@ -29,13 +28,11 @@ class KernelArgument(NamedTuple):
 
     Attributes:
         name: Its keyword.
-        length: Number of components; 0 for one that only Python may refuse.
-        components: The inputs of the graph.
+        components: The inputs of the graph; none for one that only Python may refuse.
         default: The value for None, in C; None for a required argument.
     """
 
     name: str
-    length: int
     components: Sequence[Scalar]
     default: str | None = None
 
@@ -91,11 +88,7 @@ def extension_source(
 def _kernel_text(graph: Graph, number: int, kernel: Kernel) -> str:
     """Return the code of one kernel: for one configuration and for many."""
     takes, gives = _named(kernel)
-    body = CBody(
-        f"scalar_{number}",
-        PLAIN.arrays(takes, are_given=True),
-        PLAIN.arrays(gives, are_given=False),
-    )
+    body = CBody(f"scalar_{number}", takes, gives)
     places = [f"in[{i}]" for i, _ in _given(kernel)] + [f"out[{i}]" for i in range(len(gives))]
     many = _many(number, kernel)
     if kernel.loop is None:
@@ -120,9 +113,9 @@ static void run_many_{number}(npy_intp n, const double *const *in, const npy_int
 
 def _loop(body: CBody, function: Function, names: Sequence[str]) -> str:
     """Return a function that loops compute; names are those of its arguments in the text."""
-    texts = dict(zip(names, (array.name for array in body.takes), strict=True))
-    texts |= {r.name: array.name for r, array in zip(function.results, body.gives, strict=True)}
-    declared = ", ".join(array.declaration for array in (*body.takes, *body.gives))
+    texts = dict(zip(names, body.takes, strict=True))
+    texts |= {r.name: name for r, name in zip(function.results, body.gives, strict=True)}
+    declared = ", ".join(PLAIN.declarations(body).values())
     statements = loop_call(function, PLAIN, "", "", texts)
     return f"static void {body.name}({declared})\n{{\n{statements}}}\n"
 
@@ -138,12 +131,12 @@ def _many(number: int, kernel: Kernel) -> str:
         f"scatter(out[{i}] + i * {len(r.entries)}, o{i}_lanes, {len(r.entries)}, width);"
         for i, r in enumerate(kernel.results)
     ]
-    wide = wide_loop(Wide(str(number), *_named(kernel)), rows, stores)
+    wide = wide_loop(CBody(str(number), *_named(kernel)), rows, stores)
     return f"#if defined(LANES)\n{wide}#else\n{loop}#endif\n"
 
 
 def _wide(graph: Graph, number: int, kernel: Kernel) -> str:
-    text = wide_functions(graph, Wide(str(number), *_named(kernel)), PLAIN.noinline)
+    text = wide_functions(graph, CBody(str(number), *_named(kernel)), PLAIN.noinline)
     return f"#if defined(LANES)\n{text}#endif\n"
 
 
@@ -155,7 +148,7 @@ def _named(kernel: Kernel) -> tuple[dict[str, Sequence[Scalar]], dict[str, Seque
 
 def _given(kernel: Kernel) -> list[tuple[int, KernelArgument]]:
     """Return the arguments that matter, with their positions."""
-    return [(i, a) for i, a in enumerate(kernel.arguments) if a.length]
+    return [(i, a) for i, a in enumerate(kernel.arguments) if a.components]
 
 
 def _tables(kernels: Sequence[Kernel]) -> str:
@@ -180,7 +173,7 @@ def _row(number: int, kernel: Kernel) -> str:
     return f"""\
     {{"{kernel.name}", {len(arguments)}, {int(kernel.accelerates)}, {len(results)},
      {{{", ".join(f'"{a.name}"' for a in arguments)}}},
-     {{{", ".join(str(a.length) for a in arguments)}}},
+     {{{", ".join(str(len(a.components)) for a in arguments)}}},
      {{{", ".join(a.default or "NULL" for a in arguments)}}},
      {{{", ".join(str(len(r.shape)) for r in results)}}}, {{{shapes}}},
      {{{", ".join(str(len(r.entries)) for r in results)}}}, run_{number}, run_many_{number}}}"""

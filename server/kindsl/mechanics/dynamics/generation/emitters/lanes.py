@@ -3,7 +3,6 @@
 import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import NamedTuple
 
 from kindsl.mechanics.dynamics.generation.emitters.c import CBody, Dialect, c_definition
 from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar, Term, operations
@@ -20,24 +19,6 @@ LEAST_IN_LANES = 100
 LEAST_PER_ENTRY = 1.5
 MOST_OPERATIONS = 10_000
 MOST_IN_LANES = 4096
-
-
-class Wide(NamedTuple):
-    """A function for lanes.
-
-    Attributes:
-        name: What follows `constants_` and `wide_` in the names of its two parts.
-        takes: The components of its arguments by their names, joint positions first.
-        gives: The entries of its results by their names.
-        known: Texts of nodes that are given otherwise, for all lanes alike.
-        context: Name and declaration of a parameter that `known` reads, if any.
-    """
-
-    name: str
-    takes: Mapping[str, Sequence[Scalar]]
-    gives: Mapping[str, Sequence[Scalar]]
-    known: Mapping[int, str] = {}
-    context: tuple[str, str] | None = None
 
 
 def is_worth_lanes(graph: Graph, entries: Sequence[Scalar]) -> bool:
@@ -58,58 +39,63 @@ def prefixed(text: str, prefix: str) -> str:
     return _NAMES.sub(lambda m: f"{prefix.upper() if m[0].isupper() else prefix}_{m[0]}", text)
 
 
-def wide_functions(graph: Graph, wide: Wide, noinline: str) -> str:
-    """Return `constants_NAME(results)` and `wide_NAME(arguments, cosines, sines, results)`."""
-    angles = [x for x in next(iter(wide.takes.values())) if isinstance(x, Term)]
+def wide_functions(graph: Graph, body: CBody, noinline: str) -> str:
+    """Return `constants_NAME(results)` and `wide_NAME(arguments, cosines, sines, results)`.
+
+    Args:
+        graph: Where values are recorded.
+        body: The function by its name, joint positions first; `known` is alike for all lanes.
+        noinline: The prefix of a function that is to stay one.
+    """
+    angles = [x for x in next(iter(body.takes.values())) if isinstance(x, Term)]
     trigonometry = {
         "cosines": [graph.record("cos", x.index) for x in angles],
         "sines": [graph.record("sin", x.index) for x in angles],
     }
     dialect = Dialect("lanes", "", noinline, "spread({})", "signs({})")
-    takes = dialect.arrays({**wide.takes, **trigonometry}, are_given=True)
-    gives = dialect.arrays(wide.gives, are_given=False)
     varying, constant = (
-        [
-            a._replace(entries=[e if isinstance(e, Term) == varies else None for e in a.entries])
-            for a in gives
-        ]
+        {
+            name: [e if isinstance(e, Term) == varies else None for e in entries]
+            for name, entries in body.gives.items()
+        }
         for varies in (True, False)
     )
+    takes = {**body.takes, **trigonometry}
     bodies = (
-        CBody(f"constants_{wide.name}", [], constant),
-        CBody(f"wide_{wide.name}", takes, varying, wide.known, wide.context),
+        CBody(f"constants_{body.name}", {}, constant),
+        body._replace(name=f"wide_{body.name}", takes=takes, gives=varying),
     )
-    return "\n".join(c_definition(graph, body, dialect, "static ") for body in bodies)
+    return "\n".join(c_definition(graph, each, dialect, "static ") for each in bodies)
 
 
 def wide_loop(
-    wide: Wide, rows: Mapping[str, str], stores: Sequence[str], condition: str = "i < n"
+    body: CBody, rows: Mapping[str, str], stores: Sequence[str], condition: str = "i < n"
 ) -> str:
     """Return the statements that compute configurations from `i` on, `width` at a time.
 
     Args:
-        wide: What `wide_functions` computes.
+        body: What `wide_functions` computes.
         rows: Where each argument's row `i` begins, and how far rows lie apart; others are shared.
         stores: What is done with the results, which are `NAME_lanes`.
         condition: While it holds there are further configurations.
     """
-    angles, *_ = wide.takes
-    n, arrays = len(wide.takes[angles]), {**wide.takes, **wide.gives}
-    context = [wide.context[0]] if wide.context else []
-    results = ", ".join(f"{name}_lanes" for name in wide.gives)
-    given = ", ".join([*context, *(f"{name}_lanes" for name in wide.takes), "cosines", "sines"])
+    angles, *_ = body.takes
+    n, arrays = len(body.takes[angles]), {**body.takes, **body.gives}
+    context = [body.context[0]] if body.context else []
+    results = ", ".join(f"{name}_lanes" for name in body.gives)
+    given = ", ".join([*context, *(f"{name}_lanes" for name in body.takes), "cosines", "sines"])
     lines = [f"lanes {name}_lanes[{len(x)}];" for name, x in arrays.items()]
-    lines += [f"lanes cosines[{n}], sines[{n}];", f"constants_{wide.name}({results});"]
-    for name, x in wide.takes.items():
+    lines += [f"lanes cosines[{n}], sines[{n}];", f"constants_{body.name}({results});"]
+    for name, x in body.takes.items():
         if name not in rows:
             lines += [f"{name}_lanes[{k}] = spread({name}[{k}]);" for k in range(len(x))]
     lines += [
         f"for (; {condition}; i += LANES) {{",
         "    const ptrdiff_t width = n - i < LANES ? n - i : LANES;",
-        *(f"    gather({name}_lanes, {row}, {len(wide.takes[name])}, width);"
+        *(f"    gather({name}_lanes, {row}, {len(body.takes[name])}, width);"
           for name, row in rows.items()),
         f"    sines_and_cosines({angles}_lanes, sines, cosines, {n});",
-        f"    wide_{wide.name}({given}, {results});",
+        f"    wide_{body.name}({given}, {results});",
         *(f"    {store}" for store in stores),
         "}",
     ]  # fmt: skip
