@@ -79,11 +79,40 @@ KNEE = re.search(r'<joint name="RF_KFE".*?</joint>', legs(), re.DOTALL)
             "<joint name='RF_KFE'> gives link 'LF_shank' a second parent after joint 'LF_KFE'; "
             "did you mean 'RF_shank'?",
         ),
+        (
+            legs().replace('child link="LF_shank"', 'child link="RF_shank"'),
+            "<joint name='LF_KFE'> gives link 'RF_shank' a second parent beside joint 'RF_KFE'; "
+            "did you mean 'LF_shank'?",
+        ),
+        (
+            legs().replace('child link="LF_hip"', 'child link="LF_thigh"'),
+            "<joint name='LF_HAA'> gives link 'LF_thigh' a second parent beside joint 'LF_HFE'; "
+            "did you mean 'LF_hip'?",
+        ),
+        (
+            _renamed("link", "RF_thigh", "upper_right"),
+            "<child> of joint 'RF_HFE' names a link 'RF_thigh' that does not exist; "
+            "did you mean 'upper_right'?",
+        ),
+        (
+            _renamed("link", "RF_thigh", "base"),
+            "<link name='base'> has the name of the link in line 3; did you mean 'RF_thigh'?",
+        ),
     ],
 )
 def test_what_follows_from_one_name_is_told_once(text: str, message: str) -> None:
     (found,) = analyse(text).findings
     assert found.message.startswith(message)
+
+
+@pytest.mark.parametrize(("mass", "code"), [("0", "KD304"), ("-2", "KD303")])
+def test_a_mass_that_no_body_has_is_told_once(mass: str, code: str) -> None:
+    odd = link("RF_thigh").replace('value="2"', f'value="{mass}"')
+    (found,) = analyse(legs().replace(link("RF_thigh"), odd)).findings
+    assert found.code == code
+    if found.fix is not None:
+        assert apply_edits(legs().replace(link("RF_thigh"), odd), found.fix.edits) == legs()
+    assert (found.fix is not None) == (mass == "-2")
 
 
 def test_legs_that_are_alike_have_no_such_finding() -> None:

@@ -1,6 +1,6 @@
 """Findings of an XML file that is judged where it stands."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Container, Iterable, Iterator, Sequence
 from math import inf, log
 
 from kindsl.judgement.analysis.settings import Settings, is_enabled
@@ -62,16 +62,20 @@ def xml_findings(
     bodies = xml_bodies(model)
     own = [(flaw.code, Finding(flaw.at, flaw.message)) for flaw in flaws]
     own += ((_PLACEHOLDER, finding) for finding in _placeholders(model))
-    own += ((_MISSING, finding) for finding in (() if has_shapes else _missing(bodies)))
+    of_bodies = list(body_findings(model, bodies, context))
+    # A mass that its twins tell is told once.
+    of_twins = {id(finding.at.island) for code, finding in of_bodies if code in _OF_TWINS}
+    missing = () if has_shapes else _missing(bodies, of_twins)
+    own += ((_MISSING, finding) for finding in missing)
     own += ((_REFERENCE, finding) for finding in reference_findings(model, bodies))
-    own += body_findings(model, bodies, context)
+    own += of_bodies
     rules = {rule.code: rule for rule in rules_with(frozenset(code for code, _ in own))}
     enabled = [(rules[code], each) for code, each in own if is_enabled(rules[code], settings)]
     light = _light_parts(bodies)
     at_rest = set() if has_shapes else _parts_at_rest(bodies)
     # Where nothing moves but a base may float its density matters.
     has_joints = any(body.moves for body in bodies)
-    massless = {id(b.link.island) for b in _massless(bodies)} if _MISSING in rules else set()
+    massless = set() if has_shapes else {id(b.link.island) for b in _massless(bodies)}
     copied = {id(finding.at.island) for rule, finding in found if rule.code == _COPIED}
     in_units = {id(f.at.island) for rule, f in (*enabled, *found) if rule.code in _UNITS}
     explained = {
@@ -200,7 +204,7 @@ def _placeholders(model: Model) -> Iterator[Finding]:
         yield _of_all(units, at, f"{what}mass and moments are 1")
 
 
-def _missing(bodies: Sequence[XmlBody]) -> Iterator[Finding]:
+def _missing(bodies: Sequence[XmlBody], told_of: Container[int]) -> Iterator[Finding]:
     """Yield one finding for all bodies of a file that move and have no mass or no moments.
 
     Links between the axes of one joint are a hint. A robot in which no body has either is for
@@ -209,7 +213,7 @@ def _missing(bodies: Sequence[XmlBody]) -> Iterator[Finding]:
     without, n_moving = _massless(bodies), sum(body.moves for body in bodies)
     has_none = len(without) == n_moving
     between = [b for b in without if _is_between_axes(b)] if not has_none else []
-    others = [b for b in without if b not in between]
+    others = [b for b in without if b not in between and id(b.link.island) not in told_of]
     of_others = Severity.INFORMATION if has_none else None
     for group, severity in ((others, of_others), (between, Severity.HINT)):
         links = [body.link for body in group]

@@ -98,10 +98,15 @@ def xml_bodies(model: Model) -> list[XmlBody]:
 
 
 def odd_links(model: Model, bodies: Sequence[XmlBody]) -> set[Link]:
-    """Return the parts whose inertia is impossible, of no material, or far: more is not said."""
+    """Return the parts whose inertia is impossible, of no material, or far: more is not said.
+
+    So are those whose mass is negative.
+    """
     odd = {*IMPOSSIBLE, Verdict.IMPLAUSIBLE}
     found = (j for island in model.islands for j in judgements(declarations(island), {}))
-    return {*(j.link for j in found if j.verdict in odd), *(link for link, _ in far_coms(bodies))}
+    negative = (p.link for b in bodies for p in b.parts if p.mass is not None and p.mass.mass < 0.0)
+    far = (link for link, _ in far_coms(bodies))
+    return {*(j.link for j in found if j.verdict in odd), *far, *negative}
 
 
 def far_coms(bodies: Sequence[XmlBody]) -> Iterator[tuple[Link, Vector]]:

@@ -106,16 +106,12 @@ def body_findings(model: Model, bodies: Sequence[XmlBody], context: Context) -> 
     for link, finding in _unlike(model, told_of):
         told_of.add(link)
         yield "KD509", finding
-    told_of |= {link for link in model.links if _has_negative_mass(link)}
+    massless = (b for b in bodies if b.moves and b.mass is not None and not b.mass.mass)
+    told_of |= {part.link for body in massless for part in body.parts}
     for finding in unlike_pairs(model, {}, _as_written, told_of.__contains__):
         yield "KD312", finding._replace(message=in_words_of_xml(finding.message))
     for finding in _moved_unmirrored(model, told_of):
         yield "KD312", finding
-
-
-def _has_negative_mass(link: Link) -> bool:
-    mass = link.inertia.mass if link.inertia is not None else None
-    return mass is not None and (mass.literal or 0.0) < 0.0
 
 
 def _branches(bodies: Sequence[XmlBody]) -> bool:
@@ -127,7 +123,10 @@ def _limb_findings(model: Model, context: Context) -> Found:
     """Yield what does not fit in limbs, as the rules of a document tell it."""
     # Imported for branches only, since they delay the linter's start.
     flaws = model.document.flaws if isinstance(model.document, XmlDocument) else ()
-    is_unique = {"KD102", "KD103"}.isdisjoint(flaw.code for flaw in flaws)
+    codes = {flaw.code for flaw in flaws}
+    if "KD202" in codes:
+        return  # One of its limbs carries what is another's.
+    is_unique = codes.isdisjoint(("KD102", "KD103"))
     for rule in rules_with(_OF_LIMBS if is_unique else _OF_LIMBS - _BY_NAME):
         for finding in rule.check_document(model, context) if rule.check_document else ():
             yield rule.code, finding._replace(message=in_words_of_xml(finding.message))

@@ -19,6 +19,7 @@ from kindsl.robots.interchange.xml_reading import (
     parsed_xml,
     wrong_numbers,
 )
+from kindsl.robots.limbs.names import label_of
 
 WORLD = "world"
 _TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
@@ -39,6 +40,7 @@ class UrdfDefect(NamedTuple):
         what: What is wrong with the element.
         attribute: The attribute that is to blame, empty where that is the element.
         is_shown: Whether the robot can be shown nevertheless.
+        meant: The link that a joint should carry instead, if one is known.
     """
 
     code: str
@@ -46,6 +48,7 @@ class UrdfDefect(NamedTuple):
     what: str
     attribute: str = ""
     is_shown: bool = False
+    meant: str | None = None
 
     @property
     def message(self) -> str:
@@ -219,13 +222,19 @@ def _repeated(links: list[Any]) -> set[str]:
 def _meant_by_repeated(links: list[Any], joints: list[Any]) -> str | None:
     """Return the name that joints have for a link whose own is another's, None where that is open.
 
-    One name is there twice, one is not there at all, and joints carry both.
+    One name is there twice, and one is not there at all that is no misspelling of a lost link's.
     """
     names = {link.get("name") for link in links} | {WORLD, ""}
-    missing = {end_of(joint, end) for joint in joints for end in ("parent", "child")} - names
-    both = missing | _repeated(links)
-    is_clear = len(missing) == 1 and len(both) == 2
-    return missing.pop() if is_clear and both <= {end_of(j, "child") for j in joints} else None
+    ends = {end_of(joint, end) for joint in joints for end in ("parent", "child")}
+    missing, repeated = ends - names, _repeated(links)
+    is_clear = len(missing) == 1 and len(repeated) == 1 and repeated <= ends
+    return missing.pop() if is_clear and not _unnamed(links, joints) else None
+
+
+def _unnamed(links: list[Any], joints: list[Any]) -> list[str]:
+    """Return the links that no joint names."""
+    ends = {end_of(joint, end) for joint in joints for end in ("parent", "child")}
+    return [n for link in links if (n := str(link.get("name") or "")) and n not in ends]
 
 
 def _of_tree(links: list[Any], joints: list[Any], meant: str | None) -> Iterator[UrdfDefect]:
@@ -236,15 +245,20 @@ def _of_tree(links: list[Any], joints: list[Any], meant: str | None) -> Iterator
     names = dict.fromkeys([*(link.get("name") for link in links), *filter(None, [meant])])
     if any(end_of(joint, "parent") == WORLD for joint in joints):
         names[WORLD] = None
-    repeated, second = _repeated(links), list[Any]()
+    repeated, unnamed = _repeated(links), _unnamed(links, joints)
+    known = [name for name in names if name]
     parent: dict[str, Any] = {}
+    second = []
     for joint in joints:
         for end in (*joint.findall("parent")[:1], *joint.findall("child")[:1]):
             name = end.get("link")
             if name is not None and name not in names:
-                near = hint(nearest_name(name, [n for n in names if n is not None]))
+                names[name] = None
+                near = unnamed[0] if len(unnamed) == 1 else nearest_name(name, known)
                 what = f"of joint '{joint.get('name')}' names a link '{name}' that does not exist"
-                yield UrdfDefect("KD105", end, f"{what}{near}", "link")
+                is_carried = end.tag == "child" or near in unnamed
+                meant = near if is_carried else None
+                yield UrdfDefect("KD105", end, what + hint(near), "link", meant=meant)
         child = end_of(joint, "child")
         if child in parent:
             is_repeated = joint.get("name") == parent[child].get("name") or child in repeated
@@ -252,11 +266,12 @@ def _of_tree(links: list[Any], joints: list[Any], meant: str | None) -> Iterator
         elif child and end_of(joint, "parent"):
             parent[child] = joint
     for joint in second:
-        child = end_of(joint, "child")
-        first = parent[child].get("name")
-        lost = hint(uncarried(joint, links, joints)) if len(second) == 1 else ""
-        what = f"gives link '{child}' a second parent after joint '{first}'{lost}"
-        yield UrdfDefect("KD202", joint, what)
+        first = parent[end_of(joint, "child")]
+        odd, other, lost = _second_parent(first, joint, links, joints)
+        order = "after" if odd is joint else "beside"
+        what = f"gives link '{end_of(joint, 'child')}' a second parent {order} joint "
+        lost = lost if len(second) == 1 else None
+        yield UrdfDefect("KD202", odd, f"{what}'{other.get('name')}'{hint(lost)}", meant=lost)
     done: set[str] = set()
     for joint in joints:
         loop = _loop_above(end_of(joint, "child"), parent, done)
@@ -264,7 +279,29 @@ def _of_tree(links: list[Any], joints: list[Any], meant: str | None) -> Iterator
             yield UrdfDefect("KD201", parent[loop[-1]], f"closes a loop: {' -> '.join(loop)}")
 
 
-def uncarried(joint: Any, links: list[Any], joints: list[Any]) -> str | None:
+def _second_parent(
+    first: Any, second: Any, links: list[Any], joints: list[Any]
+) -> tuple[Any, Any, str | None]:
+    """Return which of two joints should not carry a link, the other one, and what it should carry.
+
+    That is the only link which no joint carries, if there is one, and has the side or the number
+    of the joint; where neither joint has, or both, the later one is to blame.
+    """
+    ways = [(each, other, _uncarried(each, links, joints)) for each, other in
+            ((second, first), (first, second))]  # fmt: skip
+    named = [way for way in ways if way[2] and _mark(way[0].get("name")) == _mark(way[2])]
+    if len(named) == 1:
+        return named[0]
+    lost = ways[0][2] if ways[0][2] == ways[1][2] else None
+    return second, first, lost
+
+
+def _mark(name: str | None) -> tuple[str, ...]:
+    side, row, words, _ = label_of(name or "")
+    return side, row, *(word for word in words if word.isdigit())
+
+
+def _uncarried(joint: Any, links: list[Any], joints: list[Any]) -> str | None:
     """Return the only link that no joint carries but for what carries a joint, if there is one."""
     above = {end_of(each, "child"): end_of(each, "parent") for each in reversed(joints)}
     link, seen = end_of(joint, "parent"), set[str]()

@@ -13,7 +13,6 @@ from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.numbers import written_pose
 from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.language.syntax.vocabulary import MOMENTS
-from kindsl.language.text.nearest import nearest_name
 from kindsl.mechanics.rigid.pose import IDENTITY
 from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.robot_island import RobotIsland
@@ -23,7 +22,6 @@ from kindsl.robots.interchange.urdf.checking import (
     end_of,
     root_links,
     rotation_of,
-    uncarried,
 )
 from kindsl.robots.interchange.xml_document import (
     Connection,
@@ -123,12 +121,8 @@ def _flaws(root: XmlElement) -> Iterator[tuple[str, str, int, str]]:
             what = f"repeats that in line {inertials[0].sourceline}, which counts"
             message = f"<inertial> of link '{link.get('name')}' {what}"
             yield "KD009", message, inertial.offset, ""
-    names = [str(link.get("name")) for link in links]
-    children = {end_of(joint, "child") for joint in joints}
-    # A misspelled name is told where it is, not at the link that it means.
-    meant = {nearest_name(child, names) for child in children.difference(names, [""])}
-    seconds = [each.element for each in found if each.code == "KD202"]
-    meant |= {uncarried(joint, links, joints) for joint in seconds if len(seconds) == 1}
+    # A wrong name is told where it is, not at the link that it means.
+    meant = {defect.meant for defect in found}
     roots = [name for name in root_links(links, joints) if name not in meant]
     if any(end_of(joint, "parent") == WORLD for joint in joints):
         roots = [WORLD, *(name for name in roots if name != WORLD)]
