@@ -220,6 +220,21 @@ def test_parts_that_carry_equally_many_links_may_be_one_part(iy: str, count: int
     assert sum("ffknuckle" in message for message in told) == count
 
 
+@pytest.mark.parametrize(("iy", "count"), [("2.6e-07", 0), ("3.2e-07", 1)])
+def test_ends_of_one_part_are_one_part(iy: str, count: int) -> None:
+    middles, ends = ("index1", "ring1", "thumb1"), ("index2", "ring2", "thumb2")
+    of_middle = inertia("0.008", "0.0", "3.2e-07", iy, iy)
+    of_end = inertia("0.002", "0.0", "6.5e-09", "6.5e-09", "6.5e-09")
+    links = [
+        link(middle, 2 * n, f"{end} via {end}_joint", of_middle) + link(end, 2 * n + 1, "", of_end)
+        for n, (middle, end) in enumerate(zip(middles, ends, strict=True), 1)
+    ]
+    base = " ".join(f"{middle} via {middle}_joint" for middle in middles)
+    joints = " ".join(f"{name}_joint" for name in (*middles, *ends))
+    told = [f.message for f in found("KD310", robot(*links, base=base, joints=joints))]
+    assert sum("index2" in message for message in told) == count
+
+
 @pytest.mark.parametrize(("names", "count"), [("abc", 1), ("ab", 0), ("LF_a RF_a b", 0)])
 def test_three_different_parts_alike_are_suspicious(names: str, count: int) -> None:
     words = names.split() if " " in names else list(names)

@@ -5,7 +5,8 @@ Reports a mass of 1.0 with three moments of 1.0, and the same mass and moments i
 moving links of different parts. Parts are recognised by names without sides and numbers: `LF_hip`
 and `RH_hip` are one part, and so are `segment1` and `segment2`. Links of which none carries another
 may be one part that is mounted several times, as wheels are, where their moments have many digits,
-or, not all equal, where they carry equally many links, as knuckles do.
+or, not all equal, where they carry equally many links, as knuckles do. What hangs on links that are
+one part is one part as well, as fingertips are.
 
 Of two links with the same mass, centre of mass and moments of many digits, of which no third link
 has them, it reports the one that such a body fits less: its numbers were copied. They are two parts
@@ -102,7 +103,16 @@ def _is_one_part(model: Model, bodies: Sequence[Link]) -> bool:
         return True
     inertia, n_carried = bodies[0].inertia, {len(links) for links in carried}
     moments = [inertia.moments[name].literal for name in MOMENTS[:3]] if inertia else []
-    return len(n_carried) == 1 and n_carried != {0} and len(set(moments)) > 1
+    if n_carried == {0}:
+        return _are_ends_of_one_part(model, bodies)
+    return len(n_carried) == 1 and len(set(moments)) > 1
+
+
+def _are_ends_of_one_part(model: Model, bodies: Sequence[Link]) -> bool:
+    edges = filter(None, map(model.tree.supporting_edge, bodies))
+    carriers = dict.fromkeys(edge.predecessor for edge in edges)
+    is_repeated = len(carriers) == len(bodies) and len(set(map(_numbers, carriers))) == 1
+    return is_repeated and _is_one_part(model, [*carriers])
 
 
 def _telling_moments(body: Link) -> list[TellingNumbers]:
