@@ -170,6 +170,70 @@ def test_of_two_single_bodies_only_order_and_unit_tell(left: str, expected: list
     assert codes(robot(*wheels, *joints, base="wheel_l via j_l wheel_r via j_r")) == expected
 
 
+def with_wheels(
+    places: dict[str, str], turns: dict[str, str] | None = None, kind: str = "r"
+) -> str:
+    """Return a cart whose wheels turn about y."""
+    names = [*places]
+    links = [link(name, n) for n, name in enumerate(names, 1)]
+    turned = dict.fromkeys(names, "PI/2.0, 0.0, 0.0") | (turns or {})
+    joints = [placed_joint(f"to_{name}", places[name], turned[name]) for name in names]
+    base = " ".join(f"{name} via to_{name}" for name in names)
+    return robot(*links, *joints, base=base).replace("r_joint", f"{kind}_joint")
+
+
+@pytest.mark.parametrize("wrong", ["left_wheel_2", "right_wheel_2"])
+def test_a_wheel_is_mounted_as_others_of_its_cart(wrong: str) -> None:
+    places = {
+        f"{side}_wheel_{row}": f"{x}, {y}, -0.05"
+        for row, x in (("1", "0.2"), ("2", "-0.2"))
+        for side, y in (("left", "0.175"), ("right", "-0.175"))
+    }
+    text = with_wheels(places)
+    assert codes(text) == []
+    slipped = with_wheels({**places, wrong: places[wrong].replace("-0.05", "0.05")})
+    (finding,) = found("KD510", slipped)
+    assert text in [apply_edits(slipped, choice.edits) for choice in finding.choices]
+
+
+@pytest.mark.parametrize("place", ["0.0, 0.35, -0.1", "0.2, -0.35, 0.0", "0.0, 0.35, 0.0"])
+def test_two_wheels_at_one_place_are_reported(place: str) -> None:
+    text = with_wheels({"left_wheel": place, "right_wheel": place})
+    (finding,) = found("KD510", text)
+    other = place.replace("-0.35", "0.35") if "-0.35" in place else place.replace("0.35", "-0.35")
+    assert {apply_edits(text, choice.edits) for choice in finding.choices} == {
+        with_wheels({"left_wheel": place, "right_wheel": other}),
+        with_wheels({"left_wheel": other, "right_wheel": place}),
+    }
+
+
+@pytest.mark.parametrize(
+    ("part", "kind", "place"),
+    [
+        ("leg", "r", "0.1, 0.0, -0.1"),
+        ("finger", "r", "0.0, 0.1, 0.05"),
+        ("rail", "p", "0.0, 0.1, 0.05"),
+    ],
+)
+def test_what_is_at_one_place_in_a_plane_or_moves_away_is_meant(
+    part: str, kind: str, place: str
+) -> None:
+    assert codes(with_wheels({f"left_{part}": place, f"right_{part}": place}, kind=kind)) == []
+
+
+@pytest.mark.parametrize(
+    ("turn", "expected"),
+    [
+        ("PI/2.0, 0.0, PI/2.0", []),
+        ("0.0, 0.0, 0.0", ["KD510"]),
+        ("PI/2.0, 0.3, 0.0", []),
+    ],
+)
+def test_a_wheel_turns_about_the_axis_of_its_peer(turn: str, expected: list[str]) -> None:
+    places = {"left_wheel": "0.1, 0.35, -0.1", "right_wheel": "0.1, -0.35, -0.1"}
+    assert codes(with_wheels(places, {"right_wheel": turn})) == expected
+
+
 def test_a_limb_on_another_leg_is_told_alone() -> None:
     """Its numbers are not compared with those of limbs that are whole."""
     moved = four_legs(RF="0.9, 0.0, 0.0").replace("{ RF_shank via RF_KFE }", "{ }")

@@ -124,12 +124,10 @@ def _compared(groups: Sequence[tuple[Limbs, ...]]) -> list[_Compared]:
 def _judged(
     groups: Sequence[_Compared], links: Sequence[Sequence[Link]], assignments: Sequence[Values]
 ) -> list[LimbVerdict]:
-    found: list[LimbVerdict] = []
-    for group, bodies in zip(groups, links, strict=True):
-        at_each = zip(group, assignments, strict=True)
-        all_found = agreed([verdicts(limbs, _masses(bodies, values)) for limbs, values in at_each])
-        found += (each for each in all_found if not each.may_be_zero)
-    return found
+    at_each = zip(zip(*groups, strict=True), assignments, strict=True)
+    found = [verdicts(limbs, _masses([*chain(*links)], values)) for limbs, values in at_each]
+    by_group = map(agreed, zip(*found, strict=True))
+    return [each for each in chain.from_iterable(by_group) if not each.may_be_zero]
 
 
 def _masses(links: Sequence[Link], values: Values) -> Masses:

@@ -60,20 +60,19 @@ def xml_limb_verdicts(model: Model) -> list[LimbVerdict]:
     odd, masses = odd_links(model, bodies), _masses(bodies)
     written = _LimbsAsWritten(model, bodies, named, masses)
     found = []
-    for limbs in chain.from_iterable(_limbs_in(bodies)):
-        compared = ComparedLimbs(limbs)
-        for group in (compared, *compared.held):
-            for verdict in verdicts(group, masses):
-                weighed = (p.link for p in verdict.places if p.what in OF_A_LINK)
-                links = (part.link for name in weighed for part in named[name].parts)
-                is_zero = verdict.may_be_zero and _is_turned_on_one_side(verdict, bodies, named)
-                if odd.isdisjoint(links) and not is_zero:
-                    repairs = tuple(map(written.repair, verdict.repairs))
-                    known = tuple(each for each in repairs if each is not None)
-                    untold = () if verdict.is_convicted else verdict.repairs
-                    nothing = tuple(each._replace(meant=()) for each in untold)
-                    whole = known if len(known) == len(repairs) else nothing
-                    found.append(verdict._replace(repairs=whole))
+    for carried in _limbs_in(bodies):
+        compared = [each for limbs in map(ComparedLimbs, carried) for each in (limbs, *limbs.held)]
+        for verdict in chain.from_iterable(verdicts(compared, masses)):
+            weighed = (p.link for p in verdict.places if p.what in OF_A_LINK)
+            links = (part.link for name in weighed for part in named[name].parts)
+            is_zero = verdict.may_be_zero and _is_turned_on_one_side(verdict, bodies, named)
+            if odd.isdisjoint(links) and not is_zero:
+                repairs = tuple(map(written.repair, verdict.repairs))
+                known = tuple(each for each in repairs if each is not None)
+                untold = () if verdict.is_convicted else verdict.repairs
+                nothing = tuple(each._replace(meant=()) for each in untold)
+                whole = known if len(known) == len(repairs) else nothing
+                found.append(verdict._replace(repairs=whole))
     return found
 
 

@@ -21,7 +21,7 @@ from kindsl.robots.limbs.limb import AT_ORIGIN, Body
 # it two slips of 111 that were planted are not found, with twice of it as many as with it.
 SAME_PLACE = 1e-3
 # The cosine of no angle between the axis of a turn and another, as far as numbers are rounded.
-_ALONG = 1.0 - 1e-6
+ALONG = 1.0 - 1e-6
 # The plainest explanation first: what costs more must explain a slip more.
 _TURNED, _LIKE = 0.1, 0.3
 
@@ -63,7 +63,7 @@ def is_proper(matrix: Rotation) -> bool:
 
 
 _SAME = diagonal(1.0, 1.0, 1.0)
-_MIRRORS = (diagonal(-1.0, 1.0, 1.0), diagonal(1.0, -1.0, 1.0), diagonal(1.0, 1.0, -1.0))
+MIRRORS = (diagonal(-1.0, 1.0, 1.0), diagonal(1.0, -1.0, 1.0), diagonal(1.0, 1.0, -1.0))
 _HALF_TURNS = (diagonal(1.0, -1.0, -1.0), diagonal(-1.0, 1.0, -1.0), diagonal(-1.0, -1.0, 1.0))
 # How frames of peers may differ: signed permutations that keep the joint's axis up to its sign.
 CONVENTIONS: list[Rotation] = []
@@ -91,7 +91,7 @@ def mounts(how: str, one: Body, other: Body, base: Vector3 = AT_ORIGIN) -> Itera
         yield Mount(product(other.rotation, transposed(one.rotation)), there, 0.0)
     is_sliding = one.kind == other.kind == "prismatic"
     apart = [abs(x - y) > SAME_PLACE for x, y in zip(here, there, strict=True)]
-    for axis, mirror in enumerate(_MIRRORS):
+    for axis, mirror in enumerate(MIRRORS):
         j, k = (axis + 1) % 3, (axis + 2) % 3
         place, along = turned(mirror, here), moved(here, there, axis)
         about_base = moved(place, [2.0 * b + p for b, p in zip(base, place, strict=True)], axis)
@@ -117,7 +117,7 @@ def mounts(how: str, one: Body, other: Body, base: Vector3 = AT_ORIGIN) -> Itera
             # The place may be wrong that tells the angle, but the rotation right.
             for turn in _turns_of(one, other, _PROPER):
                 place = turned(turn, here)
-                if turn[axis][axis] > _ALONG and dist(place, there) > SAME_PLACE:
+                if turn[axis][axis] > ALONG and dist(place, there) > SAME_PLACE:
                     yield Mount(turn, place, 0.0)
 
 

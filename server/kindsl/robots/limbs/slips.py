@@ -1,6 +1,6 @@
 """Numbers of a triple that were typed wrongly, and the fewest that would have to be typed anew."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import combinations
 from math import cos, degrees, pi, remainder
 
@@ -14,8 +14,8 @@ _OWN, _PEER = 1e-5, 1e-3
 _NEAR, _SHARE = 1e-4, 0.003
 
 
-def n_retyped(written: Vector3, meant: Vector3) -> int:
-    """Return how many numbers of a triple no sign, order or unit explains.
+def n_retyped(written: Vector3, meant: Vector3, *, are_angles: bool) -> int:
+    """Return how many numbers of a triple no sign, order, unit or one quarter turn explains.
 
     A triple that has only zeros was left as it was, which counts as one.
     """
@@ -23,6 +23,8 @@ def n_retyped(written: Vector3, meant: Vector3) -> int:
         return 0
     odd = [(x, y) for x, y in zip(written, meant, strict=True) if not _is_near(x, y)]
     if any(all(_is_near(abs(x), f * abs(y), f) for x, y in odd) for f in _FACTORS):
+        return 0
+    if are_angles and len(odd) == 1 and _are_turned(odd):
         return 0
     return len(odd) if any(written) else 1
 
@@ -38,9 +40,9 @@ def n_slips(written: Vector3, meant: Vector3, *, are_angles: bool) -> int:
         if not _is_near(meant[i], meant[j]) and all(map(_is_near, written, swapped)):
             return 1
     odd = [(x, y) for x, y in zip(written, meant, strict=True) if not _is_near(x, y)]
-    if are_angles and all(abs(remainder(x - y, pi / 2)) < _PEER for x, y in odd):
+    if are_angles and _are_turned(odd):
         return len(odd)
-    return len(odd) + n_retyped(written, meant)
+    return len(odd) + n_retyped(written, meant, are_angles=are_angles)
 
 
 def angles_near(rotation: Rotation, own: Vector3, peer: Vector3) -> Vector3:
@@ -83,6 +85,11 @@ def _worded(option: Vector3, own: Vector3, peer: Vector3) -> Vector3:
         near = (w for w, within in words if abs((w - angle + pi) % (2 * pi) - pi) <= within)
         found.append(0.0 + next(near, wound))
     return found[0], found[1], found[2]
+
+
+def _are_turned(odd: Sequence[tuple[float, float]]) -> bool:
+    """Return whether angles are quarter turns apart."""
+    return all(abs(remainder(x - y, pi / 2)) < _PEER for x, y in odd)
 
 
 def _is_near(here: float, there: float, scale: float = 1.0) -> bool:

@@ -11,10 +11,18 @@ from math import dist, inf
 from operator import sub
 from typing import NamedTuple
 
-from kindsl.mechanics.rigid.pose import IDENTITY, Rotation, pose_from, product, transposed, turned
-from kindsl.robots.limbs.comparison import LimbComparison
+from kindsl.mechanics.rigid.pose import (
+    IDENTITY,
+    Rotation,
+    dot,
+    pose_from,
+    product,
+    transposed,
+    turned,
+)
+from kindsl.robots.limbs.comparison import LimbComparison, Reading
 from kindsl.robots.limbs.limb import Body, Limbs, Side, held_by, matched
-from kindsl.robots.limbs.mounts import REFLECTIONS, SAME_PLACE
+from kindsl.robots.limbs.mounts import ALONG, MIRRORS, REFLECTIONS, SAME_PLACE
 from kindsl.robots.limbs.names import is_held
 from kindsl.robots.limbs.slips import n_retyped
 from kindsl.robots.limbs.weighing import Accusation, Masses, Suspect, WeighedComparison, seen_by
@@ -23,6 +31,9 @@ from kindsl.robots.limbs.weighing import Accusation, Masses, Suspect, WeighedCom
 _SMALLEST = {"LR": 3, "HELD": 2}
 # Of the numbers of a turn that two limbs let expect.
 _SAME_TURN = 0.02
+_PLACE_OF_HEAD = 0, "translation"
+# A limb in another is its copy, or mirrored in the plane across its axis.
+_SIDES = (IDENTITY.rotation, MIRRORS[2])
 _HALF_A_TURN = ((-1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, 1.0))
 _Pair = tuple[Side, Side]
 _ByPeer = Sequence[Sequence[Accusation]]
@@ -82,12 +93,23 @@ class ComparedLimbs:
         self.links = list(dict.fromkeys(body.name for _, *both in compared for body in both))
 
 
-def verdicts(limbs: ComparedLimbs, masses: Masses) -> list[LimbVerdict]:
-    """Return what does not fit in a group of limbs, nothing where more than a slip or two does."""
-    weighed = _in_one_way({p: WeighedComparison(c, masses) for p, c in limbs.pairs.items()})
-    weighed = _without_strangers(weighed)
+def verdicts(carried: Sequence[ComparedLimbs], masses: Masses) -> list[list[LimbVerdict]]:
+    """Return what does not fit in each group of limbs of a carrier.
+
+    It is nothing where more than a slip or two does.
+    """
+    groups = [
+        {pair: WeighedComparison(c, masses) for pair, c in limbs.pairs.items()} for limbs in carried
+    ]
+    return [_of_group(_without_strangers(_in_one_way(group, groups))) for group in groups]
+
+
+def _of_group(weighed: _Weighed) -> list[LimbVerdict]:
     if all(c.n_slips == 0 for c in weighed.values()):
-        return [verdict for alike in _connected(weighed) for verdict in _odd_masses(alike)]
+        within = [verdict for c in weighed.values() for verdict in _within_each_other(c)]
+        return within or [
+            verdict for alike in _connected(weighed) for verdict in _odd_masses(alike)
+        ]
     return _convicted(weighed) or [v for c in weighed.values() for v in _of_pair(c)]
 
 
@@ -107,16 +129,32 @@ def agreed(found: Sequence[Sequence[LimbVerdict]]) -> list[LimbVerdict]:
     return made
 
 
-def _in_one_way(pairs: _Weighed) -> _Weighed:
-    """Return all pairs of a sort read in the way in which one of them agrees best."""
+def _in_one_way(pairs: _Weighed, groups: Sequence[_Weighed]) -> _Weighed:
+    """Return all pairs of a sort read in the way in which one of them agrees best.
+
+    A left and a right limb for whose places a turn alone accounts are read as others of their
+    carrier.
+    """
     found = dict(pairs)
     for how in ("LR", "ROW"):
         alike = {pair: c for pair, c in pairs.items() if c.limbs.how == how}
-        whole = [c.best for c in alike.values() if c.n_slips == 0]
-        if whole:
-            _, best = min(whole, key=lambda each: each[0])
-            found |= {pair: c.in_way(best.mount.way) for pair, c in alike.items()}
+        best = _best([*alike.values()])
+        if best is None:
+            continue
+        others = _best([c for g in groups for c in g.values() if c.limbs.how == how == "LR"])
+        if others is not None and others.mount.extra < best.mount.extra:
+            mirrored = {pair: c.in_way(others.mount.way) for pair, c in alike.items()}
+            if all(r.slip == _PLACE_OF_HEAD for c in mirrored.values() for _, r in c.ranked):
+                found |= mirrored
+                continue
+        found |= {pair: c.in_way(best.mount.way) for pair, c in alike.items()}
     return found
+
+
+def _best(pairs: Sequence[WeighedComparison]) -> Reading | None:
+    """Return the cheapest reading of pairs that agree."""
+    whole = [c.best for c in pairs if c.n_slips == 0]
+    return min(whole, key=lambda each: each[0])[1] if whole else None
 
 
 def _without_strangers(pairs: _Weighed) -> _Weighed:
@@ -221,7 +259,9 @@ def _of_pair(c: WeighedComparison) -> Iterator[LimbVerdict]:
         (one, other)
         for likelihood, (one, other) in ranked
         if likelihood == likeliest
-        if one.place.what != "angles" or limbs.is_seen_below(one.place.joint)
+        if one.place.what != "angles"
+        or limbs.is_seen_below(one.place.joint)
+        or _turns_axis(limbs, one)
         if not _is_base_at_one(limbs, one)
     ]
     if tied and likeliest[1] <= most:
@@ -237,6 +277,32 @@ def _of_pair(c: WeighedComparison) -> Iterator[LimbVerdict]:
             repairs.append(MeantNumbers(meant.place, (meant.meant,)))
         is_zero = any(_is_of_other_zero(limbs, said) for both in tied for said in both)
         yield LimbVerdict(tuple(places), tuple(repairs[::-1]), (), False, is_zero)
+
+
+def _within_each_other(c: WeighedComparison) -> Iterator[LimbVerdict]:
+    """Yield a left and a right limb that are at one place, off the plane in which they turn.
+
+    What slides begins where its peer does, and so may what is held. In a robot that moves in a
+    plane one leg lies in the other, and the axes of their joints are across it.
+    """
+    heads = c.limbs.rows[0][1:]
+    is_moved = any(head.kind == "prismatic" or is_held(head.name) for head in heads)
+    is_alike = any(not c.differing(dict.fromkeys(range(len(c.limbs.rows)), C)) for C in _SIDES)
+    if c.limbs.how == "LR" and not is_moved and is_alike and c.is_of_one_place:
+        places = tuple(Suspect(head.name, head.joint, "translation") for head in heads[::-1])
+        for axis, (_, _, along) in enumerate(heads[0].rotation):
+            if abs(along) > ALONG and abs(heads[0].translation[axis]) > SAME_PLACE:
+                meant = (turned(MIRRORS[axis], heads[0].translation),)
+                yield LimbVerdict(places, tuple(MeantNumbers(p, meant) for p in places), (), False)
+
+
+def _turns_axis(limbs: LimbComparison, said: Accusation) -> bool:
+    """Return whether a joint would turn about another axis."""
+    bodies = (body for _, *both in limbs.rows for body in both)
+    own = next(body for body in bodies if body.joint == said.place.joint)
+    meant = pose_from((0.0, 0.0, 0.0), (said.meant[0], said.meant[1], said.meant[2])).rotation
+    one, other = transposed(own.rotation)[2], transposed(meant)[2]
+    return abs(dot(one, other)) < ALONG
 
 
 def _is_of_other_zero(limbs: LimbComparison, said: Accusation) -> bool:
@@ -350,7 +416,7 @@ def _odd_com(
     way = {pair: conventions[pair][coms[0]]}
     one, other = (_odd_mass(label, coms[0], ["com"], pairs, way) for label in pair)
     x, y, z = one.repairs[0].meant[0]
-    is_slip = n_retyped(c.masses[one.places[0].link].com, (x, y, z)) == 0
+    is_slip = n_retyped(c.masses[one.places[0].link].com, (x, y, z), are_angles=False) == 0
     if is_slip and [each for each in differing if each[0] == coms[0]] == alone == as_copies:
         yield LimbVerdict(other.places + one.places, other.repairs + one.repairs, (), False)
 

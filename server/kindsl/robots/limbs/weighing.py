@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from functools import cached_property
-from math import inf
+from math import dist, inf
 from operator import sub
 from typing import NamedTuple
 
@@ -114,6 +114,15 @@ class WeighedComparison:
             found += [(index, what) for what in known]
         return found
 
+    @property
+    def is_of_one_place(self) -> bool:
+        """True if all joints, and some mass, of one limb are where those of the other are."""
+        return any(one.name in self.masses for _, one, _ in self.limbs.rows) and all(
+            LOOSE.is_same(one.translation, other.translation)
+            and max(map(dist, one.rotation, other.rotation)) < LOOSE.angle
+            for _, one, other in self.limbs.rows
+        )
+
     @cached_property
     def accusations(self) -> list[tuple[Accusation, Accusation]]:
         """The single places that explain the difference, as of either limb."""
@@ -146,7 +155,9 @@ class WeighedComparison:
             if what == "angles":
                 own, meant = body.angles, angles_near(rotation, body.angles, peer.angles)
             change = max(abs(x - y) for x, y in zip(own, meant, strict=True))
-            n_new, n_all = n_retyped(own, meant), n_slips(own, meant, are_angles=what == "angles")
+            n_new, n_all = (
+                n(own, meant, are_angles=what == "angles") for n in (n_retyped, n_slips)
+            )
             suspect = Suspect(body.name, body.joint, what)
             return Accusation(suspect, peer.name, meant, cost, n_new, n_all, change, free_axis)
 
