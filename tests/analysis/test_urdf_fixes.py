@@ -69,8 +69,10 @@ def test_a_fix_is_offered_at_the_number_too_that_it_writes() -> None:
     ],
 )
 def test_an_angle_in_degrees_is_written_in_radians(rpy: str, meant: str) -> None:
-    text = spoilt('<origin xyz="0 0 -0.2"/>', f'<origin xyz="0 0 -0.2" rpy="{rpy}"/>')
-    assert f'rpy="{meant}"' in fixed(analyse(text), is_fixable).analysis.text
+    turned = f'<origin xyz="0 0 -0.2" rpy="{meant}"/>'
+    both = LEGS.replace('<origin xyz="0 0 -0.2"/>', turned)
+    text = both.replace(turned, turned.replace(meant, rpy), 1)
+    assert fixed(analyse(text), is_fixable).analysis.text == both
 
 
 def test_editors_offer_the_fix_and_a_comment() -> None:
