@@ -240,3 +240,23 @@ def test_what_defaults_say_is_read_again_with_them() -> None:
     after = before.edited([TextEdit(at, at, 'type="slide" ')])
     kinds = {str(j.name): j.kind for i in after.islands for j in declarations(i).joints}
     assert kinds["LF_KFE"] == "prismatic" and kinds["LF_HAA"] == "revolute"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "code", "line"),
+    [
+        ('body name="RF_shank"', 'body name="LF_shank"', "KD102", 7),
+        ('joint name="RF_KFE"', 'joint name="LF_KFE"', "KD103", 7),
+    ],
+)
+def test_a_name_that_is_there_twice_is_told_once(old: str, new: str, code: str, line: int) -> None:
+    (found,) = analysis(quadruped().replace(old, new)).findings
+    kind, name = new.replace('"', "'").split(" ", 1)
+    assert (found.code, found.message) == (
+        code, f"<{kind} {name}> has the name of the {kind} in line {line}"
+    )  # fmt: skip
+
+
+def test_a_joint_type_of_a_urdf_has_the_one_that_is_meant() -> None:
+    text = robot(POSSIBLE).replace("<joint/>", '<joint type="revolute"/>', 1)
+    assert analysis(text).findings[0].message.endswith("'revolute'; did you mean 'hinge'?")

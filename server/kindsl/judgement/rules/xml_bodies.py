@@ -136,8 +136,10 @@ def reach_of(bodies: Sequence[XmlBody]) -> float:
 
 def far_joint(body: XmlBody, bodies: Sequence[XmlBody]) -> Vector | None:
     """Return where a joint is that no robot has so far from the body that carries it, or None."""
-    carrier = body.carrier
-    if carrier is None or not carrier.is_told or body.parent is None:
+    carrier, distance = body.carrier, hypot(*body.placement.translation)
+    # What is written in another frame may be far in that alone.
+    is_near = carrier is None or (not carrier.is_told and distance <= GREATEST_LENGTH)
+    if carrier is None or is_near or body.parent is None:
         return None
     translation, parent = carrier.joint.pose.translation, bodies[body.parent].mass
     if translation is None:

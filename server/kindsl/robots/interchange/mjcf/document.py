@@ -36,6 +36,9 @@ from kindsl.robots.interchange.xml_reading import TAG, XmlElement, finite_number
 _JOINTS = ("joint", "freejoint")
 _TYPES = ("ball", "free", "hinge", "slide")
 _KINDS = {"hinge": "revolute", "slide": "prismatic"}
+# What other formats call them.
+_MEANT = {"revolute": "hinge", "continuous": "hinge", "prismatic": "slide", "floating": "free"}
+_SAME_NAME = {"body": "KD102", "joint": "KD103"}
 _COUNTS = {"mass": 1, "pos": 3, "quat": 4, "diaginertia": 3, "fullinertia": 6}
 _TURNED_OTHERWISE = ("axisangle", "euler", "xyaxes", "zaxis")
 # What other bodies may be in.
@@ -147,6 +150,7 @@ def _of_elements(text: str, root: XmlElement, former: SyntaxDocument | None) -> 
 
 def _flaws(root: XmlElement) -> Iterator[tuple[str, str, int, str]]:
     """Yield code and message of each flaw, where its element begins, and the attribute."""
+    yield from _repeated(root)
     every: Iterator[Any] = root.iter()
     for element in every:
         if element.tag == "inertial":
@@ -156,8 +160,22 @@ def _flaws(root: XmlElement) -> Iterator[tuple[str, str, int, str]]:
         kind = element.get("type") if element.tag == "joint" else None
         if kind is not None and kind not in _TYPES:
             named = f"joint name='{element.get('name')}'" if element.get("name") else "joint"
-            what = f"has the unknown type '{kind}'{hint(nearest_word(kind, _TYPES))}"
+            meant = _MEANT.get(kind) or nearest_word(kind, _TYPES)
+            what = f"has the unknown type '{kind}'{hint(meant)}"
             yield "KD001", f"<{named}> {what}", element.offset, "type"
+
+
+def _repeated(root: XmlElement) -> Iterator[tuple[str, str, int, str]]:
+    """Yield the bodies and joints whose name another one has, as flaws."""
+    seen: dict[tuple[str, str], Any] = {}
+    bodies: Iterator[Any] = root.iter("body")
+    for element in (each for body in bodies for each in (body, *body.findall("joint"))):
+        name, tag = element.get("name"), element.tag
+        code = _SAME_NAME[tag]
+        if name and seen.setdefault((code, name), element) is not element:
+            first = seen[code, name]
+            what = f"has the name of the {first.tag} in line {first.sourceline}"
+            yield code, f"<{tag} name='{name}'> {what}", element.offset, "name"
 
 
 def _bodies(text: str, root: XmlElement) -> Iterator[_Body]:

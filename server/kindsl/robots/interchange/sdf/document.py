@@ -5,11 +5,11 @@ models stand before theirs. Poses are relative to frames that may be anywhere, s
 connects is known of the whole document only.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any
 
-from kindsl.language.semantics.declarations import Inertia, Joint, Pose
+from kindsl.language.semantics.declarations import FixedAxes, Inertia, Joint, Pose, Vector
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.places import Place
 from kindsl.language.syntax.document import SyntaxDocument
@@ -84,7 +84,11 @@ class SdfIsland(RobotIsland):
             read = pose_of(parent)
         except FormatError:
             read, found = IDENTITY, []
-        return self.turned_pose(at, found[:3] if len(found) >= 6 else [], read.rotation)
+        if len(found) != 6 or "degrees" in at.attrib:
+            return self.turned_pose(at, found[:3] if len(found) >= 6 else [], read.rotation)
+        x, y, z, rx, ry, rz = found
+        node = self.block("vector", at)
+        return Pose(Vector(node, self, (x, y, z)), FixedAxes(node, self, (rx, ry, rz)))
 
 
 def _of_elements(text: str, root: Any, former: SyntaxDocument | None) -> XmlDocument:
@@ -111,10 +115,21 @@ def _of_elements(text: str, root: Any, former: SyntaxDocument | None) -> XmlDocu
                 wrong[found.element.offset, found.sentence] = found
             else:
                 connections.append(found)
-    told = (error for error in wrong.values() if error.code)
-    flaws += (document.flaw(e.code, e.sentence, e.element.offset) for e in told)
+    told = {error.missing or error: error for error in reversed(wrong.values()) if error.code}
+    flaws += _once(document, [*reversed(told.values())])
     document.flaws, document.connections = tuple(flaws), tuple(connections)
     return document
+
+
+def _once(document: XmlDocument, errors: Sequence[SdfError]) -> Iterator[Flaw]:
+    """Yield errors as flaws; what lacks a name that another element has is told there."""
+    repeated = [e for e in errors if e.code in ("KD102", "KD103")]
+    lost = [e for e in errors if e.missing and "did you mean" not in e.sentence]
+    is_clear = len(repeated) == len(lost) == 1
+    for error in errors:
+        meant = hint(lost[0].missing) if is_clear and error is repeated[0] else ""
+        if not is_clear or error is not lost[0]:
+            yield document.flaw(error.code, f"{error.sentence}{meant}", error.element.offset)
 
 
 def _models(root: Any) -> list[tuple[Any, str]]:
