@@ -35,8 +35,8 @@ from tests.codegen.robots import ALL, bodies_of_seed, library
 from kindsl.judgement.analysis.analysis import Analysis, analyse
 from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.evaluation import book
+from kindsl.mechanics.dynamics.evaluation.book import Request
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
-from kindsl.mechanics.dynamics.evaluation.request import Request
 from kindsl.mechanics.dynamics.generation.function import Function
 from kindsl.mechanics.spatial.arrays import Array
 from kindsl.products.codegen.c_test_program import parameter_values

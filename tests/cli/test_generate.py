@@ -112,6 +112,8 @@ def test_foreign_and_edited_files_stay(kindsl: Runner, document: Path, folder: P
         (("", ""), ("--name", "int"), "--name: 'int' is a reserved word in C, C++ or Python"),
         (("", ""), ("--quantities", "pose"),
          "--quantities: unknown quantity 'pose'; did you mean 'poses'?"),
+        (("", ""), ("--quantities", "velocity"),
+         "--quantities: unknown quantity 'velocity', not one of poses, jacobians, foot_jacobians"),
         (("", ""), ("--quantities", ","), "--quantities names no quantity"),
         (("", ""), ("--param", "x=1.0"), "there is no parameter 'x'"),
         (("", ""), ("--parameters", "x"), "--parameters: there is no parameter 'x'"),

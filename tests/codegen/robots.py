@@ -15,12 +15,8 @@ from kindsl.products.codegen.languages.c import c_files
 from kindsl.products.codegen.library import Library, Options, Stamp, library_of
 from kindsl.products.codegen.reference import Reference, independent_contacts, sample
 
-PLAIN = tuple(
-    name
-    for name, quantity in QUANTITIES.items()
-    if not (quantity.is_derivative or quantity.is_for_control)
-)
-CONTROL = tuple(name for name, quantity in QUANTITIES.items() if quantity.is_for_control)
+PLAIN = tuple(name for name, quantity in QUANTITIES.items() if not quantity.group)
+CONTROL = tuple(name for name, quantity in QUANTITIES.items() if quantity.group == "control")
 ALL = tuple(QUANTITIES)
 STAMP = Stamp("kindsl test", "robot.kindsl", "0" * 64, "none")
 

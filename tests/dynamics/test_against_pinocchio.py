@@ -15,8 +15,8 @@ from tests.support.differences import assert_close
 
 from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.evaluation import book
+from kindsl.mechanics.dynamics.evaluation.book import Request
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
-from kindsl.mechanics.dynamics.evaluation.request import Request
 from kindsl.mechanics.dynamics.quantities import JOINT_VECTORS, Quantity
 
 TREES_PER_BLOCK = 30

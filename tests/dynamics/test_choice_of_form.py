@@ -7,6 +7,7 @@ import pytest
 from tests.dynamics.random_bodies import random_bodies
 
 from kindsl.mechanics.dynamics.evaluation import book, forms
+from kindsl.mechanics.dynamics.evaluation.book import Request
 from kindsl.mechanics.dynamics.evaluation.forms import (
     LINEAR,
     MOST_LINKS_TO_GENERATE_FOR,
@@ -15,7 +16,6 @@ from kindsl.mechanics.dynamics.evaluation.forms import (
     Forms,
 )
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
-from kindsl.mechanics.dynamics.evaluation.request import Request
 from kindsl.mechanics.dynamics.quantities import JOINT_VECTORS, STANDARD_GRAVITY, Quantity
 from kindsl.mechanics.spatial.arrays import Array
 

@@ -5,7 +5,7 @@ import pytest
 from tests.dynamics.random_bodies import random_bodies
 
 from kindsl.mechanics.dynamics.evaluation import book
-from kindsl.mechanics.dynamics.evaluation.request import Request
+from kindsl.mechanics.dynamics.evaluation.book import Request
 from kindsl.mechanics.dynamics.generation.emitters.numpy_rows import BatchFunction, run_in_chunks
 from kindsl.mechanics.dynamics.posture import Posture
 from kindsl.mechanics.spatial.arrays import Array

@@ -16,7 +16,9 @@ from kindsl.mechanics.dynamics.generation.terms import operations
 from kindsl.mechanics.dynamics.quantities import SingularInertiaError
 from kindsl.mechanics.spatial.arrays import Array
 
-DERIVATIVES = tuple(name for name, quantity in QUANTITIES.items() if quantity.is_derivative)
+DERIVATIVES = tuple(
+    name for name, quantity in QUANTITIES.items() if quantity.group == "derivatives"
+)
 STEP = 1e-30
 
 

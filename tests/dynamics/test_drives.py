@@ -25,10 +25,10 @@ from tests.support.differences import assert_close
 
 from kindsl.mechanics.dynamics.bodies import Bodies, Drives
 from kindsl.mechanics.dynamics.evaluation import book
+from kindsl.mechanics.dynamics.evaluation.book import Request
 from kindsl.mechanics.dynamics.evaluation.compiled import CompiledMechanics
 from kindsl.mechanics.dynamics.evaluation.forms import Forms
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
-from kindsl.mechanics.dynamics.evaluation.request import Request
 from kindsl.mechanics.dynamics.quantities import JOINT_VECTORS
 
 SEEDS = range(0, 300, usually(15, thoroughly=1))

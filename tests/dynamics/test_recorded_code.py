@@ -17,7 +17,7 @@ from tests.support.recorded import assert_as_recorded
 from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.generation.emitters.scalar_python import scalar_function
 from kindsl.mechanics.dynamics.generation.function import Function, Result, inputs_of
-from kindsl.mechanics.dynamics.generation.functions import QUANTITIES, QuantityCode
+from kindsl.mechanics.dynamics.generation.functions import QUANTITIES
 from kindsl.mechanics.dynamics.generation.robot import robot_of
 from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar, Term
 from kindsl.mechanics.dynamics.generation.trace import Conditions, Trace, trace
@@ -59,15 +59,11 @@ def of_traces(bodies: Bodies) -> Iterator[str]:
             yield f"    {given(recorded)}"
 
 
-def _on_demand(quantity: QuantityCode) -> bool:
-    return quantity.is_derivative or quantity.is_for_control
-
-
 def of_functions(bodies: Bodies) -> Iterator[str]:
     robot = robot_of(bodies)
     inputs = inputs_of(robot)
     for name, quantity in QUANTITIES.items():
-        yield f"## {name}: {quantity.summary} {quantity.needs_mass} {_on_demand(quantity)}"
+        yield f"## {name}: {quantity.needs_mass} {bool(quantity.group)}"
         for function in quantity.build(robot, inputs):
             arguments = ", ".join(f"{a.name} {len(a.components)}" for a in function.arguments)
             yield f"{function.name}({arguments}) {function.about}: {function.summary}"

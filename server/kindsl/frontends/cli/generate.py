@@ -289,16 +289,13 @@ def _quantities(args: argparse.Namespace) -> tuple[str, ...]:
         raise CommandError.about(args.file, "--quantities names no quantity")
     for name in chosen:
         if name not in QUANTITIES:
-            close = hint(nearest_word(name, QUANTITIES))
+            close = hint(nearest_word(name, QUANTITIES)) or f", not one of {', '.join(QUANTITIES)}"
             message = f"--quantities: unknown quantity '{name}'{close}"
             raise CommandError.about(args.file, message)
     return tuple(
         name
         for name, quantity in QUANTITIES.items()
-        if name in chosen
-        or (quantity.is_derivative and args.derivatives)
-        or (quantity.is_for_control and args.control)
-        or not (chosen or quantity.is_derivative or quantity.is_for_control)
+        if name in chosen or (getattr(args, quantity.group) if quantity.group else not chosen)
     )
 
 

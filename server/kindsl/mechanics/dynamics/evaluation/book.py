@@ -1,9 +1,11 @@
 """Evaluates quantities by the book's algorithms, which share no code with what is generated."""
 
+from collections.abc import Mapping
+from typing import NamedTuple
+
 import numpy as np
 
 from kindsl.mechanics.dynamics.bodies import Bodies
-from kindsl.mechanics.dynamics.evaluation.request import Request, rows_of
 from kindsl.mechanics.dynamics.forward_dynamics import forward_dynamics
 from kindsl.mechanics.dynamics.forward_kinematics import body_poses, frame_poses
 from kindsl.mechanics.dynamics.inverse_dynamics import (
@@ -18,6 +20,27 @@ from kindsl.mechanics.spatial.arrays import Array
 # The working set is some dozens of 6x6 matrices per body and configuration; of 500 to 20,000 bodies
 # this takes the least time for a chain of 100.
 BODIES_AT_A_TIME = 5_000
+
+
+class Request(NamedTuple):
+    """A quantity for a batch of configurations.
+
+    Attributes:
+        function: The name of the generated function that computes it.
+        batch_shape: Common shape of the leading dimensions of all vectors.
+        vectors: What it depends on by the names that generated functions have for it: joint vectors
+            (..., n), `v0` and `g`, and where they are given `a0` and `fext` (..., 6 (n + 1)).
+    """
+
+    function: str
+    batch_shape: tuple[int, ...]
+    vectors: Mapping[str, Array]
+
+
+def rows_of(vector: Array, batch_shape: tuple[int, ...]) -> Array:
+    """Return the vector of each configuration of a batch in a row."""
+    components = vector.shape[-1]
+    return np.broadcast_to(vector, (*batch_shape, components)).reshape((-1, components))
 
 
 def evaluate(bodies: Bodies, request: Request) -> Array:

@@ -15,6 +15,7 @@ import numpy.typing as npt
 from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.constrained_forward_dynamics import WORST_CONDITION
 from kindsl.mechanics.dynamics.evaluation.arguments import JointVector
+from kindsl.mechanics.dynamics.evaluation.book import Request, rows_of
 from kindsl.mechanics.dynamics.evaluation.kernels import (
     GROUPS,
     Extension,
@@ -22,7 +23,6 @@ from kindsl.mechanics.dynamics.evaluation.kernels import (
     signature_with_out,
 )
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
-from kindsl.mechanics.dynamics.evaluation.request import Request, rows_of
 from kindsl.mechanics.dynamics.evaluation.results import ConstrainedMotion, Poses
 from kindsl.mechanics.dynamics.evaluation.singular import singular_inertia
 from kindsl.mechanics.dynamics.generation.jacobians import feet

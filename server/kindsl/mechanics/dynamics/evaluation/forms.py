@@ -11,7 +11,7 @@ import numpy as np
 
 from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.evaluation import book
-from kindsl.mechanics.dynamics.evaluation.request import Request, rows_of
+from kindsl.mechanics.dynamics.evaluation.book import Request, rows_of
 from kindsl.mechanics.dynamics.generation.emitters.numpy_rows import (
     BatchFunction,
     batch_function,

@@ -1,7 +1,7 @@
 """The functions compiled for a mechanism, with the arguments of `Mechanics`' methods."""
 
 import inspect
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from kindsl.mechanics.dynamics.evaluation.compiling import compiled_module
@@ -15,12 +15,17 @@ from kindsl.mechanics.dynamics.generation.emitters.extension import (
     extension_source,
 )
 from kindsl.mechanics.dynamics.generation.emitters.lanes import is_worth_lanes
-from kindsl.mechanics.dynamics.generation.function import Function, Result, argument, inputs_of
+from kindsl.mechanics.dynamics.generation.function import (
+    Function,
+    Result,
+    argument,
+    homogeneous,
+    inputs_of,
+)
 from kindsl.mechanics.dynamics.generation.functions import QUANTITIES
 from kindsl.mechanics.dynamics.generation.loops import functions_of
 from kindsl.mechanics.dynamics.generation.masses import total_mass
 from kindsl.mechanics.dynamics.generation.robot import Robot
-from kindsl.mechanics.dynamics.generation.terms import Scalar
 from kindsl.mechanics.dynamics.inverse_dynamics_derivatives import InverseDynamicsDerivatives
 from kindsl.mechanics.dynamics.quantities import KEYWORDS, STANDARD_GRAVITY, SingularInertiaError
 
@@ -137,7 +142,8 @@ def _kernel(function: Function, robot: Robot, *, may_be_wide: bool) -> Kernel:
     name = function.name
     results = [*function.results]
     if name == "poses":
-        results = [_homogeneous(function.results[0].entries, len(robot.targets))]
+        entries = homogeneous(function.results[0].entries)
+        results = [Result("T", (len(robot.targets), 4, 4), entries)]
     elif name in ("kinetic_energy", "potential_energy"):
         results = [result._replace(shape=()) for result in results]
     accelerates = name.removesuffix("_loaded") in ACCELERATING and (
@@ -163,14 +169,6 @@ def _names(name: str, given: Iterable[str]) -> list[str]:
     joints = [n for n in given if n not in KEYWORDS and n != "external_forces"]
     others = [n for n in given if n not in (*joints, *base)]
     return [*joints, *base, *others]
-
-
-def _homogeneous(entries: Sequence[Scalar], n_poses: int) -> Result:
-    """Return whole 4x4 matrices of poses without their last row."""
-    whole: list[Scalar] = []
-    for pose in range(n_poses):
-        whole += [*entries[12 * pose : 12 * pose + 12], 0.0, 0.0, 0.0, 1.0]
-    return Result("T", (n_poses, 4, 4), whole)
 
 
 def signature_with_out(method: Method) -> inspect.Signature:

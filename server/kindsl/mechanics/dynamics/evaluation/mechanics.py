@@ -17,8 +17,8 @@ from kindsl.mechanics.dynamics.evaluation.arguments import (
     placed_frame,
     vectors,
 )
+from kindsl.mechanics.dynamics.evaluation.book import Request
 from kindsl.mechanics.dynamics.evaluation.forms import Forms
-from kindsl.mechanics.dynamics.evaluation.request import Request
 from kindsl.mechanics.dynamics.evaluation.results import (
     ActuatedTorque,
     FloatingConfiguration,
@@ -259,16 +259,13 @@ class Mechanics(WholeBody):
         self, q: JointVector, qd: JointVector, base_velocity: npt.ArrayLike | None = None
     ) -> Array:
         """Return the kinetic energy (...), joule."""
-        given = checked(self.bodies, {"q": q, "qd": qd}, {"base_velocity": base_velocity})
-        common_batch_shape(given)
-        v_base = given.get("base_velocity", AT_REST)
-        return energy.kinetic_energy(self.bodies, given["q"], given["qd"], v_base)
+        q, qd, v, _ = self._motion({"q": q, "qd": qd}, {"base_velocity": base_velocity})
+        return energy.kinetic_energy(self.bodies, q, qd, v)
 
     def potential_energy(self, q: JointVector, gravity: npt.ArrayLike = STANDARD_GRAVITY) -> Array:
         """Return the potential energy (...), joule, zero for all mass at the base's origin."""
-        given = {"gravity": GRAVITY, **checked(self.bodies, {"q": q}, gravity=gravity)}
-        common_batch_shape(given)
-        return energy.potential_energy(self.bodies, self._body_poses(q), given["gravity"])
+        q, g = self._motion({"q": q}, gravity=gravity)
+        return energy.potential_energy(self.bodies, self._body_poses(q), g)
 
     def integrate(
         self,

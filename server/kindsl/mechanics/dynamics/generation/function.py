@@ -1,5 +1,6 @@
 """Arguments and results of a generated function."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -113,6 +114,12 @@ def inputs_of(robot: Robot) -> Inputs:
 def matrix(name: str, M: Matrix) -> Result:
     """Return a matrix as a result."""
     return Result(name, (len(M), len(M[0])), [entry for row in M for entry in row])
+
+
+def homogeneous(entries: Sequence[Scalar]) -> list[Scalar]:
+    """Return whole 4x4 matrices of poses without their last row."""
+    last: Vector = [0.0, 0.0, 0.0, 1.0]
+    return [x for k in range(0, len(entries), 12) for x in (*entries[k : k + 12], *last)]
 
 
 def argument(name: str, vector: Vector) -> Argument:

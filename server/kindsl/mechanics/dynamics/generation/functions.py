@@ -5,7 +5,7 @@ Base coordinates, angular part first; a floating base adds its six rows and colu
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Final, NamedTuple
+from typing import Final, Literal, NamedTuple
 
 from kindsl.mechanics.dynamics.generation import masses
 from kindsl.mechanics.dynamics.generation import whole_body_functions as whole_body
@@ -42,17 +42,14 @@ class QuantityCode(NamedTuple):
 
     Attributes:
         build: Records its functions.
-        summary: A line for people.
+        group: What is generated only when asked for, derivatives or what is for control, by the
+            name of the option; empty for others.
         needs_mass: Whether the total mass must not be zero.
-        is_derivative: Whether it is a derivative, which is generated when asked for.
-        is_for_control: The same of what controllers of the whole body need.
     """
 
     build: Builder
-    summary: str
+    group: Literal["", "derivatives", "control"] = ""
     needs_mass: bool = False
-    is_derivative: bool = False
-    is_for_control: bool = False
 
 
 def poses(robot: Robot, inputs: Inputs) -> list[Function]:
@@ -222,43 +219,24 @@ def center_of_mass(robot: Robot, inputs: Inputs) -> list[Function]:
 
 
 QUANTITIES: Final[dict[str, QuantityCode]] = {
-    "poses": QuantityCode(poses, "poses of links and frames"),
-    "jacobians": QuantityCode(jacobians, "Jacobians of links and frames"),
-    "foot_jacobians": QuantityCode(foot_jacobians, "Jacobians of all feet together"),
-    "inverse_dynamics": QuantityCode(inverse, "joint forces of a motion"),
-    "inverse_dynamics_actuated": QuantityCode(actuated, "the same with a wrench on the base"),
-    "forward_dynamics": QuantityCode(forward, "accelerations under joint forces"),
-    "joint_space_inertia": QuantityCode(inertia, "the joint-space inertia"),
-    "inertia_factorization": QuantityCode(inertia_factorization, "its factors along branches"),
-    "gravity_torque": QuantityCode(gravity, "forces that hold the robot at rest"),
-    "bias_torque": QuantityCode(bias, "forces at zero acceleration"),
-    "energies": QuantityCode(energies, "kinetic and potential energy"),
-    "center_of_mass": QuantityCode(
-        center_of_mass, "centre of mass and its Jacobian", needs_mass=True
-    ),
-    "inverse_dynamics_derivatives": QuantityCode(
-        inverse_dynamics_derivatives, "derivatives of inverse dynamics", is_derivative=True
-    ),
-    "forward_dynamics_derivatives": QuantityCode(
-        forward_dynamics_derivatives, "derivatives of forward dynamics", is_derivative=True
-    ),
-    "regressor": QuantityCode(regressor, "the inertial-parameter regressor", is_derivative=True),
-    "centroidal_momentum": QuantityCode(
-        whole_body.centroidal_momentum,
-        "momentum about the centre of mass",
-        needs_mass=True,
-        is_for_control=True,
-    ),
-    "frame_motions": QuantityCode(
-        whole_body.frame_motions, "velocities and accelerations of frames", is_for_control=True
-    ),
-    "joint_space_inertia_inverse": QuantityCode(
-        whole_body.inertia_inverse, "the joint-space inertia's inverse", is_for_control=True
-    ),
-    "coriolis_matrix": QuantityCode(
-        whole_body.coriolis_matrix, "the Coriolis matrix", is_for_control=True
-    ),
-    "contact_dynamics": QuantityCode(
-        whole_body.contact_dynamics, "forward dynamics with feet held", is_for_control=True
-    ),
+    "poses": QuantityCode(poses),
+    "jacobians": QuantityCode(jacobians),
+    "foot_jacobians": QuantityCode(foot_jacobians),
+    "inverse_dynamics": QuantityCode(inverse),
+    "inverse_dynamics_actuated": QuantityCode(actuated),
+    "forward_dynamics": QuantityCode(forward),
+    "joint_space_inertia": QuantityCode(inertia),
+    "inertia_factorization": QuantityCode(inertia_factorization),
+    "gravity_torque": QuantityCode(gravity),
+    "bias_torque": QuantityCode(bias),
+    "energies": QuantityCode(energies),
+    "center_of_mass": QuantityCode(center_of_mass, needs_mass=True),
+    "inverse_dynamics_derivatives": QuantityCode(inverse_dynamics_derivatives, "derivatives"),
+    "forward_dynamics_derivatives": QuantityCode(forward_dynamics_derivatives, "derivatives"),
+    "regressor": QuantityCode(regressor, "derivatives"),
+    "centroidal_momentum": QuantityCode(whole_body.centroidal_momentum, "control", needs_mass=True),
+    "frame_motions": QuantityCode(whole_body.frame_motions, "control"),
+    "joint_space_inertia_inverse": QuantityCode(whole_body.inertia_inverse, "control"),
+    "coriolis_matrix": QuantityCode(whole_body.coriolis_matrix, "control"),
+    "contact_dynamics": QuantityCode(whole_body.contact_dynamics, "control"),
 }

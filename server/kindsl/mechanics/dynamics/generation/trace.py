@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field, replace
 from typing import Literal, TypeAlias
 
-from kindsl.mechanics.dynamics.generation.function import inputs_of
+from kindsl.mechanics.dynamics.generation.function import homogeneous, inputs_of
 from kindsl.mechanics.dynamics.generation.functions import QUANTITIES
 from kindsl.mechanics.dynamics.generation.robot import Robot
 from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar, Term, needed
@@ -11,7 +11,6 @@ from kindsl.mechanics.dynamics.quantities import STANDARD_GRAVITY
 
 # At rest: the base does not move, gravity is the standard one; the code is shorter then.
 Conditions: TypeAlias = Literal["at_rest", "any", "loaded"]
-_LAST_ROW = (0.0, 0.0, 0.0, 1.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,8 +52,7 @@ def trace(robot: Robot, name: str, conditions: Conditions) -> Trace:
     results = function.results if conditions != "loaded" else function.loaded or ()
     outputs = [entry for result in results for entry in result.entries]
     if name == "poses":
-        rows = range(0, len(outputs), 12)
-        outputs = [entry for row in rows for entry in (*outputs[row : row + 12], *_LAST_ROW)]
+        outputs = homogeneous(outputs)
     arguments = {a.name: a.components for a in function.arguments if a.components}
     if conditions == "loaded":
         loads = [x for wrench in inputs.external for x in wrench if isinstance(x, Term)]

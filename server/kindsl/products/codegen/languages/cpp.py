@@ -75,24 +75,19 @@ def _functions(library: Library) -> str:
         texts.append(c_definition(graph, body, DIALECT))
     for function in library.all_functions:
         name = library.function_names[function.key]
-        if function.is_loop:
-            texts.append(_loop(function, name))
-            continue
         takes: dict[str, Sequence[Scalar]] = {CONSTANTS: constants}
         takes |= {argument.name: argument.components for argument in function.arguments}
         if function.loaded is not None:
             takes[EXTERNAL] = library.external
         gives = {r.name: r.entries for r in function.loaded or function.results}
-        texts.append(c_definition(graph, CBody(name, takes, gives), DIALECT))
+        body = CBody(name, takes, gives)
+        if function.is_loop:
+            declared = ", ".join(DIALECT.declarations(body).values())
+            statements = loop_call(function, DIALECT, "", CONSTANTS)
+            texts.append(f"{DIALECT.template}void {name}({declared})\n{{\n{statements}}}\n")
+        else:
+            texts.append(c_definition(graph, body, DIALECT))
     return "\n".join(texts)
-
-
-def _loop(function: Function, name: str) -> str:
-    """Return a function of pointers that loops compute."""
-    takes = [CONSTANTS, *(argument.name for argument in function.arguments), *_load(function)]
-    declared = [*(f"const S* {n}" for n in takes), *(f"S* {r.name}" for r in function.results)]
-    statements = loop_call(function, DIALECT, "", CONSTANTS)
-    return f"{DIALECT.template}void {name}({', '.join(declared)})\n{{\n{statements}}}\n"
 
 
 def _load(function: Function) -> list[str]:
