@@ -25,7 +25,7 @@ from kindsl.robots.interchange.xml_reading import (
     parsed_xml,
 )
 
-_TAG_OR_COMMENT = re.compile(r"""<!--.*?-->|<(?:[^"'>]|"[^"]*"|'[^']*')*>""", re.DOTALL)
+_TAG_OR_COMMENT = re.compile(f"<!--.*?-->|{TAG.pattern}", re.DOTALL)
 _REST_OF_LINE = re.compile(r"(?:[^\S\r\n]|<!--[^\r\n]*?-->)*")
 
 
@@ -112,16 +112,6 @@ class XmlDocument(SyntaxDocument):
 
 def _unmade(text: str, former: SyntaxDocument | None) -> SyntaxDocument:
     raise NotImplementedError
-
-
-def pieces(text: str, root: XmlElement) -> list[XmlPiece]:
-    """Return a root's first tag, its children, and its end."""
-    tag = TAG.match(text, root.offset)
-    ends = [tag.end() if tag else len(text)]
-    ends += [rest_of_line(text, child) for child in root]
-    elements = (None, *root, None)
-    places = zip([0, *ends], [*ends, len(text)], elements, strict=True)
-    return [XmlPiece(text[start:end], start, each) for start, end, each in places]
 
 
 def pieces_around(text: str, elements: Iterable[tuple[Any, str]]) -> Iterator[XmlPiece]:

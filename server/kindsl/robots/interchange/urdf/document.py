@@ -26,7 +26,7 @@ from kindsl.robots.interchange.urdf.checking import (
 from kindsl.robots.interchange.xml_document import (
     Connection,
     XmlDocument,
-    pieces,
+    pieces_around,
     refused,
     xml_document,
 )
@@ -98,7 +98,7 @@ def _of_elements(text: str, root: XmlElement, former: SyntaxDocument | None) -> 
         message = f"a xacro, not a URDF: <{first.tag}> has to be expanded before it is judged"
         return refused(text, "KD001", message, first.offset, first.offset + len(first.tag) + 1)
     flaws = list(_flaws(root))  # The islands take over the offsets of their elements.
-    islands = UrdfIsland.made_of(pieces(text, root), former)
+    islands = UrdfIsland.made_of(pieces_around(text, ((each, "") for each in root)), former)
     document = XmlDocument(islands, former)
     document.flaws = tuple(document.flaw(*flaw) for flaw in flaws)
     document.connections = tuple(filter(None, (island.connection() for island in islands)))
