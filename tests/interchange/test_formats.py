@@ -53,6 +53,23 @@ def test_round_trip_keeps_the_mechanics(format: Format, seed: int, tmp_path: Pat
     assert max(gaps(before, after, np.random.default_rng(seed))) < TOLERANCE
 
 
+def test_a_point_of_mass_is_written_as_one() -> None:
+    """What arithmetic leaves of moments about the CoM would be told as those of no body."""
+    tip = "mass = 2.646e-3 CoM = (0.0, 5.204081632653062e-4, 8.801020408163265e-3)"
+    y, z = 5.204081632653062e-4, 8.801020408163265e-3
+    moments = (2.646e-3 * (y * y + z * z), 2.646e-3 * z * z * (1.0 + 1e-14), 2.646e-3 * y * y)
+    given = " ".join(f"I{i} = {m!r}" for i, m in zip("xyz", moments, strict=True))
+    point = f"{tip} {given} Ixy = 0.0 Ixz = 0.0 Iyz = {2.646e-3 * y * z!r}"
+    text = MASSLESS.replace("link b { id = 2", f"link b {{ id = 2 inertia_params {{ {point} }}")
+    ours = kindsl.parse(text, Settings()).mechanism()
+    for format in (format_named("urdf"), format_named("sdf")):
+        tensor = etree.fromstring(written(ours, format).encode()).find(
+            ".//link[@name='b']//inertia"
+        )
+        numbers = [*tensor.values(), *(each.text for each in tensor)]
+        assert [float(number) for number in numbers] == [0.0] * 6
+
+
 @pytest.mark.parametrize("seed", range(5))
 def test_mujoco_has_our_numbers(seed: int) -> None:
     ours = mechanism_of(kindsl_text(random_robot(seed)))

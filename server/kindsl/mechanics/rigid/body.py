@@ -93,6 +93,16 @@ def shifted(body: MassDistribution, sign: float = 1.0) -> MassDistribution:
     )
 
 
+def moments_about_com(body: MassDistribution) -> Symmetric:
+    """Return moments and products about the CoM, kg·m²; what arithmetic alone leaves is zero."""
+    m, (x, y, z), moments = body
+    least = ROUNDING_OF_MOMENTS * (abs(m) * (x * x + y * y + z * z) + max(map(abs, moments)))
+    xx, yy, zz, xy, xz, yz = (
+        moment if abs(moment) > least else 0.0 for moment in shifted(body, -1.0).moments
+    )
+    return xx, yy, zz, xy, xz, yz
+
+
 def seen_from(body: MassDistribution, pose: RigidPose) -> MassDistribution:
     """Return a body in frame A, `pose` being the pose in A of the frame that it is given in."""
     Ix, Iy, Iz, Ixy, Ixz, Iyz = shifted(body, -1.0).moments

@@ -11,8 +11,8 @@ from kindsl.language.semantics.parameters import UNTOLD, JointProperties
 from kindsl.mechanics.rigid.body import (
     ROUNDING_OF_MOMENTS,
     MassDistribution,
+    moments_about_com,
     principal_moments_about_com,
-    shifted,
 )
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
 from kindsl.robots.interchange.format import (
@@ -115,7 +115,7 @@ def _inertial(body: MassDistribution) -> dict[str, str]:
     """Return the attributes of a body's inertia, as much more of it as MuJoCo requires."""
     missing = 0.0 if _is_impossible(body) else _missing(body)
     more = missing + DUST if missing else 0.0
-    xx, yy, zz, xy, xz, yz = shifted(body, -1.0).moments
+    xx, yy, zz, xy, xz, yz = moments_about_com(body)
     return {
         "pos": numbers(body.com),
         "mass": numbers([body.mass if body.mass < 0.0 else max(body.mass, DUST)]),

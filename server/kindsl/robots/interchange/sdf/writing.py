@@ -8,9 +8,9 @@ from kindsl.mechanics.rigid.body import (
     ROUNDING_OF_MOMENTS,
     MassDistribution,
     eigensystem,
+    moments_about_com,
     principal_moments,
     second_moments_about_com,
-    shifted,
 )
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
 from kindsl.robots.interchange.format import (
@@ -112,7 +112,7 @@ def _add_inertial(link: Element, body: MassDistribution) -> None:
         added(inertial, "pose").text = f"{numbers(body.com)} 0 0 0"
     added(inertial, "mass").text = numbers([body.mass])
     inertia = added(inertial, "inertia")
-    Ix, Iy, Iz, Ixy, Ixz, Iyz = shifted(body, -1.0).moments
+    Ix, Iy, Iz, Ixy, Ixz, Iyz = moments_about_com(body)
     tensor = {"ixx": Ix, "ixy": -Ixy, "ixz": -Ixz, "iyy": Iy, "iyz": -Iyz, "izz": Iz}
     for tag, value in tensor.items():
         added(inertia, tag).text = numbers([value])

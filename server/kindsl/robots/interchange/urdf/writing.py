@@ -6,7 +6,7 @@ from xml.etree.ElementTree import Element
 
 from kindsl.language.semantics.parameters import UNTOLD, JointProperties
 from kindsl.language.text.phrases import counted
-from kindsl.mechanics.rigid.body import MassDistribution, shifted
+from kindsl.mechanics.rigid.body import MassDistribution, moments_about_com
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, fixed_axis_angles
 from kindsl.robots.interchange.format import (
     ORDINARY,
@@ -107,7 +107,7 @@ def _add_inertial(link: Element, body: MassDistribution) -> None:
     inertial = added(link, "inertial")
     _add_origin(inertial, IDENTITY._replace(translation=body.com))
     added(inertial, "mass", value=_numbers(body.mass))
-    Ix, Iy, Iz, Ixy, Ixz, Iyz = shifted(body, -1.0).moments
+    Ix, Iy, Iz, Ixy, Ixz, Iyz = moments_about_com(body)
     tensor = {"ixx": Ix, "ixy": -Ixy, "ixz": -Ixz, "iyy": Iy, "iyz": -Iyz, "izz": Iz}
     added(inertial, "inertia", **{name: _numbers(value) for name, value in tensor.items()})
 
