@@ -21,6 +21,13 @@ JOINT_VECTORS: Final[dict[Quantity, tuple[str, ...]]] = {
     "bias_torque": ("q", "qd"),
 }
 
+# What solves for accelerations: of a floating base alone, or of all.
+ACCELERATING: Final = {
+    "inverse_dynamics": "base", "forward_dynamics": "all", "inertia_factorization": "all",
+    "forward_dynamics_derivatives": "all", "joint_space_inertia_inverse": "all",
+    "contact_dynamics": "all",
+}  # fmt: skip
+
 # The names that methods have for arguments of generated code.
 KEYWORDS: Final = {"v0": "base_velocity", "a0": "base_acceleration", "g": "gravity"}
 STANDARD_GRAVITY: Final = (0.0, 0.0, -9.81)

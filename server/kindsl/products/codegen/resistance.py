@@ -7,15 +7,10 @@ import numpy as np
 from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.evaluation.singular import singular_inertia
 from kindsl.mechanics.dynamics.joint_space_inertia import joint_space_inertia
+from kindsl.mechanics.dynamics.quantities import ACCELERATING
 from kindsl.mechanics.spatial.arrays import Array
 from kindsl.products.codegen.library import undefined
 
-# The quantities that solve for accelerations: of all, or of a floating base alone.
-_OF_ALL = (
-    "forward_dynamics", "inertia_factorization", "forward_dynamics_derivatives",
-    "joint_space_inertia_inverse", "contact_dynamics",
-)  # fmt: skip
-_OF_THE_BASE = "inverse_dynamics"
 # With every variable in units of its own inertia, a worse condition is that of rounding errors.
 _SINGULAR = 1e15
 
@@ -38,13 +33,11 @@ def refuse_unresisted(
         M = joint_space_inertia(bodies, q)
     if not np.isfinite(M).all():
         return
-    n_base = bodies.n_velocities - bodies.n_links
     for name in quantities:
-        if name in _OF_ALL and _is_singular(M):
-            moving = singular_inertia(bodies, q).moving
+        if magnification(name, M, bodies.n_links) > _SINGULAR:
+            is_base = ACCELERATING[name] == "base"
+            moving = "the base" if is_base else singular_inertia(bodies, q).moving
             raise undefined(name, f"nothing resists motion of {moving}", are_chosen=are_chosen)
-        if name == _OF_THE_BASE and _is_singular(M[:n_base, :n_base]):
-            raise undefined(name, "nothing resists motion of the base", are_chosen=are_chosen)
 
 
 def magnification(quantity: str, M: Array, n_links: int) -> float:
@@ -55,15 +48,10 @@ def magnification(quantity: str, M: Array, n_links: int) -> float:
         M: The joint-space inertia, a floating base's six rows and columns first.
         n_links: The number of joints.
     """
-    n_base = len(M) - n_links
-    if quantity in _OF_ALL:
-        return _condition(M)
-    return _condition(M[:n_base, :n_base]) if quantity == _OF_THE_BASE else 1.0
-
-
-def _is_singular(M: Array) -> bool:
-    """Return whether rounding errors decide what a symmetric matrix's inverse is."""
-    return _condition(M) > _SINGULAR
+    n_base, solved = len(M) - n_links, ACCELERATING.get(quantity)
+    if solved == "base":
+        return _condition(M[:n_base, :n_base])
+    return _condition(M) if solved else 1.0
 
 
 def _condition(M: Array) -> float:

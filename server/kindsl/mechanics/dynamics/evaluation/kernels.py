@@ -27,7 +27,12 @@ from kindsl.mechanics.dynamics.generation.loops import functions_of
 from kindsl.mechanics.dynamics.generation.masses import total_mass
 from kindsl.mechanics.dynamics.generation.robot import Robot
 from kindsl.mechanics.dynamics.inverse_dynamics_derivatives import InverseDynamicsDerivatives
-from kindsl.mechanics.dynamics.quantities import KEYWORDS, STANDARD_GRAVITY, SingularInertiaError
+from kindsl.mechanics.dynamics.quantities import (
+    ACCELERATING,
+    KEYWORDS,
+    STANDARD_GRAVITY,
+    SingularInertiaError,
+)
 
 Method = Callable[..., Any]
 
@@ -62,10 +67,6 @@ MOVING_BASE = {
     "centroidal_momentum_drift": ("v0",), "coriolis_matrix": ("v0",), "contact_dynamics": ("v0",),
     "velocity": ("v0",), "acceleration": ("v0", "a0"), "acceleration_drift": ("v0",),
 }  # fmt: skip
-ACCELERATING = (
-    "inverse_dynamics", "forward_dynamics", "forward_dynamics_derivatives",
-    "joint_space_inertia_inverse", "contact_dynamics",
-)  # fmt: skip
 # Of each frame, a kernel of each kind, whose name ends in the frame's number.
 OF_FRAMES = {
     "jacobians": ("jacobian", "jacobian_in_base"),
@@ -146,9 +147,8 @@ def _kernel(function: Function, robot: Robot, *, may_be_wide: bool) -> Kernel:
         results = [Result("T", (len(robot.targets), 4, 4), entries)]
     elif name in ("kinetic_energy", "potential_energy"):
         results = [result._replace(shape=()) for result in results]
-    accelerates = name.removesuffix("_loaded") in ACCELERATING and (
-        robot.tree.is_floating or not name.startswith("inverse_dynamics")
-    )
+    solved = ACCELERATING.get(name.removesuffix("_loaded"))
+    accelerates = solved == "all" or (solved == "base" and robot.tree.is_floating)
     entries = [entry for result in results for entry in result.entries]
     is_wide = may_be_wide and not function.is_loop and is_worth_lanes(robot.graph, entries)
     given = {argument.name: argument.components for argument in function.arguments}

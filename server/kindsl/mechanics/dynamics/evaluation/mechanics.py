@@ -31,6 +31,7 @@ from kindsl.mechanics.dynamics.evaluation.whole_body import AT_REST, GRAVITY, Wh
 from kindsl.mechanics.dynamics.forward_kinematics import joint_poses
 from kindsl.mechanics.dynamics.jacobian import jacobian, relative_jacobian
 from kindsl.mechanics.dynamics.quantities import (
+    ACCELERATING,
     JOINT_VECTORS,
     KEYWORDS,
     STANDARD_GRAVITY,
@@ -42,8 +43,6 @@ from kindsl.mechanics.spatial.exponential import pose_array, pose_of_motion
 
 # The names that generated functions have for arguments.
 IN_CODE = {keyword: name for name, keyword in KEYWORDS.items()} | {"external_forces": "fext"}
-# Quantities that divide by inertia.
-ACCELERATING = ("inverse_dynamics", "forward_dynamics")
 # What ready code raises if it is not there yet, or for arguments that need a closer look.
 NOT_READY = (
     AttributeError, KeyError, OverflowError, TypeError, ValueError, ZeroDivisionError,
