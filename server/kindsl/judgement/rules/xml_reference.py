@@ -11,22 +11,38 @@ from kindsl.language.semantics.declarations import Inertia, Link
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import mass_distribution
 from kindsl.mechanics.rigid.body import (
+    NO_BODY,
     MassDistribution,
     is_clearly_positive,
     second_moments_about_com,
     shifted,
 )
+from kindsl.mechanics.rigid.pose import Vector3
 
 # Where m c² is a fifth of the moments or more, 6 % of 1240 published links stay possible without.
 _FAR = 0.2
 _FEWEST = 3
+# Of likelihoods of the bodies, those about the origins beside those as written. In 602 published
+# files and 400 of solids, two of these have links that may be so, with 6.8 and 8.4 in all; of 319
+# files in which all moments are about the origins one in ten has less.
+_LIKELIER = 9.0
 
 
 class _Seen(NamedTuple):
-    """A link whose CoM is far from its origin; whether its moments may be about the latter."""
+    """A link whose CoM is far from its origin.
+
+    Attributes:
+        link: The link.
+        inertia: Its inertia.
+        com: Its CoM as seen from the link's origin, in the axes of the moments, m.
+        about_com: The body about its CoM, as written.
+        is_possible: Whether its moments may be about the link's origin.
+    """
 
     link: Link
     inertia: Inertia
+    com: Vector3
+    about_com: MassDistribution
     is_possible: bool
 
 
@@ -38,8 +54,10 @@ def reference_findings(model: Model, bodies: Sequence[XmlBody]) -> Iterator[Find
     """
     factor = _factor_to_si(model)
     seen = [e for body in bodies if body.moves and (e := _seen(body.link, factor)) is not None]
-    unlike = {_size(each) for each in seen}
+    unlike = {_size(each): each for each in seen}
     if len(unlike) < _FEWEST or not all(each.is_possible for each in seen):
+        return
+    if sum(map(_log_odds, unlike.values())) < _LIKELIER:
         return
     first, *others = seen
     message = f"moments of '{first.link.name}' and {len(others)} more links would most likely be "
@@ -81,7 +99,22 @@ def _seen(link: Link, factor: float) -> _Seen | None:
     meant = shifted(MassDistribution(body.mass, to_com, body.moments), -1.0)
     about_com = MassDistribution(body.mass, (0.0, 0.0, 0.0), meant.moments)
     possible = is_clearly_positive(second_moments_about_com(about_com))
-    return _Seen(link, inertia, possible)
+    return _Seen(link, inertia, to_com, body, possible)
+
+
+def _log_odds(seen: _Seen) -> float:
+    """Return how much likelier a link has moments about its origin than about its CoM."""
+    # Imported for suspects only, since it delays the linter's start.
+    from kindsl.judgement.diagnosis.evidence import of_matter, shape_of
+
+    about_origin = seen.about_com._replace(com=seen.com)
+    likelihoods = []
+    for body in (about_origin, shifted(about_origin)):
+        shape = shape_of(body, NO_BODY)
+        if shape is None:
+            return 0.0
+        likelihoods.append(of_matter(body, shape, None, 0.0))
+    return likelihoods[0] - likelihoods[1]
 
 
 def _size(seen: _Seen) -> tuple[str, ...]:

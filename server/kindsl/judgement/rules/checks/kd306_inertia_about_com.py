@@ -12,8 +12,8 @@ remains is judged again. A likely mistake without which the inertia would be pos
 known material, is told as such, without a fix.
 
 Warns of a possible inertia, too, whose mass reaches as far along the way to its centre as if its
-moments had been shifted twice, where that is likely. A thing that carries nothing and has places
-marked on it, such as a hammer, may have any shape.
+moments had been shifted twice, where that is likely; below 90 % it is a hint. A thing that carries
+nothing and has places marked on it, such as a hammer, may have any shape.
 
 ## Why is this bad?
 The language wants moments and products about the origin of the link frame, or of the frame that

@@ -188,12 +188,14 @@ def _finding(diagnosis: Diagnosis, at: str, context: Context) -> Finding:
         density = density_of(found.body.mass, found.second_moments)
         told += f" implies a density of {with_unit(density, 'kg/m³')} and"
     fix = _fix(found, causes[0], context) if len(causes) == 1 else None
+    is_doubt = found.verdict is Verdict.POSSIBLE and causes[0].probability < SURE
+    severity = Severity.HINT if is_doubt else Severity.WARNING
     return Finding(
         section,
         likely_cause(told, causes, at),
         tuple(Related(section, rival) for rival in rivals(causes)),
         fix,
-        Severity.INFORMATION if found.is_impossible else Severity.WARNING,
+        Severity.INFORMATION if found.is_impossible else severity,
         explains=_EVIDENCE,
         probability=causes[0].probability,
     )
