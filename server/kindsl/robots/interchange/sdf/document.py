@@ -124,7 +124,7 @@ def _of_elements(text: str, root: Any, former: SyntaxDocument | None) -> XmlDocu
 def _once(document: XmlDocument, errors: Sequence[SdfError]) -> Iterator[Flaw]:
     """Yield errors as flaws; what lacks a name that another element has is told there."""
     repeated = [e for e in errors if e.code in ("KD102", "KD103")]
-    lost = [e for e in errors if e.missing and "did you mean" not in e.sentence]
+    lost = [e for e in errors if e.missing and not e.is_misspelt]
     is_clear = len(repeated) == len(lost) == 1
     for error in errors:
         meant = hint(lost[0].missing) if is_clear and error is repeated[0] else ""

@@ -41,9 +41,11 @@ class SdfError(FormatError):
         sentence: What is wrong, without the line.
         code: The rule that it is reported under, empty for what is only not supported.
         missing: The name that the element gives of what is not there, if that is wrong.
+        is_misspelt: Whether something is there that is nearly called so.
     """
 
     missing = ""
+    is_misspelt = False
 
     def __init__(self, element: Any, sentence: str, code: str) -> None:
         super().__init__(f"line {element.sourceline}: {sentence}")

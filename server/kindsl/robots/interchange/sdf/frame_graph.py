@@ -110,9 +110,9 @@ class FrameGraph:
 
     def _element(self, name: str, asking: Any, code: str) -> Any:
         if name not in self._elements:
-            meant = hint(nearest_name(name, self._elements))
-            error = defect(asking, f"names '{name}', which does not exist{meant}", code)
-            error.missing = name
+            meant = nearest_name(name, self._elements)
+            error = defect(asking, f"names '{name}', which does not exist{hint(meant)}", code)
+            error.missing, error.is_misspelt = name, meant is not None
             raise error
         return self._elements[name]
 
