@@ -144,7 +144,8 @@ def _in_one_way(pairs: _Weighed, groups: Sequence[_Weighed]) -> _Weighed:
         others = _best([c for g in groups for c in g.values() if c.limbs.how == how == "LR"])
         if others is not None and others.mount.extra < best.mount.extra:
             mirrored = {pair: c.in_way(others.mount.way) for pair, c in alike.items()}
-            if all(r.slip == _PLACE_OF_HEAD for c in mirrored.values() for _, r in c.ranked):
+            slips = {r.slip for c in mirrored.values() for _, r in c.ranked}
+            if slips == {_PLACE_OF_HEAD}:
                 found |= mirrored
                 continue
         found |= {pair: c.in_way(best.mount.way) for pair, c in alike.items()}
@@ -287,8 +288,10 @@ def _within_each_other(c: WeighedComparison) -> Iterator[LimbVerdict]:
     """
     heads = c.limbs.rows[0][1:]
     is_moved = any(head.kind == "prismatic" or is_held(head.name) for head in heads)
-    is_alike = any(not c.differing(dict.fromkeys(range(len(c.limbs.rows)), C)) for C in _SIDES)
-    if c.limbs.how == "LR" and not is_moved and is_alike and c.is_of_one_place:
+    if c.limbs.how != "LR" or is_moved or not c.is_of_one_place:
+        return
+    rows = range(len(c.limbs.rows))
+    if any(not c.differing(dict.fromkeys(rows, C)) for C in _SIDES):
         places = tuple(Suspect(head.name, head.joint, "translation") for head in heads[::-1])
         for axis, (_, _, along) in enumerate(heads[0].rotation):
             if abs(along) > ALONG and abs(heads[0].translation[axis]) > SAME_PLACE:
