@@ -66,8 +66,8 @@ def bounds_by_digits(inertia: Inertia, known: Mapping[str, Interval]) -> Bounds 
     bounds = [each for each in found if each is not None]
     if len(bounds) < len(found):
         return None
-    middles = [0.5 * (low + high) for low, high in bounds]
-    return Bounds(_ten(middles), _ten([0.5 * (high - low) for low, high in bounds]))
+    middle = MassDistribution.of(0.5 * (low + high) for low, high in bounds)
+    return Bounds(middle, MassDistribution.of(0.5 * (high - low) for low, high in bounds))
 
 
 def all_written_as(text: str) -> Interval:
@@ -84,7 +84,7 @@ def likely_half_widths(numbers: Sequence[WrittenDigits]) -> MassDistribution:
     manner = [number for number in numbers[1:] if number.literal]
     finest = min((number.rounding for number in manner), default=inf)
     digits = max([_FEWEST_DIGITS, *map(_believed_digits, manner)])
-    return _ten([_half(number, finest, digits) for number in numbers])
+    return MassDistribution.of([_half(number, finest, digits) for number in numbers])
 
 
 def numbers_written(inertia: Inertia, values: Mapping[str, float]) -> list[WrittenDigits]:
@@ -102,10 +102,6 @@ def ten_values(inertia: Inertia) -> list[Expression]:
     assert inertia.mass is not None and inertia.com is not None
     moments = (inertia.moments[name] for name in MOMENTS)
     return [inertia.mass, *inertia.com.components, *moments]
-
-
-def _ten(numbers: Sequence[float]) -> MassDistribution:
-    return MassDistribution(numbers[0], tuple(numbers[1:4]), tuple(numbers[4:]))  # type: ignore[arg-type]
 
 
 def _digits_of(value: Expression, values: Mapping[str, float]) -> WrittenDigits:

@@ -199,20 +199,18 @@ def _typed_anew(found: Judgement, around: LinkSurroundings) -> Iterator[Hypothes
 
     Of its images the nearest tells the sign.
     """
-    written = (found.body.mass, *found.body.com, *found.body.moments)
+    written = found.body.numbers
     for peer in around.peers:
         ways: list[tuple[float, int, float]] = []
         for image in images(peer.body):
-            meant: Sequence[float] = (image.mass, *image.com, *image.moments)
+            meant = image.numbers
             sizes = (max([_LEAST, *map(abs, meant[kind])]) for kind in _KINDS for _ in meant[kind])
             apart = [abs(a - b) / c for a, b, c in zip(written, meant, sizes, strict=True)]
             odd = [i for i, share in enumerate(apart) if share > SAME]
             if len(odd) == 1 and TEN[odd[0]] in _TYPED:
                 ways.append((sum(apart), odd[0], meant[odd[0]]))
         for _, n, number in sorted(ways)[:1]:
-            ten = [*written[:n], number, *written[n + 1 :]]
-            mass, x, y, z, *moments = ten
-            body = MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
+            body = MassDistribution.of((*written[:n], number, *written[n + 1 :]))
             weight = TABLE[Slip.NUMBER].weight * exp(WEIGHTS.get(Slip.NUMBER, 0.0))
             names = TEN[n], f"{_in_file(number, TEN[n], found.link):.4g}"
             yield Hypothesis((Slip.NUMBER,), body, found.half, weight, names)

@@ -125,9 +125,7 @@ def _unlike(
 
 def _n_digits_shared(one: MassDistribution, other: MassDistribution, within: float) -> int:
     """Return how many digits of different numbers two bodies have alike."""
-    pairs = zip(
-        (one.mass, *one.com, *one.moments), (other.mass, *other.com, *other.moments), strict=True
-    )
+    pairs = zip(one.numbers, other.numbers, strict=True)
     same = {f"{abs(a):.6g}" for a, b in pairs if a and abs(abs(a) - abs(b)) <= within * abs(a)}
     return sum(map(significant_digits, same))
 

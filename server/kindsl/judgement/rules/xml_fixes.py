@@ -141,8 +141,8 @@ def _differing(
     """
     if not own or not peers:
         return
-    here, there = _body(own), _body(peers)
-    unlike = [(tuple(unlike_numbers(here, i, _NEARLY)), _values(i)) for i in images(there)]
+    here, there = (MassDistribution.of(e.literal or 0.0 for e in ten) for ten in (own, peers))
+    unlike = [(tuple(unlike_numbers(here, i, _NEARLY)), i.numbers) for i in images(there)]
     alone = [(odd[0], values[_PARTS[odd[0]]]) for odd, values in unlike if len(odd) == 1]
     parts = {part for part, _ in alone}
     for part in parts if len(parts) == 1 else ():
@@ -159,15 +159,6 @@ def _differing(
             changes = list(rewriting("", mine, texts).changes) if texts else None
         if changes:
             yield part, tuple(changes)
-
-
-def _body(numbers: Sequence[Expression]) -> MassDistribution:
-    mass, x, y, z, *moments = (each.literal or 0.0 for each in numbers)
-    return MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
-
-
-def _values(body: MassDistribution) -> tuple[float, ...]:
-    return body.mass, *body.com, *body.moments
 
 
 def _rescaled(

@@ -11,8 +11,7 @@ from kindsl.language.semantics.model import Model
 from kindsl.language.text.facts import kept
 from kindsl.mechanics.rigid.body import (
     MassDistribution,
-    Symmetric,
-    lumped,
+    less,
     seen_from,
     shifted,
 )
@@ -160,16 +159,14 @@ class _LimbsAsWritten:
         if pose is None or own.link is not body.link:
             return None
         seen = self._masses[link]
-        ten = [seen.mass, *seen.com, *seen.moments]
+        ten = [*seen.numbers]
         ten[PARTS[what]] = meant
-        mass, x, y, z, *moments = ten
-        limb = shifted(MassDistribution(mass, (x, y, z), tuple(moments)))  # type: ignore[arg-type]
-        rest = (seen_from(p.mass, p.pose) for p in others if p.mass is not None)
-        taken = (r._replace(mass=-r.mass, moments=_negated(r.moments)) for r in rest)
-        in_link = seen_from(lumped([seen_from(limb, body.axis_pose), *taken]), own.pose.inverse())
+        limb = seen_from(shifted(MassDistribution.of(ten)), body.axis_pose)
+        rest = [seen_from(p.mass, p.pose) for p in others if p.mass is not None]
+        in_link = seen_from(less(limb, rest), own.pose.inverse())
         turned = RigidPose(pose.rotation, in_link.com)
         there = seen_from(in_link, turned.inverse())
-        return [mass, *in_link.com, *there.moments][PARTS[what]]
+        return [ten[0], *in_link.com, *there.moments][PARTS[what]]
 
 
 def _is_turned_on_one_side(
@@ -192,11 +189,6 @@ def _is_half_turned(body: XmlBody) -> bool:
 
 def _heavy(body: XmlBody) -> list[XmlPart]:
     return [part for part in body.parts if part.mass is not None and part.mass.mass]
-
-
-def _negated(moments: Symmetric) -> Symmetric:
-    xx, yy, zz, xy, xz, yz = moments
-    return -xx, -yy, -zz, -xy, -xz, -yz
 
 
 def _rounded(value: float, near: Sequence[float], within: float) -> float:

@@ -15,7 +15,7 @@ Source: Wensing, Kim, Slotine 2018, Linear matrix inequalities for physically co
 parameter identification; Traversaro et al. 2016.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from math import copysign, hypot, sqrt
 from typing import NamedTuple
 
@@ -42,6 +42,17 @@ class MassDistribution(NamedTuple):
     mass: float
     com: Vector3
     moments: Symmetric
+
+    @classmethod
+    def of(cls, numbers: Iterable[float]) -> "MassDistribution":
+        """Return the body with these ten numbers: mass, centre of mass, moments."""
+        mass, x, y, z, xx, yy, zz, xy, xz, yz = numbers
+        return cls(mass, (x, y, z), (xx, yy, zz, xy, xz, yz))
+
+    @property
+    def numbers(self) -> tuple[float, ...]:
+        """The ten numbers, one after the other."""
+        return self.mass, *self.com, *self.moments
 
 
 NO_BODY = MassDistribution(0.0, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
@@ -121,6 +132,14 @@ def lumped(parts: Sequence[MassDistribution]) -> MassDistribution:
     com = (x / mass, y / mass, z / mass) if abs(mass) > 1e-14 * size else NO_BODY.com
     xx, yy, zz, xy, xz, yz = map(sum, zip(*(part.moments for part in parts), strict=True))
     return MassDistribution(mass, com, (xx, yy, zz, xy, xz, yz))
+
+
+def less(body: MassDistribution, parts: Sequence[MassDistribution]) -> MassDistribution:
+    """Return what is left of a body without parts of it."""
+    if not parts:
+        return body
+    taken = (p._replace(mass=-p.mass, moments=tuple(-m for m in p.moments)) for p in parts)  # type: ignore[arg-type]
+    return lumped((body, *taken))
 
 
 def principal_moments(pairs: tuple[Eigenpair, Eigenpair, Eigenpair]) -> Vector3:

@@ -72,8 +72,8 @@ def _inertias(link: Link, values: Mapping[str, float]) -> tuple[WrittenInertia, 
         *(inertia.com.components if inertia.com is not None else ()),
         *(inertia.moments[name] for name in MOMENTS),
     )
-    written, numbers = (body.mass, *body.com, *body.moments), _numbers(expressions, values)
-    return (WrittenInertia(str(link.name), written, numbers, pose),)
+    numbers = _numbers(expressions, values)
+    return (WrittenInertia(str(link.name), body.numbers, numbers, pose),)
 
 
 def _pose(owner: str, pose: Pose, values: Mapping[str, float], known: RigidPose) -> WrittenPose:

@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from math import hypot
 from typing import NamedTuple
 
-from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from
+from kindsl.mechanics.rigid.body import MassDistribution, less, lumped, seen_from
 from kindsl.mechanics.rigid.pose import RigidPose, angle_between
 from kindsl.robots.comparison.alignment import around
 from kindsl.robots.comparison.quantities import INERTIA, POSE, TURNS
@@ -15,7 +15,6 @@ from kindsl.robots.comparison.written import (
     WrittenNumber,
     WrittenPose,
     is_round_angle,
-    less,
 )
 
 _ROUNDING = 1e-11

@@ -10,7 +10,7 @@ from math import atan2, pi, remainder
 from typing import NamedTuple
 
 from kindsl.language.semantics.places import Located
-from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from, shifted
+from kindsl.mechanics.rigid.body import MassDistribution, seen_from, shifted
 from kindsl.mechanics.rigid.pose import (
     IDENTITY,
     RigidPose,
@@ -184,14 +184,6 @@ def is_round_angle(value: float) -> bool:
 def written_frame(name: str, pose: RigidPose) -> WrittenPose:
     """Return the form of a frame that is only known as a pose."""
     return WrittenPose(name, (*pose.translation, *angles(pose.rotation, _GIMBAL)))
-
-
-def less(body: MassDistribution, parts: Sequence[MassDistribution]) -> MassDistribution:
-    """Return what is left of a body without parts of it."""
-    if not parts:
-        return body
-    taken = (p._replace(mass=-p.mass, moments=tuple(-m for m in p.moments)) for p in parts)  # type: ignore[arg-type]
-    return lumped((body, *taken))
 
 
 def _options(rotation: Rotation, written: Vector3) -> list[Vector3]:

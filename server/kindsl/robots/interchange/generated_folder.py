@@ -22,7 +22,7 @@ _WITHOUT_NUMBERS = (".md", ".txt")
 def robot_record(linkage: Linkage) -> dict[str, object]:
     """Return a robot as plain data: SI units, poses as a translation and the rotation's rows."""
     names = linkage.body_names
-    masses = [_inertia_record(mass) for mass in linkage.masses]
+    masses = [mass.numbers for mass in linkage.masses]
     return {
         "base": linkage.base_name,
         "floating": linkage.is_floating,
@@ -66,8 +66,7 @@ def described_generated(folder: Path, label: str) -> ComparedSide:
         raise FormatError(f"{message}: generate the code again")
     bodies = zip(skeleton.body_names, skeleton.masses, strict=True)
     inertias = tuple(
-        (WrittenInertia(name, tuple(_inertia_record(body))),) if body.mass else ()
-        for name, body in bodies
+        (WrittenInertia(name, body.numbers),) if body.mass else () for name, body in bodies
     )
     return exactly_turned(ComparedSide(label, skeleton, inertias, written_joints(skeleton)))
 
@@ -89,15 +88,12 @@ def _edited(folder: Path, files: Mapping[str, str]) -> str | None:
     return None
 
 
-def _inertia_record(body: MassDistribution) -> list[float]:
-    return [body.mass, *body.com, *body.moments]
-
-
 def _linkage(robot: Mapping[str, Any]) -> Linkage:
     links, frames = robot["links"], robot["frames"]
     base = {"name": robot["base"], "inertia": robot["base_inertia"]}
     names = [base["name"], *(link["name"] for link in links)]
-    parts = [[BodyPart(str(each["name"]), mass=_body(each["inertia"]))] for each in (base, *links)]
+    named = ((str(each["name"]), map(float, each["inertia"])) for each in (base, *links))
+    parts = [[BodyPart(name, mass=MassDistribution.of(ten))] for name, ten in named]
     for f in frames:
         part = BodyPart(str(f["name"]), _pose(f["pose"]), is_link=False)
         parts[names.index(f["link"])].append(part)
@@ -118,9 +114,3 @@ def _pose(numbers: list[float]) -> RigidPose:
     x, y, z, *rest = map(float, numbers)
     a, b, c, d, e, f, g, h, i = rest
     return RigidPose(((a, b, c), (d, e, f), (g, h, i)), (x, y, z))
-
-
-def _body(numbers: list[float]) -> MassDistribution:
-    mass, x, y, z, *moments = map(float, numbers)
-    xx, yy, zz, xy, xz, yz = moments
-    return MassDistribution(mass, (x, y, z), (xx, yy, zz, xy, xz, yz))

@@ -137,7 +137,7 @@ def _check_finite(link: RigidLink) -> None:
     poses = [link.parent_T_joint, link.joint_T_link, *(pose for _, pose in link.frames)]
     numbers = [*link.axis, *(number for pose in poses for number in pose.numbers)]
     if link.body is not None:
-        numbers += [link.body.mass, *link.body.com, *link.body.moments]
+        numbers += link.body.numbers
     if not all(abs(number) < _GREATEST for number in numbers):
         raise FormatError(f"'{link.name}' has a number that is not finite")
 

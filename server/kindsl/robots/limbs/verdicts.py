@@ -435,5 +435,5 @@ def _odd_mass(
     meant = seen_by(pairs[mine[0]].masses[peer.name], C if mine[0][1] == label else transposed(C))
     numbers = {"mass": (meant.mass,), "com": meant.com, "moments": meant.moments}
     place = Suspect(body.name, body.joint, what)
-    repair = MeantNumbers(place, (numbers.get(what, (meant.mass, *meant.com, *meant.moments)),))
+    repair = MeantNumbers(place, (numbers.get(what, meant.numbers),))
     return LimbVerdict((place,), (repair,), tuple(peer.name for _, peer in rows), True)

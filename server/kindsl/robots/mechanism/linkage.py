@@ -251,8 +251,8 @@ def checked(linkage: Linkage) -> Linkage:
     )
     numbers = {
         **{
-            f"inertia of '{body.name}'": (m.mass, *m.com, *m.moments)
-            for body, m in zip(linkage.bodies, linkage.masses, strict=True)
+            f"inertia of '{body.name}'": mass.numbers
+            for body, mass in zip(linkage.bodies, linkage.masses, strict=True)
         },
         **{f"pose of joint '{body.joint}'": body.placement.numbers for body in linkage.bodies[1:]},
         **{f"pose of frame '{frame.name}'": frame.pose.numbers for frame in linkage.frames},

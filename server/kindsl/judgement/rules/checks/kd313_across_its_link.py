@@ -56,10 +56,10 @@ def _laid_along(body: Link, joints: tuple[Joint, ...], context: Context) -> Fix 
     if inertia is None or inertia.com is None or written is None or inertia.frame is not None:
         return None
     values = [*inertia.com.components, *(inertia.moments[name] for name in MOMENTS)]
-    numbers, texts = [*written.com, *written.moments], [value.text for value in values]
+    numbers, texts = written.numbers[1:], [value.text for value in values]
     for axis in _AXES[1:]:
-        numbers, texts = [numbers[i] for i in _NEXT], [texts[i] for i in _NEXT]
-        turned = MassDistribution(written.mass, tuple(numbers[:3]), tuple(numbers[3:]))  # type: ignore[arg-type]
+        numbers, texts = tuple(numbers[i] for i in _NEXT), [texts[i] for i in _NEXT]
+        turned = MassDistribution.of((written.mass, *numbers))
         if lies_along(turned, (children or frames)[0]):
             pairs = zip(values, texts, strict=True)
             changes = tuple(Replacement(old, new) for old, new in pairs if old.text != new)

@@ -185,11 +185,9 @@ def _why(model: Model, context: Context, verdict: LimbVerdict) -> str:
     if not why and isinstance(seen, MassDistribution) and isinstance(written, MassDistribution):
         if is_round(written.moments):
             return f": Ix, Iy and Iz are all {written.moments[0]:g}, a placeholder"
-        ten = [seen.mass, *seen.com, *seen.moments]
-        ten[PARTS[place.what]] = verdict.repairs[0].meant[0]
-        mass, x, y, z, *moments = ten
-        meant = MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
-        slip = slip_of(written, _as_written(body, meant, context))
+        meant = [*seen.numbers]
+        meant[PARTS[place.what]] = verdict.repairs[0].meant[0]
+        slip = slip_of(written, _as_written(body, MassDistribution.of(meant), context))
         why = f"{said} if {clause(slip)}" if slip is not None else ""
     return why and f": {why}"
 

@@ -91,7 +91,7 @@ def _peers(chunk: Chunk) -> list[tuple[Link, str]]:
 def mirror_difference(names: tuple[str, str], *both: MassDistribution) -> str:
     """Return how a right inertia is not the image of a left one, nothing if it is, or unlike."""
     left, right = names
-    here, there = ([body.mass, *body.com, *body.moments] for body in both)
+    here, there = (body.numbers for body in both)
     pairs = list(zip(map(abs, here), map(abs, there), strict=True))
     kinds = [max(map(max, pairs[part])) for part in (slice(1), slice(1, 4), slice(4, 10))]
     sizes = [_SIGNIFICANT * kinds[(i > 0) + (i > 3)] for i in range(len(TEN))]
@@ -106,8 +106,8 @@ def mirror_difference(names: tuple[str, str], *both: MassDistribution) -> str:
         return f"'{right}' is not the mirror image of '{left}': {', '.join(told)}"
     if exact != len(TEN):
         return ""
-    ten = ((image.mass, *image.com, *image.moments) for image in images(both[0]))
-    as_images = (zip(TEN, numbers, there, sizes, strict=True) for numbers in ten)
+    seen = (image.numbers for image in images(both[0]))
+    as_images = (zip(TEN, numbers, there, sizes, strict=True) for numbers in seen)
     unlike = [[name for name, a, b, size in each if abs(a - b) > size] for each in as_images]
     if [] in unlike:
         return ""

@@ -240,7 +240,7 @@ def _holds(found: Judgement, changes: Sequence[Replacement], context: Context) -
     plain = _literals(numbers)
     if len(plain) < len(numbers):
         return False
-    mass, x, y, z, *moments = plain
+    moments = plain[4:]
     is_document = not isinstance(found.link.island, OtherIsland)
     is_for_robcogen2 = is_document and context.targets != {ROBCOGEN}
     if is_for_robcogen2 and all(map(is_tiny, filter(None, moments[:3]))):
@@ -248,7 +248,7 @@ def _holds(found: Judgement, changes: Sequence[Replacement], context: Context) -
     is_lost = _has_tiny(moments) and not _has_tiny(_literals(written)[4:])
     if ROBCOGEN2 in context.targets and is_lost:
         return False
-    body = MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
+    body = MassDistribution.of(plain)
     pairs = eigensystem(second_moments_about_com(body))
     half = likely_half_widths(numbers)
     if verdict_of(body, half, pairs) in IMPOSSIBLE:
