@@ -19,7 +19,7 @@ from typing import NamedTuple
 from kindsl.language.semantics.declarations import Inertia
 from kindsl.language.semantics.expressions import Expression, half_unit
 from kindsl.language.semantics.ranges import Interval, bounds_of
-from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.language.semantics.unknown import inertia_expressions
 from kindsl.language.text.decimals import significant_digits
 from kindsl.mechanics.rigid.body import MassDistribution
 
@@ -62,7 +62,7 @@ def bounds_by_digits(inertia: Inertia, known: Mapping[str, Interval]) -> Bounds 
         inertia: Complete.
         known: Bounds of parameters by name, and of constants by `<name>`.
     """
-    found = [bounds_of(value, known, all_written_as) for value in ten_values(inertia)]
+    found = [bounds_of(value, known, all_written_as) for value in inertia_expressions(inertia)]
     bounds = [each for each in found if each is not None]
     if len(bounds) < len(found):
         return None
@@ -89,19 +89,12 @@ def likely_half_widths(numbers: Sequence[WrittenDigits]) -> MassDistribution:
 
 def numbers_written(inertia: Inertia, values: Mapping[str, float]) -> list[WrittenDigits]:
     """Return the ten numbers of a complete inertia: mass, centre of mass, moments."""
-    return [_digits_of(value, values) for value in ten_values(inertia)]
+    return [_digits_of(value, values) for value in inertia_expressions(inertia)]
 
 
 def rewritten_number(text: str) -> WrittenDigits:
     """Return a plain number that is to be written."""
     return WrittenDigits(text, float(text), half_unit(text))
-
-
-def ten_values(inertia: Inertia) -> list[Expression]:
-    """Return the ten values of a complete inertia in the order of `MassDistribution`."""
-    assert inertia.mass is not None and inertia.com is not None
-    moments = (inertia.moments[name] for name in MOMENTS)
-    return [inertia.mass, *inertia.com.components, *moments]
 
 
 def _digits_of(value: Expression, values: Mapping[str, float]) -> WrittenDigits:

@@ -18,6 +18,7 @@ from kindsl.language.semantics.expressions import ParameterUse, symbols
 from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.numbers import mass_distribution
 from kindsl.language.semantics.places import Place, has_problem_within
+from kindsl.language.semantics.unknown import inertia_expressions
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.language.text.facts import Fact
 from kindsl.mechanics.rigid.body import (
@@ -180,11 +181,7 @@ def is_about_one_number(moments: Symmetric) -> bool:
 
 def is_plain(inertia: Inertia) -> bool:
     """Return whether all values of an inertia are plain numbers."""
-    com = inertia.com.components if inertia.com is not None else ()
-    values = (*inertia.moments.values(), *com)
-    return all(value.literal is not None for value in values) and (
-        inertia.mass is None or inertia.mass.literal is not None
-    )
+    return all(value.literal is not None for value in inertia_expressions(inertia))
 
 
 def at_values(inertia: Inertia, values: Mapping[str, float]) -> str:

@@ -14,7 +14,7 @@ from enum import Enum
 from itertools import product
 from typing import NamedTuple
 
-from kindsl.judgement.diagnosis.digits import likely_half_widths, numbers_written, ten_values
+from kindsl.judgement.diagnosis.digits import likely_half_widths, numbers_written
 from kindsl.judgement.diagnosis.judgements import IMPOSSIBLE, verdict_of
 from kindsl.language.semantics.declarations import Inertia
 from kindsl.language.semantics.numbers import mass_distribution
@@ -27,6 +27,7 @@ from kindsl.language.semantics.ranges import (
     product_of,
     sum_of,
 )
+from kindsl.language.semantics.unknown import inertia_expressions
 from kindsl.mechanics.rigid.body import eigensystem, second_moments_about_com
 
 _MOST_AT_CORNERS = 12
@@ -88,7 +89,7 @@ def _corners(ranges: Ranges) -> Iterator[Values]:
 
 def _is_affine(inertia: Inertia, names: frozenset[str]) -> bool:
     """Return whether mass, first and second moments are affine in each parameter alone."""
-    found = [degrees_of(value, names) for value in ten_values(inertia)]
+    found = [degrees_of(value, names) for value in inertia_expressions(inertia)]
     written = [degrees for degrees in found if degrees is not None]
     if len(written) < len(found):
         return False
@@ -125,7 +126,7 @@ def _halves(part: dict[str, Interval], ranges: Ranges) -> list[dict[str, Interva
 def _is_proved(inertia: Inertia, part: Ranges, values: Values) -> bool:
     """Return whether interval bounds prove an inertia possible in a part of the ranges."""
     known = {**{name: (value, value) for name, value in values.items()}, **part}
-    bounds = [bounds_of(value, known) for value in ten_values(inertia)]
+    bounds = [bounds_of(value, known) for value in inertia_expressions(inertia)]
     found = [bound for bound in bounds if bound is not None]
     if len(found) < 10 or found[0][0] <= 0.0:
         return False

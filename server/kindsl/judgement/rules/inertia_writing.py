@@ -1,14 +1,14 @@
 """Changes that give a body the mass properties that a pasted passage has."""
 
-from collections.abc import Iterator
-
 from kindsl.judgement.rules.base import Replacement
 from kindsl.language.semantics.declarations import Inertia, Link
 from kindsl.language.semantics.places import Place
+from kindsl.language.semantics.unknown import inertia_expressions
 from kindsl.language.syntax.insertions import section_indent
 from kindsl.language.syntax.tree import Node
-from kindsl.language.syntax.vocabulary import MOMENTS, words_of
+from kindsl.language.syntax.vocabulary import words_of
 from kindsl.language.text.lines import line_start, newline_of
+from kindsl.mechanics.rigid.body import NO_BODY
 from kindsl.robots.cad.properties import MassProperties
 
 
@@ -48,7 +48,8 @@ def new_inertia(body: Link, found: MassProperties) -> tuple[Replacement, ...]:
         new = f"{newline_of(body.island.text)}{_block(body, found)}"
         return (Replacement(Place(body.island, behind.end, behind.end), new),)
     if _is_whole(inertia) and _frame(body, found) == (inertia.frame or ""):
-        return tuple(_values(inertia, found))
+        texts = (found.mass, *found.com, *found.moments)
+        return tuple(map(Replacement, inertia_expressions(inertia), texts))
     block = _block(body, found).lstrip()
     return (Replacement(Place(body.island, inertia.start, inertia.end), block),)
 
@@ -84,15 +85,5 @@ def _frame(body: Link, found: MassProperties) -> str:
 
 
 def _is_whole(inertia: Inertia) -> bool:
-    com = inertia.com
-    values = [inertia.mass, *inertia.moments.values(), *(com.components if com else ())]
-    is_written = all(value is not None and value.start < value.end for value in values)
-    return is_written and com is not None and len(inertia.moments) == len(MOMENTS)
-
-
-def _values(inertia: Inertia, found: MassProperties) -> Iterator[Replacement]:
-    assert inertia.mass is not None and inertia.com is not None
-    texts = (found.mass, *found.com, *found.moments)
-    moments = (inertia.moments[name] for name in MOMENTS)
-    for value, text in zip((inertia.mass, *inertia.com.components, *moments), texts, strict=True):
-        yield Replacement(Place(inertia.island, value.start, value.end), text)
+    values = inertia_expressions(inertia)
+    return len(values) == len(NO_BODY.numbers) and all(v.start < v.end for v in values)

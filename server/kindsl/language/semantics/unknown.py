@@ -4,8 +4,9 @@ from collections.abc import Iterable, Mapping
 from math import isfinite
 from typing import NamedTuple
 
-from kindsl.language.semantics.declarations import Pose, Vector
+from kindsl.language.semantics.declarations import Inertia, Pose, Vector
 from kindsl.language.semantics.expressions import ConstantUse, Expression, is_undecided, symbols
+from kindsl.language.syntax.vocabulary import MOMENTS
 
 
 class Unknown(NamedTuple):
@@ -49,3 +50,10 @@ def pose_expressions(pose: Pose) -> Iterable[Expression]:
 def vector_expressions(vector: Vector | None) -> Iterable[Expression]:
     """Yield the components of a vector, if there is one."""
     return vector.components if vector is not None else ()
+
+
+def inertia_expressions(inertia: Inertia) -> list[Expression]:
+    """Return the values of an inertia that are there: mass, CoM, moments, ten where it is whole."""
+    mass = [] if inertia.mass is None else [inertia.mass]
+    moments = (inertia.moments[name] for name in MOMENTS if name in inertia.moments)
+    return [*mass, *vector_expressions(inertia.com), *moments]

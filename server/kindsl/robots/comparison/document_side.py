@@ -6,8 +6,8 @@ from kindsl.language.semantics.declarations import Link, Pose
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import mass_distribution, triple, written_pose
+from kindsl.language.semantics.unknown import inertia_expressions
 from kindsl.language.syntax.tree import Node
-from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
 from kindsl.robots.comparison.quantities import POSE
 from kindsl.robots.comparison.side import ComparedSide, exactly_turned
@@ -67,12 +67,7 @@ def _inertias(link: Link, values: Mapping[str, float]) -> tuple[WrittenInertia, 
         return ()
     frame = next((f for f in link.frames if f.name == inertia.frame), None)
     pose = IDENTITY if frame is None else written_pose(frame.pose, values) or IDENTITY
-    expressions = (
-        inertia.mass,
-        *(inertia.com.components if inertia.com is not None else ()),
-        *(inertia.moments[name] for name in MOMENTS),
-    )
-    numbers = _numbers(expressions, values)
+    numbers = _numbers(inertia_expressions(inertia), values)
     return (WrittenInertia(str(link.name), body.numbers, numbers, pose),)
 
 

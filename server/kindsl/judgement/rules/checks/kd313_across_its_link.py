@@ -34,7 +34,7 @@ from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.inertia.shapes import link_ends, shape_doubts
 from kindsl.language.semantics.declarations import Joint, Link
 from kindsl.language.semantics.numbers import mass_distribution
-from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.language.semantics.unknown import inertia_expressions
 from kindsl.mechanics.rigid.body import MassDistribution
 
 _AXES = "xyz"
@@ -55,7 +55,7 @@ def _laid_along(body: Link, joints: tuple[Joint, ...], context: Context) -> Fix 
     children, frames = link_ends(body, joints, context)
     if inertia is None or inertia.com is None or written is None or inertia.frame is not None:
         return None
-    values = [*inertia.com.components, *(inertia.moments[name] for name in MOMENTS)]
+    values = inertia_expressions(inertia)[1:]
     numbers, texts = written.numbers[1:], [value.text for value in values]
     for axis in _AXES[1:]:
         numbers, texts = tuple(numbers[i] for i in _NEXT), [texts[i] for i in _NEXT]

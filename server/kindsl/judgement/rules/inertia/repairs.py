@@ -8,7 +8,6 @@ from kindsl.judgement.diagnosis.digits import (
     likely_half_widths,
     numbers_written,
     rewritten_number,
-    ten_values,
 )
 from kindsl.judgement.diagnosis.judge import Cause, Diagnosis, diagnosed_alone, diagnoses
 from kindsl.judgement.diagnosis.judgements import (
@@ -41,6 +40,7 @@ from kindsl.judgement.rules.number_writing import rescaled, rewritten
 from kindsl.judgement.rules.tiny_values import is_negligible, is_tiny
 from kindsl.language.semantics.lowering import OtherIsland
 from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.unknown import inertia_expressions
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.language.text.facts import Fact
 from kindsl.language.text.quantities import with_unit
@@ -215,7 +215,7 @@ def _fix(found: Judgement, cause: Cause, context: Context) -> Fix | None:
 
 def _changes(found: Judgement, cause: Cause) -> list[Replacement] | None:
     """Return the changes that write the numbers as they were meant."""
-    h, (mass, *others) = cause.hypothesis, ten_values(found.inertia)
+    h, (mass, *others) = cause.hypothesis, inertia_expressions(found.inertia)
     if h.body.mass != found.body.mass:
         return rescaled([mass], [h.body.mass])
     if h.body.com != found.body.com:
@@ -235,7 +235,7 @@ def _holds(found: Judgement, changes: Sequence[Replacement], context: Context) -
     written = numbers_written(found.inertia, context.values)
     numbers = [
         rewritten_number(texts[value.start]) if value.start in texts else number
-        for value, number in zip(ten_values(found.inertia), written, strict=True)
+        for value, number in zip(inertia_expressions(found.inertia), written, strict=True)
     ]
     plain = _literals(numbers)
     if len(plain) < len(numbers):

@@ -5,10 +5,11 @@ from math import isclose, radians
 from typing import NamedTuple
 
 from kindsl.judgement.analysis.analysis import Analysis
-from kindsl.language.semantics.declarations import Inertia
 from kindsl.language.semantics.expressions import Expression
-from kindsl.language.semantics.unknown import pose_expressions, vector_expressions
-from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.language.semantics.unknown import (
+    inertia_expressions,
+    pose_expressions,
+)
 
 _ROUNDING = 1e-12
 # What a factor between two numbers says, and how near it must be.
@@ -79,17 +80,10 @@ def _frames(side: Analysis, renamed: Mapping[str, str]) -> _Numbers:
 
 def _bodies(side: Analysis, renamed: Mapping[str, str]) -> _Numbers:
     return {
-        renamed.get(str(body.name), str(body.name)): _by_label(_values(body.inertia))
+        renamed.get(str(body.name), str(body.name)): _by_label(inertia_expressions(body.inertia))
         for body in side.model.bodies
         if body.inertia is not None
     }
-
-
-def _values(inertia: Inertia) -> Iterator[Expression]:
-    if inertia.mass is not None:
-        yield inertia.mass
-    yield from vector_expressions(inertia.com)
-    yield from (inertia.moments[name] for name in MOMENTS if name in inertia.moments)
 
 
 def _by_label(values: Iterable[Expression]) -> dict[str, Expression]:
