@@ -12,7 +12,11 @@ examples:
 
 import argparse
 
-from kindsl.frontends.cli.documents.document_reading import CommandError, note_errors, read_named
+from kindsl.frontends.cli.documents.document_reading import (
+    note_errors,
+    read_named,
+    refusals,
+)
 from kindsl.frontends.cli.documents.sources import STDIN
 from kindsl.frontends.cli.documents.writing import write_output
 from kindsl.frontends.cli.options import add_robot_arguments
@@ -56,10 +60,8 @@ def run(args: argparse.Namespace) -> int:
     from kindsl.products.reports.page.html import html_text
     from kindsl.products.reports.page.markdown import markdown_text, with_pictures
 
-    try:
+    with refusals(args.file, PoseError):
         page = card_page(analysis, args.pose)
-    except PoseError as error:
-        raise CommandError.about(args.file, str(error)) from None
     if args.output_format == "markdown" and args.output is not None:
         # What shows Markdown strips pictures that are in it.
         text, pictures = with_pictures(page, args.output)

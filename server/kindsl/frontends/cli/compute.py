@@ -23,6 +23,7 @@ from kindsl.frontends.cli.documents.document_reading import (
     note_errors,
     note_readings,
     read_named,
+    refusals,
     require_syntax,
 )
 from kindsl.frontends.cli.documents.sources import STDIN
@@ -82,10 +83,8 @@ def run(args: argparse.Namespace) -> int:
     note_readings(args.file, analysis)
     note_errors(args.file, analysis)
     robot = ConfigurationSpace(mechanism.bodies.joint_names, mechanism.bodies.is_floating)
-    try:
+    with refusals("kindsl compute", MotionError):
         motions = _motions_of(args, robot, analysis.settings)
-    except MotionError as error:
-        raise CommandError.about("kindsl compute", str(error)) from None
     write_output(args.output or STDIN, _computed(args, analysis, mechanism, motions))
     return 0
 
@@ -95,10 +94,8 @@ def _computed(
 ) -> str | bytes:
     from kindsl.products.reports.computation import compute
 
-    try:
+    with refusals(args.file, ValueError, status=1):
         results = compute(analysis, mechanism, motions, args.gravity, is_forward=args.forward)
-    except ValueError as error:
-        raise CommandError.about(args.file, str(error), status=1) from None
     is_read_at_once = args.output is None and is_terminal(sys.stdout)
     output_format = args.output_format or ("text" if is_read_at_once else "json")
     if output_format == "json":

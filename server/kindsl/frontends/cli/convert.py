@@ -23,11 +23,12 @@ from kindsl.frontends.cli.documents.document_reading import (
     note_errors,
     note_readings,
     read_document,
+    refusals,
     require_parameters,
     shown_name,
     skeleton_of_document,
 )
-from kindsl.frontends.cli.documents.sources import STDIN, reason
+from kindsl.frontends.cli.documents.sources import STDIN
 from kindsl.frontends.cli.documents.writing import write_output
 from kindsl.frontends.cli.options import add_parameter_arguments
 from kindsl.frontends.cli.output.notes import rendered_notes
@@ -213,13 +214,9 @@ def _document(args: argparse.Namespace, source: Format) -> WrittenRobot:
     assert source.read is not None
     from kindsl.robots.interchange.kindsl_writing import written_kindsl
 
-    try:
+    with refusals(args.input, OSError), refusals(args.input, FormatError, status=1):
         require_regular(args.input)
         return written_kindsl(source.read(Path(args.input), _choices(args, source)))
-    except OSError as error:
-        raise CommandError.about(args.input, reason(args.input, error)) from None
-    except FormatError as error:
-        raise CommandError.about(args.input, str(error), status=1) from None
 
 
 def _choices(args: argparse.Namespace, source: Format) -> ReadingChoices:
@@ -247,8 +244,6 @@ def _in_format(args: argparse.Namespace, target: Format, analysis: Analysis) -> 
     mass = fixed_base_mass(analysis.model, analysis.context.values)
     choices = WritingChoices(args.continuous, analysis.settings.joints, mass)
     skeleton, notes = repaired(skeleton) if args.repair_inertia else (skeleton, ())
-    try:
+    with refusals(args.input, FormatError, status=1):
         written = target.write(analysis.model.name or "robot", skeleton, choices)
-        return written._replace(remarks=(*written.remarks, *notes))
-    except FormatError as error:
-        raise CommandError.about(args.input, str(error), status=1) from None
+    return written._replace(remarks=(*written.remarks, *notes))

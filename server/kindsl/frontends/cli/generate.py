@@ -13,7 +13,6 @@ import argparse
 import os
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -26,10 +25,11 @@ from kindsl.frontends.cli.documents.document_reading import (
     note_readings,
     read_named,
     read_whole,
+    refusals,
     require_syntax,
     shown_name,
 )
-from kindsl.frontends.cli.documents.sources import STDIN, reason
+from kindsl.frontends.cli.documents.sources import STDIN
 from kindsl.frontends.cli.documents.writing import unwritable, write_output
 from kindsl.frontends.cli.options import add_parameter_arguments
 from kindsl.language.text.phrases import counted, listed
@@ -203,15 +203,15 @@ def _generate(args: argparse.Namespace, source: "Source") -> int:
     from kindsl.products.codegen.library import GenerationError
     from kindsl.products.codegen.manifest import refuse_foreign, write_files
 
-    with _generation_errors(args, source):
+    errors = refusals(args.file, GenerationError, status=1)
+    with errors, model_errors(args.file, source.analysis):
         library, files = generate(source, _options(args, source))
     folder = Path(args.output)
     try:
-        if not args.force:
-            refuse_foreign(folder, files)
-        write_files(folder, files)
-    except GenerationError as error:
-        raise CommandError.about(args.file, str(error)) from None
+        with refusals(args.file, GenerationError):
+            if not args.force:
+                refuse_foreign(folder, files)
+            write_files(folder, files)
     except OSError as error:
         raise CommandError.about(args.output, unwritable(args.output, error)) from None
     if not args.quiet:
@@ -235,12 +235,14 @@ def _write_transforms(args: argparse.Namespace, source: "Source") -> int:
 
 def _check(args: argparse.Namespace, source: "Source") -> int:
     from kindsl.products.codegen.checking import misfit
+    from kindsl.products.codegen.library import GenerationError
 
-    try:
-        with _generation_errors(args, source):
-            why = misfit(source, Path(args.check))
-    except OSError as error:
-        raise CommandError.about(args.check, reason(args.check, error)) from None
+    unreadable, errors = (
+        refusals(args.check, OSError),
+        refusals(args.file, GenerationError, status=1),
+    )
+    with unreadable, errors, model_errors(args.file, source.analysis):
+        why = misfit(source, Path(args.check))
     if why is not None:
         raise CommandError.about(args.file, why, status=1)
     if not args.quiet:
@@ -248,26 +250,13 @@ def _check(args: argparse.Namespace, source: "Source") -> int:
     return 0
 
 
-@contextmanager
-def _generation_errors(args: argparse.Namespace, source: "Source") -> Iterator[None]:
-    from kindsl.products.codegen.library import GenerationError
-
-    try:
-        with model_errors(args.file, source.analysis):
-            yield
-    except GenerationError as error:
-        raise CommandError.about(args.file, str(error), status=1) from None
-
-
 def _options(args: argparse.Namespace, source: "Source") -> "Options":
     from kindsl.products.codegen.library import Options
     from kindsl.products.codegen.names_in_code import UnusableNameError, namespace_of, prefix_of
 
-    try:
+    with refusals(args.file, UnusableNameError):
         prefix = prefix_of(str(source.analysis.model.name or ""), args.name)
         namespace = "" if args.namespace is None else namespace_of(args.namespace)
-    except UnusableNameError as error:
-        raise CommandError.about(args.file, str(error)) from None
     parameters = args.parameters or language_named(args.language).parameters
     return Options(
         args.language, _quantities(args), args.real, args.single_header, parameters, prefix,

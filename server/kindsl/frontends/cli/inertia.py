@@ -23,9 +23,10 @@ from kindsl.frontends.cli.documents.document_reading import (
     CommandError,
     read_document,
     read_whole,
+    refusals,
     shown_name,
 )
-from kindsl.frontends.cli.documents.sources import STDIN, reason
+from kindsl.frontends.cli.documents.sources import STDIN
 from kindsl.frontends.cli.outcome import Failure
 from kindsl.language.text.nearest import hint, nearest_name
 from kindsl.language.text.phrases import alternatives
@@ -123,10 +124,8 @@ def _found(args: argparse.Namespace) -> "MassProperties":
         return _of_report(args.report)
     from kindsl.robots.cad.shape import ShapeError
 
-    try:
+    with refusals(_name(args), ShapeError, status=1):
         return _of_mesh(args) if args.stl is not None else _of_shape(args)
-    except ShapeError as error:
-        raise CommandError.about(_name(args), str(error), status=1) from None
 
 
 def _of_report(path: str) -> "MassProperties":
@@ -145,10 +144,8 @@ def _of_report(path: str) -> "MassProperties":
 def _of_mesh(args: argparse.Namespace) -> "MassProperties":
     from kindsl.robots.cad.mesh import mesh_properties
 
-    try:
+    with refusals(args.stl, OSError):
         content = content_of(args.stl)
-    except OSError as error:
-        raise CommandError.about(args.stl, reason(args.stl, error)) from None
     return mesh_properties(content, args.mass, args.density, args.scale)
 
 

@@ -13,12 +13,13 @@ from kindsl.frontends.cli.documents.document_reading import (
     defect,
     read_document,
     read_whole,
+    refusals,
     require_parameters,
     require_syntax,
     shown_name,
     unbound,
 )
-from kindsl.frontends.cli.documents.sources import STDIN, reason
+from kindsl.frontends.cli.documents.sources import STDIN
 from kindsl.frontends.cli.outcome import Failure
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.config.robots import is_robot
@@ -118,12 +119,8 @@ def _document(path: str, label: str, analysis: Analysis) -> tuple[ComparedSide, 
 def _foreign(path: str, label: str, floating: bool | None) -> "ReadDescription":
     from kindsl.robots.interchange.descriptions import read_description
 
-    try:
+    with refusals(path, OSError, FormatError):
         return read_description(Path(path), label, floating)
-    except OSError as error:
-        raise CommandError.about(path, reason(path, error)) from None
-    except FormatError as error:
-        raise CommandError.about(path, str(error)) from None
 
 
 def read_versions(paths: Sequence[str], choices: Choices) -> Versions:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from kindsl.frontends.cli.console import write
 from kindsl.frontends.cli.documents.choices import Choices, choices_of
-from kindsl.frontends.cli.documents.sources import STDIN, UNNAMED, read_source
+from kindsl.frontends.cli.documents.sources import STDIN, UNNAMED, read_source, reason
 from kindsl.frontends.cli.outcome import Failure, as_failures
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.diagnostics import Diagnostic
@@ -224,6 +224,16 @@ def unbound(path: str, analysis: Analysis, error: "UnboundParameterError") -> Co
     how = " ".join(f"--param {name}=VALUE" for name in error.names)
     message = f"{error}; bind with {how}, or under [parameters] in kindsl.toml"
     return defect(path, analysis, message, error.at)
+
+
+@contextmanager
+def refusals(path: str, *kinds: type[Exception], status: int = 2) -> Iterator[None]:
+    """Raise CommandError about a file for errors of some kinds, those of the system in words."""
+    try:
+        yield
+    except kinds as error:
+        message = reason(path, error) if isinstance(error, OSError) else str(error)
+        raise CommandError.about(path, message, status) from None
 
 
 @contextmanager
