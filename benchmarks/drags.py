@@ -26,15 +26,7 @@ sys.path.insert(0, str(ROOT))
 from benchmarks.preview import NO_DELAY, URI, Line  # noqa: E402
 from playwright.async_api import Browser, Page  # noqa: E402
 from tests.preview.browser import chromium, eventually, opened, until_shown  # noqa: E402
-from tests.preview.handles import (  # noqa: E402
-    BARE,
-    IS_ANSWERED,
-    Owner,
-    changed,
-    drag,
-    grasp,
-    take_back,
-)
+from tests.preview.handles import BARE, IS_ANSWERED, Owner, changed, drag, grasp, take_back  # noqa: E402
 from tests.support.lsp import RawClient  # noqa: E402
 
 from kindsl.frontends.features.manipulation.handles import handles  # noqa: E402

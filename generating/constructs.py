@@ -101,11 +101,7 @@ class Constructs:
     """
 
     def __init__(
-        self,
-        lark: Any,
-        grammar: str,
-        kinds: Mapping[str, str],
-        found: Sequence[Annotation],
+        self, lark: Any, grammar: str, kinds: Mapping[str, str], found: Sequence[Annotation]
     ) -> None:
         self.orders = orders(found)
         self.remarks = {

@@ -209,12 +209,7 @@ def test_a_body_that_is_turned_in_an_unknown_way_is_no_part_of_a_limb(turn: str)
 @pytest.mark.parametrize(
     ("compiler", "limits", "code", "message"),
     [
-        (
-            "",
-            "2 -2",
-            "KD521",
-            "limits of joint 'LF_KFE' are reversed: lower 2, upper -2 °",
-        ),
+        ("", "2 -2", "KD521", "limits of joint 'LF_KFE' are reversed: lower 2, upper -2 °"),
         ('<compiler autolimits="false"/>', "2 -2", "", ""),
         ("", "-90 45", "", ""),
         (

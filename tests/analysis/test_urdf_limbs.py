@@ -173,8 +173,7 @@ def test_a_misplaced_joint_does_not_accuse_what_carries_it() -> None:
 
 
 @pytest.mark.parametrize(
-    ("old", "new"),
-    [('xyz="0.01 0 -0.1"', 'xyz="0.01 0 0.1"'), ('value="1.2"', 'value="2.1"')],
+    ("old", "new"), [('xyz="0.01 0 -0.1"', 'xyz="0.01 0 0.1"'), ('value="1.2"', 'value="2.1"')]
 )
 def test_an_inertia_that_three_legs_have_otherwise_is_restored(old: str, new: str) -> None:
     text = placed_legs()

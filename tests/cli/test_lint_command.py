@@ -145,13 +145,7 @@ def test_statistics_count_by_rule(kdsl_lint: Runner, folder: Path) -> None:
     assert told.out == "2  KD005  [*] invalid-number\n"
     assert told.status == 1
     assert json.loads(kdsl_lint("--statistics", "--output-format", "json").out) == [
-        {
-            "code": "KD005",
-            "name": "invalid-number",
-            "severity": "error",
-            "count": 2,
-            "fixable": 2,
-        }
+        {"code": "KD005", "name": "invalid-number", "severity": "error", "count": 2, "fixable": 2}
     ]
 
 

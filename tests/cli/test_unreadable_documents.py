@@ -78,11 +78,7 @@ def test_every_run_of_undecodable_bytes_is_found(folder: Path) -> None:
     (folder / "latin.kindsl").write_bytes(text.encode("latin-1"))
     found = kindsl.load(folder / "latin.kindsl").findings
     told = [finding.message.partition(",")[0] for finding in found if finding.code == "KD004"]
-    assert told == [
-        "undecodable byte 0xE4",
-        "undecodable bytes 0xF6 0xFC",
-        "undecodable byte 0xE4",
-    ]
+    assert told == ["undecodable byte 0xE4", "undecodable bytes 0xF6 0xFC", "undecodable byte 0xE4"]
 
 
 @pytest.mark.parametrize(

@@ -6,13 +6,7 @@ from dataclasses import replace
 from xml.etree.ElementTree import Element, SubElement, tostring
 
 from kindsl.mechanics.rigid.body import MassDistribution, seen_from, shifted
-from kindsl.mechanics.rigid.pose import (
-    IDENTITY,
-    RigidPose,
-    Vector3,
-    fixed_axis_angles,
-    pose_from,
-)
+from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3, fixed_axis_angles, pose_from
 from kindsl.robots.interchange.rigid_links import RigidLink
 from kindsl.robots.mechanism.linkage import Linkage
 

@@ -50,8 +50,7 @@ def test_an_empty_line_stands_before_a_table(before, between):
 
 
 @pytest.mark.parametrize(
-    ("text", "document"),
-    [("document = []\n", "arm.kindsl"), ("", " arm.kindsl")],
+    ("text", "document"), [("document = []\n", "arm.kindsl"), ("", " arm.kindsl")]
 )
 def test_a_file_that_takes_no_table_of_the_document_is_left_alone(text, document):
     assert with_joints("kindsl.toml", text, document, {"elbow": ELBOW}) is None

@@ -57,10 +57,7 @@ def read(layout: Layout) -> Configuration:
             "parameters.b = 2.0\nignore = []\n",
             "parameters.b = 2.0\nparameters.m = 1.0\nignore = []\n",
         ),
-        (
-            "[parameters.b]\nvalue = 1.0\n",
-            "[parameters]\nm = 1.0\n\n[parameters.b]\nvalue = 1.0\n",
-        ),
+        ("[parameters.b]\nvalue = 1.0\n", "[parameters]\nm = 1.0\n\n[parameters.b]\nvalue = 1.0\n"),
         (
             "ignore = []\n# How.\n[parameters.b]\nvalue = 1.0\n",
             "ignore = []\n\n[parameters]\nm = 1.0\n\n# How.\n[parameters.b]\nvalue = 1.0\n",

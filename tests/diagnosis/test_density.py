@@ -16,11 +16,7 @@ from kindsl.mechanics.rigid.body import (
     second_moments_about_com,
     seen_from,
 )
-from kindsl.mechanics.rigid.matter import (
-    density_of,
-    is_dense_as_matter,
-    is_plainly_dense_as_matter,
-)
+from kindsl.mechanics.rigid.matter import density_of, is_dense_as_matter, is_plainly_dense_as_matter
 from kindsl.mechanics.rigid.pose import Vector3, pose_from
 
 SECTION = "inertia_params {{ mass = {:.17f} CoM = ({:.17f}, {:.17f}, {:.17f}) {} }}"

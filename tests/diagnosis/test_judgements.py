@@ -73,10 +73,7 @@ def inertia_of(text: str) -> Inertia:
         (section("0.020 0.020 0.020 0.030 0.000 0.000"), Verdict.INDEFINITE),
         (section("0.02 0.02 0.02", "0.0, 0.0, 0.3"), Verdict.INDEFINITE),
         (section("200.0 200.0 200.0"), Verdict.IMPLAUSIBLE),  # 2 kg, tens of metres large
-        (
-            section("0.000001 0.000001 0.000001"),
-            Verdict.IMPLAUSIBLE,
-        ),  # 2 kg in a cubic millimetre
+        (section("0.000001 0.000001 0.000001"), Verdict.IMPLAUSIBLE),  # 2 kg in a cubic millimetre
     ],
 )
 def test_a_body_is_judged(text: str, verdict: Verdict | None) -> None:

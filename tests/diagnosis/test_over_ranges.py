@@ -8,12 +8,7 @@ from tests.support.bodies import document_of_bodies
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.settings import Settings
-from kindsl.judgement.diagnosis.over_ranges import (
-    Conclusion,
-    _is_proved,
-    is_possible,
-    over_ranges,
-)
+from kindsl.judgement.diagnosis.over_ranges import Conclusion, _is_proved, is_possible, over_ranges
 from kindsl.language.semantics.declarations import Inertia
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.parameters import Binding

@@ -86,10 +86,7 @@ class PinocchioModel:
     def forward_dynamics(
         self, q: Array, qd: Array, tau: Array, base_velocity: Array
     ) -> tuple[Array, Array]:
-        v, force = (
-            self.v_of(base_velocity, qd),
-            self.v_of(np.zeros(6), tau - self._friction(qd)),
-        )
+        v, force = (self.v_of(base_velocity, qd), self.v_of(np.zeros(6), tau - self._friction(qd)))
         a = pin.aba(self.model, self.data, self.q_of(q), v, force)[self.order]
         first = len(self.order) - len(q)
         return a[first:], a[:first] if first else np.zeros(6)
@@ -146,10 +143,7 @@ class PinocchioModel:
         self, q: Array, qd: Array, tau: Array, base_velocity: Array, names: list[str], rows: slice
     ) -> tuple[Array, Array, Array]:
         """Return accelerations, the base's first, what acts on frames, and their inertia."""
-        v, force = (
-            self.v_of(base_velocity, qd),
-            self.v_of(np.zeros(6), tau - self._friction(qd)),
-        )
+        v, force = (self.v_of(base_velocity, qd), self.v_of(np.zeros(6), tau - self._friction(qd)))
         jacobians, drifts = [], []
         for name in names:
             _, drift = self.frame_motion(q, qd, 0.0 * qd, base_velocity, np.zeros(6), name)

@@ -12,10 +12,7 @@ from kindsl.mechanics.dynamics.energy import kinetic_energy, potential_energy
 from kindsl.mechanics.dynamics.forward_dynamics import forward_dynamics
 from kindsl.mechanics.dynamics.forward_dynamics_derivatives import forward_dynamics_derivatives
 from kindsl.mechanics.dynamics.forward_kinematics import body_poses, frame_poses, joint_poses
-from kindsl.mechanics.dynamics.inverse_dynamics import (
-    floating_base_inverse_dynamics,
-    newton_euler,
-)
+from kindsl.mechanics.dynamics.inverse_dynamics import floating_base_inverse_dynamics, newton_euler
 from kindsl.mechanics.dynamics.inverse_dynamics_derivatives import inverse_dynamics_derivatives
 from kindsl.mechanics.dynamics.jacobian import jacobian
 from kindsl.mechanics.dynamics.joint_space_inertia import joint_space_inertia

@@ -209,9 +209,7 @@ def test_extreme_values(pair: tuple[CompiledMechanics, Mechanics]) -> None:
         np.testing.assert_allclose(found, expected, rtol=1e-9)
 
 
-def test_threads_change_nothing(
-    pair: tuple[CompiledMechanics, Mechanics],
-) -> None:
+def test_threads_change_nothing(pair: tuple[CompiledMechanics, Mechanics]) -> None:
     compiled, _ = pair
     threaded = CompiledMechanics(compiled.bodies, threads=2)
     for name, arguments in calls(compiled.n_joints, compiled.bodies.is_floating, (1003,)):
@@ -289,9 +287,7 @@ def test_a_rotor_without_mass_moves() -> None:
             method(q)
 
 
-def test_large_numbers_are_no_lack_of_inertia(
-    pair: tuple[CompiledMechanics, Mechanics],
-) -> None:
+def test_large_numbers_are_no_lack_of_inertia(pair: tuple[CompiledMechanics, Mechanics]) -> None:
     compiled, _ = pair
     q = np.zeros(compiled.n_joints)
     for shape in ((), (3,)):

@@ -130,10 +130,7 @@ def test_without_a_list_of_features_the_processor_tells(
 @needs_compiler
 @pytest.mark.parametrize(("told", "used"), [(".abi.so", ".abi.so"), (None, ".so")])
 def test_files_end_as_extensions_do(
-    made: Callable[..., list[Path]],
-    told: str | None,
-    used: str,
-    monkeypatch: pytest.MonkeyPatch,
+    made: Callable[..., list[Path]], told: str | None, used: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(sysconfig, "get_config_var", lambda _: told)
     made()

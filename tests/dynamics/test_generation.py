@@ -42,12 +42,7 @@ steps = st.lists(
 )
 
 
-OPERATIONS = {
-    "+": operator.add,
-    "-": operator.sub,
-    "*": operator.mul,
-    "n": lambda a, _: -a,
-}
+OPERATIONS = {"+": operator.add, "-": operator.sub, "*": operator.mul, "n": lambda a, _: -a}
 
 
 def _run(program: list[tuple[str, object, object]], values: list[object]) -> list[object]:

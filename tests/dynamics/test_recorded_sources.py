@@ -10,20 +10,11 @@ import pytest
 from tests.support.recorded import assert_as_recorded
 
 from kindsl.mechanics.dynamics.generation.emitters import c
-from kindsl.mechanics.dynamics.generation.emitters.c import (
-    CBody,
-    Dialect,
-    c_definition,
-    literal,
-)
+from kindsl.mechanics.dynamics.generation.emitters.c import CBody, Dialect, c_definition, literal
 from kindsl.mechanics.dynamics.generation.emitters.numpy_rows import batch_source
 from kindsl.mechanics.dynamics.generation.emitters.python_lines import python_function
 from kindsl.mechanics.dynamics.generation.emitters.scalar_python import scalar_source
-from kindsl.mechanics.dynamics.generation.emitters.straight_line import (
-    computed,
-    cut,
-    setup_nodes,
-)
+from kindsl.mechanics.dynamics.generation.emitters.straight_line import computed, cut, setup_nodes
 from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar, cosine_and_sine, operations
 from kindsl.mechanics.dynamics.generation.trace import Trace
 

@@ -31,11 +31,7 @@ def test_right_angles_become_exact() -> None:
     turned = np.array([[0.8, -0.6, 0.0], [0.6, 0.8, 0.0], [0.0, 0.0, 1.0]])
     bodies = random_bodies(np.random.default_rng(1), 2, is_floating=False)
     rotations = tree_of(replace(bodies, p_R_j=np.array([quarter, turned]))).rotations
-    assert rotations == [
-        EYE,
-        [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
-        turned.tolist(),
-    ]
+    assert rotations == [EYE, [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]], turned.tolist()]
 
 
 @pytest.mark.parametrize("kind", ["revolute", "prismatic"])

@@ -13,10 +13,7 @@ def tree(text):
 
 def test_what_nothing_carries_stands_above_what_it_carries():
     text = "Robot R { RobotBase b { } link low { } link up { id = 1 children { low via j } } }"
-    assert tree(text) == [
-        ("b", "base"),
-        ("up", "id 1", ("low", "via j")),
-    ]
+    assert tree(text) == [("b", "base"), ("up", "id 1", ("low", "via j"))]
 
 
 def test_a_loop_begins_with_its_first_link():

@@ -17,12 +17,7 @@ from kindsl.frontends.features.navigation import (
     uses,
 )
 from kindsl.frontends.features.outline import is_match, workspace_symbols
-from kindsl.frontends.features.rename import (
-    Renaming,
-    objection,
-    rename,
-    rename_range,
-)
+from kindsl.frontends.features.rename import Renaming, objection, rename, rename_range
 from kindsl.frontends.features.symbol_at import EntityKind
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.analysis.settings import Settings

@@ -3,12 +3,7 @@
 from collections.abc import Sequence
 
 import numpy as np
-from tests.interchange.placed_robots import (
-    PlacedBody,
-    fixed_axis_angles,
-    quaternion,
-    random_pose,
-)
+from tests.interchange.placed_robots import PlacedBody, fixed_axis_angles, quaternion, random_pose
 
 from kindsl.mechanics.spatial.arrays import Array
 

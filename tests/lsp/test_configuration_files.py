@@ -231,10 +231,7 @@ class TestFilesThatAreNotOpen:
 
     @pytest.mark.parametrize(
         ("content", "message"),
-        [
-            (b"target = 3 # \xff\n", "is not valid UTF-8"),
-            (b"\xef\xbb\xbftarget = 3\n", "target"),
-        ],
+        [(b"target = 3 # \xff\n", "is not valid UTF-8"), (b"\xef\xbb\xbftarget = 3\n", "target")],
     )
     def test_bytes_are_read_as_the_linter_reads_them(
         self, files: Files, content: bytes, message: str

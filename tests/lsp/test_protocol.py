@@ -84,10 +84,7 @@ class TestLifeCycle:
 
     def test_the_server_ends_with_the_process_that_started_it(self) -> None:
         waiting = [sys.executable, "-c", "input()"]
-        with (
-            subprocess.Popen(waiting, stdin=subprocess.PIPE) as editor,
-            raw_client() as client,
-        ):
+        with subprocess.Popen(waiting, stdin=subprocess.PIPE) as editor, raw_client() as client:
             client.initialize(processId=editor.pid)
             assert client.refusal("kindsl/unknown")["code"] == -32601
             editor.kill()

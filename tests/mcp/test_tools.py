@@ -147,9 +147,7 @@ async def test_a_difference_tells_limits_that_a_configuration_has(folder: Path) 
     assert f"maximum of joint '{joint}' is 1.5 rad here and 2 rad in a.urdf" in found
 
 
-async def test_a_base_that_one_of_two_files_leaves_open_is_as_the_other_tells(
-    folder: Path,
-) -> None:
+async def test_a_base_that_one_of_two_files_leaves_open_is_as_the_other_tells(folder: Path) -> None:
     urdf = urdf_of(links_of(described_text(ARM)[0].skeleton))
     (folder / "open.urdf").write_text(urdf)
     moving = '<robot name="r"><link name="world"/><joint name="free" type="floating">'

@@ -103,10 +103,7 @@ def test_only_the_saved_version_is_called_so(urdf):
     assert ghost_kind(preview) == "other"
 
 
-@pytest.mark.parametrize(
-    ("text", "why"),
-    [("<robot", "is no XML"), ("<robot name='x'/>", "link")],
-)
+@pytest.mark.parametrize(("text", "why"), [("<robot", "is no XML"), ("<robot name='x'/>", "link")])
 def test_a_file_that_cannot_be_read_is_told_in_a_sentence(tmp_path, text, why):
     file = tmp_path / "broken.urdf"
     file.write_text(text)

@@ -5,14 +5,7 @@ import subprocess
 
 import numpy as np
 import pytest
-from tests.preview.robots import (
-    ARM,
-    ROOT,
-    mechanics_of,
-    plain_robot,
-    skeleton_in,
-    skeleton_of,
-)
+from tests.preview.robots import ARM, ROOT, mechanics_of, plain_robot, skeleton_in, skeleton_of
 from tests.support.spatial import rotation_from_intrinsic_xyz
 from tests.vscode.browser import require
 

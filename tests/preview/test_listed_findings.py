@@ -2,12 +2,7 @@
 
 from tests.cli.samples import GOOD
 
-from kindsl.frontends.preview.findings import (
-    MOST_LISTED,
-    finding_messages,
-    listed,
-    status_message,
-)
+from kindsl.frontends.preview.findings import MOST_LISTED, finding_messages, listed, status_message
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.rules.base import Severity
 from kindsl.language.semantics.unknown import Unknown

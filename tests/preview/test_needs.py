@@ -8,11 +8,7 @@ import pytest
 
 from kindsl.frontends.preview import assets
 from kindsl.frontends.preview.assets import PreviewUnavailableError, viewer_script
-from kindsl.robots.scene.geometry import (
-    Form,
-    Shape,
-    lowered,
-)
+from kindsl.robots.scene.geometry import Form, Shape, lowered
 
 HEAVY = {"numpy", "tornado", "asyncio", "umsgpack", "meshcat", "IPython", "zmq", "cattrs"}
 

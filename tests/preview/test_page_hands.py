@@ -199,10 +199,7 @@ async def test_the_address_holds_the_view_and_a_reload_shows_it_again(browser, s
 
 @pytest.mark.parametrize(
     "fragment",
-    [
-        "q=%,a:b,:::&eye=1,2,3&preset=Nothing&show=body:x,none:1&pick=x:y",
-        "eye=0,0,0,0,0,0",
-    ],
+    ["q=%,a:b,:::&eye=1,2,3&preset=Nothing&show=body:x,none:1&pick=x:y", "eye=0,0,0,0,0,0"],
 )
 async def test_an_address_that_makes_no_sense_shows_the_usual_picture(browser, server, fragment):
     async with opened(browser, f"{await url_of(server)}#{fragment}") as page:

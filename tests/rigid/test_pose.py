@@ -18,9 +18,7 @@ from kindsl.mechanics.rigid.pose import (
     pose_from,
     pose_from_fixed_axes,
 )
-from kindsl.mechanics.spatial.transforms import (
-    homogeneous,
-)
+from kindsl.mechanics.spatial.transforms import homogeneous
 
 # Rounding of sums and products of numbers up to one.
 ROUNDING = 1e-15

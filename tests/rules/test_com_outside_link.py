@@ -192,10 +192,7 @@ def test_the_mass_of_a_fixed_base_is_anywhere(word: str, count: int) -> None:
     )
 
 
-@pytest.mark.parametrize(
-    ("com", "count"),
-    [("0.0, 0.0, -0.9", 0), ("0.0, 0.0, 0.36", 1)],
-)
+@pytest.mark.parametrize(("com", "count"), [("0.0, 0.0, -0.9", 0), ("0.0, 0.0, 0.36", 1)])
 def test_an_inertia_is_in_the_frame_that_it_names(com: str, count: int) -> None:
     """Of two frames, at the wrist and aside from it."""
     square = float(com.split()[2]) ** 2

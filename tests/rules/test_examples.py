@@ -4,12 +4,7 @@ import re
 from collections import Counter
 
 import pytest
-from tests.support.example_documents import (
-    bindings_of,
-    document_of,
-    examples_of,
-    fixed_document_of,
-)
+from tests.support.example_documents import bindings_of, document_of, examples_of, fixed_document_of
 from tests.support.examples import Example
 
 from kindsl.judgement.analysis.analysis import Analysis, analyse

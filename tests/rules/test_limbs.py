@@ -7,14 +7,7 @@ from types import SimpleNamespace
 from typing import Any, cast
 
 import pytest
-from tests.support.examples import (
-    STEEL_BALL,
-    four_legs,
-    link,
-    placed_joint,
-    robot,
-    two_arms,
-)
+from tests.support.examples import STEEL_BALL, four_legs, link, placed_joint, robot, two_arms
 from tests.support.one_rule import found, section, told
 from tests.support.published import CORPUS, published
 
@@ -223,11 +216,7 @@ def test_what_is_at_one_place_in_a_plane_or_moves_away_is_meant(
 
 @pytest.mark.parametrize(
     ("turn", "expected"),
-    [
-        ("PI/2.0, 0.0, PI/2.0", []),
-        ("0.0, 0.0, 0.0", ["KD510"]),
-        ("PI/2.0, 0.3, 0.0", []),
-    ],
+    [("PI/2.0, 0.0, PI/2.0", []), ("0.0, 0.0, 0.0", ["KD510"]), ("PI/2.0, 0.3, 0.0", [])],
 )
 def test_a_wheel_turns_about_the_axis_of_its_peer(turn: str, expected: list[str]) -> None:
     places = {"left_wheel": "0.1, 0.35, -0.1", "right_wheel": "0.1, -0.35, -0.1"}

@@ -43,11 +43,7 @@ def offers(base: str, joints: str) -> list[tuple[str, ...]]:
             "wrist",
             [("Replace 'wrst' with 'wrist'",), ("new wrisst",)],
         ),
-        (
-            "arm via neck, hand via wrst",
-            "wrist",
-            [("new neck",), ("Replace 'wrst' with 'wrist'",)],
-        ),
+        ("arm via neck, hand via wrst", "wrist", [("new neck",), ("Replace 'wrst' with 'wrist'",)]),
         # What is in use is told, but not written.
         ("arm via wrist, hand via wrst", "wrist", [("new wrst",)]),
         # Of several one is to be chosen.

@@ -151,11 +151,7 @@ def test_a_second_base_is_no_link_with_a_name_taken() -> None:
 
 
 @pytest.mark.parametrize(
-    ("names", "codes"),
-    [
-        (("left", "right"), ["KD111"]),
-        (("left", "left"), ["KD103"]),
-    ],
+    ("names", "codes"), [(("left", "right"), ["KD111"]), (("left", "left"), ["KD103"])]
 )
 def test_joints_of_one_name_are_not_told_of_their_number_too(
     names: tuple[str, str], codes: list[str]
@@ -201,13 +197,7 @@ def test_robcogen2_alone_takes_a_frame_of_another_link(
 
 @pytest.mark.parametrize(
     ("own", "more", "count"),
-    [
-        ("eye", "", 1),
-        ("eye", " tip", 0),
-        ("eye", " toe", 1),
-        ("tip", "", 0),
-        ("", "", 0),
-    ],
+    [("eye", "", 1), ("eye", " tip", 0), ("eye", " toe", 1), ("tip", "", 0), ("", "", 0)],
 )
 def test_a_frame_may_be_lost_where_its_link_is_broken(own: str, more: str, count: int) -> None:
     """It is where its name stands a second time, or a frame lacks its name."""
@@ -252,11 +242,7 @@ def test_names_of_different_things_clash(
 
 @pytest.mark.parametrize(
     ("targets", "severity"),
-    [
-        (("robcogen",), "error"),
-        (("robcogen2",), "warning"),
-        (("robcogen", "robcogen2"), "error"),
-    ],
+    [(("robcogen",), "error"), (("robcogen2",), "warning"), (("robcogen", "robcogen2"), "error")],
 )
 def test_robcogen2_alone_takes_a_joint_with_the_name_of_its_link(
     targets: tuple[str, ...], severity: str

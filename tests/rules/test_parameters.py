@@ -153,10 +153,7 @@ def test_what_is_bound_in_vain_is_told_with_what_is_free() -> None:
         (ball("<k>", Ix="x"), "the moments are parametric, the mass is not"),
         (ball("m", Iz="m/100.0"), None),
         (ball("m", Ix="0.0", Iy="0.0", Iz="0.0"), None),
-        (
-            ball("m", Ix="0.0", Iy="0.0", Iz="0.1"),
-            "the mass is parametric, the moments are not",
-        ),
+        (ball("m", Ix="0.0", Iy="0.0", Iz="0.1"), "the mass is parametric, the moments are not"),
     ],
 )
 def test_an_inertia_is_parametric_as_a_whole(text: str, message: str | None) -> None:

@@ -273,12 +273,7 @@ def test_a_point_mass_may_have_a_parameter() -> None:
 
 @pytest.mark.parametrize(
     ("height", "end", "is_told"),
-    [
-        ("0.3000", 0.9, False),
-        ("0.3000", 0.905, True),
-        ("0.3", 0.9, False),
-        ("0.3", 0.905, True),
-    ],
+    [("0.3000", 0.9, False), ("0.3000", 0.905, True), ("0.3", 0.9, False), ("0.3", 0.905, True)],
 )
 def test_a_body_is_impossible_from_a_value_on(height: str, end: float, is_told: bool) -> None:
     """Of 0.0811 kg·m² about the origin, `m` at 0.3 m has 0.09 m; a dropped zero is likely."""

@@ -80,8 +80,7 @@ def test_a_repeated_child_may_end_a_broken_document() -> None:
 
 
 @pytest.mark.parametrize(
-    ("joints", "spare"),
-    [("j", []), ("j k", ["joint 'k' is not used"]), ("j k l", [])],
+    ("joints", "spare"), [("j", []), ("j k", ["joint 'k' is not used"]), ("j k l", [])]
 )
 def test_the_only_joint_left_may_be_meant_by_a_joint_named_twice(
     joints: str, spare: list[str]

@@ -14,11 +14,7 @@ from kindsl.mechanics.spatial.inertia import (
     second_moment,
     spatial_inertia,
 )
-from kindsl.mechanics.spatial.transforms import (
-    homogeneous,
-    plucker,
-    rotation_about_z,
-)
+from kindsl.mechanics.spatial.transforms import homogeneous, plucker, rotation_about_z
 
 coordinates = st.floats(-3.0, 3.0, allow_subnormal=False)
 vectors = st.lists(coordinates, min_size=3, max_size=3).map(np.array)

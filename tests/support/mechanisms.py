@@ -17,9 +17,7 @@ def mechanics_by_name(analysis: Analysis, values: dict[str, float] | None = None
     known = {**(values or {}), **analysis.context.values}
     bodies = bodies_of(reachable_linkage(analysis.model, known))
     names = (bodies.base_name, *bodies.link_names)
-    found = {
-        ("base",): (bodies.base_name, bodies.is_floating),
-    }
+    found = {("base",): (bodies.base_name, bodies.is_floating)}
     for index, name in enumerate(names):
         inertia = (bodies.masses[index], bodies.coms[index], bodies.inertias[index])
         found["inertia", name] = inertia

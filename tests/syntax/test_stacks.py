@@ -20,9 +20,7 @@ def test_a_reading_knows_what_another_found(monkeypatch: pytest.MonkeyPatch) -> 
     assert Stack.made == before
 
 
-def test_stacks_are_forgotten_when_they_take_ten_megabytes(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_stacks_are_forgotten_when_they_take_ten_megabytes(monkeypatch: pytest.MonkeyPatch) -> None:
     first = initial("link")
     monkeypatch.setattr(Stack, "made", Stack.made + 10_000_000 // _BYTES)
     assert initial("link") is not first

@@ -41,11 +41,7 @@ class Outcome:
 
 
 def run_suite(
-    browser: Browser,
-    server: CodeServer,
-    folder: Path,
-    suite: Path,
-    others: Sequence[Path] = (),
+    browser: Browser, server: CodeServer, folder: Path, suite: Path, others: Sequence[Path] = ()
 ) -> Outcome:
     """Run a test module in a window on a folder.
 

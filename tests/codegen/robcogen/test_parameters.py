@@ -4,14 +4,7 @@ from pathlib import Path
 
 import pytest
 from tests.codegen.robcogen import test_classes
-from tests.codegen.robcogen.programs import (
-    COMPILERS,
-    QUICK,
-    built,
-    generated,
-    needs_cpp,
-    told,
-)
+from tests.codegen.robcogen.programs import COMPILERS, QUICK, built, generated, needs_cpp, told
 from tests.codegen.robcogen.test_classes import CRAB, VALUES, Case, program
 
 from kindsl.judgement.analysis.analysis import Analysis

@@ -161,10 +161,7 @@ def test_fixes_that_touch_each_other_wait():
 
 @pytest.mark.parametrize(
     ("omitted", "title"),
-    [
-        ("    id = 2\n", "Add the missing 'id'"),
-        ("        mass = 1.0\n", "Add the missing 'mass'"),
-    ],
+    [("    id = 2\n", "Add the missing 'id'"), ("        mass = 1.0\n", "Add the missing 'mass'")],
 )
 def test_what_is_omitted_can_be_added(omitted, title):
     text = ARM.replace(omitted, "")

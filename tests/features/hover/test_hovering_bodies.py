@@ -124,18 +124,10 @@ def test_a_link_lists_its_children_and_its_frames():
             "zero-configuration pose is not known: there is no joint `shoulder`",
         ),
         ("upper via shoulder", "", "no supporting joint: no link has it among its children"),
-        (
-            "upper via shoulder",
-            "",
-            "zero-configuration pose is not known: `upper` has no parent",
-        ),
+        ("upper via shoulder", "", "zero-configuration pose is not known: `upper` has no parent"),
         ("mass = 2.0", "", "mass properties are not known: a number is missing"),
         ("mass = 2.0", "mass = m", "mass properties are not known: the parameter `m` has no value"),
-        (
-            "mass = 2.0",
-            "mass = 2.0 CoM = (x, 0.0, 0.0)",
-            "mass 2 kg; subtree 3 kg with 1 joint",
-        ),
+        ("mass = 2.0", "mass = 2.0 CoM = (x, 0.0, 0.0)", "mass 2 kg; subtree 3 kg with 1 joint"),
     ],
 )
 def test_what_is_missing_is_told(old, new, told):
@@ -189,13 +181,7 @@ def test_of_frames_with_one_name_each_tells_of_itself():
                 "total mass unknown (there is no base; 1 more missing)",
             ],
         ),
-        (
-            "Robot $0R { RobotBase b { } }",
-            [
-                "**robot `R`**",
-                "fixed base, 0 links",
-            ],
-        ),
+        ("Robot $0R { RobotBase b { } }", ["**robot `R`**", "fixed base, 0 links"]),
     ],
 )
 def test_half_a_robot(marked, told):

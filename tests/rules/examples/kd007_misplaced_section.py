@@ -2,10 +2,7 @@
 
 from tests.support.examples import Example, link
 
-_SECTIONS = {
-    "mass": "\n        mass = 4.1",
-    "CoM": "\n        CoM = (0.0, 0.0, 0.0)",
-}
+_SECTIONS = {"mass": "\n        mass = 4.1", "CoM": "\n        CoM = (0.0, 0.0, 0.0)"}
 
 
 def _link(first: str, second: str) -> str:

@@ -23,7 +23,6 @@ GOOD = (_arm("elbow", "shoulder elbow"),)
 BAD = (
     Example(_arm("elbow", "shoulder elbwo"), fixed=_arm("elbwo", "shoulder elbwo")),
     Example(
-        _arm("elbow", "shoulder"),
-        fixed=_arm("elbow", "shoulder").removesuffix("\n}\n") + _ELBOW,
+        _arm("elbow", "shoulder"), fixed=_arm("elbow", "shoulder").removesuffix("\n}\n") + _ELBOW
     ),
 )

@@ -4,11 +4,7 @@ from tests.support.examples import link, robot
 
 
 def _linkage(right: str) -> str:
-    links = (
-        link("left", 1, "coupler via pin_left"),
-        link("right", 2, right),
-        link("coupler", 3),
-    )
+    links = (link("left", 1, "coupler via pin_left"), link("right", 2, right), link("coupler", 3))
     joints = "to_left to_right pin_left" + right.partition(" via")[2]
     return robot(*links, base="left via to_left right via to_right", joints=joints)
 

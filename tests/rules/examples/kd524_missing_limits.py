@@ -6,7 +6,4 @@ GOOD = (
     urdf_arm('<limit lower="0" upper="1.57" effort="80" velocity="3"/>'),
     sdf_arm(axis="<limit><lower>0</lower><upper>1.57</upper></limit>"),
 )
-BAD = (
-    urdf_arm(""),
-    urdf_arm('<limit lower="0" upper="1.57" velocity="3"/>'),
-)
+BAD = (urdf_arm(""), urdf_arm('<limit lower="0" upper="1.57" velocity="3"/>'))

@@ -14,8 +14,4 @@ def _arm(height: str, fixed: str | None = None) -> Example:
 
 
 GOOD = (_arm("0.003"), _arm("reach/2.0"))
-BAD = (
-    _arm("3.0e-3", "0.003"),
-    _arm("2.0*reach", "reach/0.5"),
-    _arm("reach[0.3]"),
-)
+BAD = (_arm("3.0e-3", "0.003"), _arm("2.0*reach", "reach/0.5"), _arm("reach[0.3]"))

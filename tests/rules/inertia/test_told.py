@@ -69,11 +69,7 @@ def of(*slips: Slip, names: tuple[str, ...] = (), **given: Any) -> Hypothesis:
             "the moments were taken about the CoM rather than the frame origin",
             "Shift the moments to the frame origin",
         ),
-        (
-            of(Slip.SIGNS, names=("Ixy",)),
-            "the sign of Ixy were changed",
-            "Change sign of Ixy",
-        ),
+        (of(Slip.SIGNS, names=("Ixy",)), "the sign of Ixy were changed", "Change sign of Ixy"),
         (
             of(Slip.SIGNS_THERE, names=("Ixy", "Iyz")),
             "the signs of Ixy and Iyz were changed about the CoM",
@@ -122,11 +118,7 @@ def test_slips_are_told_in_words(h: Hypothesis, what: str, step: str) -> None:
             "Shift the moments back once",
         ),
         (of(Slip.COM_UNIT, unit="cm"), "the CoM were in cm", "Convert the CoM to m"),
-        (
-            of(Slip.MOMENT, names=("Iy",), power=-1),
-            "Iy were divided by 10",
-            "Multiply Iy by 10⁻¹",
-        ),
+        (of(Slip.MOMENT, names=("Iy",), power=-1), "Iy were divided by 10", "Multiply Iy by 10⁻¹"),
         (
             of(Slip.PLACEHOLDER, names=("0.001",)),
             "is a placeholder: Ix, Iy and Iz are all 0.001",

@@ -12,11 +12,7 @@ examples:
 
 import argparse
 
-from kindsl.frontends.cli.documents.document_reading import (
-    note_errors,
-    read_named,
-    refusals,
-)
+from kindsl.frontends.cli.documents.document_reading import note_errors, read_named, refusals
 from kindsl.frontends.cli.documents.sources import STDIN
 from kindsl.frontends.cli.documents.writing import write_output
 from kindsl.frontends.cli.options import add_robot_arguments

@@ -17,11 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kindsl.frontends.cli.documents.choices import choices_of
-from kindsl.frontends.cli.documents.document_reading import (
-    CommandError,
-    read_document,
-    read_whole,
-)
+from kindsl.frontends.cli.documents.document_reading import CommandError, read_document, read_whole
 from kindsl.frontends.cli.documents.sources import STDIN, read_source
 from kindsl.frontends.cli.documents.writing import write_output, write_text
 from kindsl.frontends.cli.options import add_floating_argument, add_parameter_arguments

@@ -24,10 +24,7 @@ from kindsl.frontends.cli.documents.compared_robots import (
     read_robots,
     read_versions,
 )
-from kindsl.frontends.cli.documents.document_reading import (
-    CommandError,
-    shown_name,
-)
+from kindsl.frontends.cli.documents.document_reading import CommandError, shown_name
 from kindsl.frontends.cli.documents.git_texts import commits_of, short, versions_of
 from kindsl.frontends.cli.documents.writing import unwritable
 from kindsl.frontends.cli.options import add_parameter_arguments

@@ -53,11 +53,7 @@ class DocumentPreviews(ABC):
     """
 
     def __init__(
-        self,
-        on_reveal: OnReveal | None,
-        on_edit: OnEdit | None = None,
-        *,
-        beside: Beside,
+        self, on_reveal: OnReveal | None, on_edit: OnEdit | None = None, *, beside: Beside
     ) -> None:
         """Prepare to show documents.
 

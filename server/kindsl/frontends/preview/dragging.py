@@ -18,12 +18,7 @@ from kindsl.frontends.preview.document_preview import DocumentPreview
 from kindsl.frontends.preview.outcomes import Outcome, drag_outcome, plan_outcome
 from kindsl.frontends.preview.requests import Drag, GestureRequest, Grasp, Plan
 from kindsl.frontends.preview.steps import Steps, Writing
-from kindsl.robots.scene.messages import (
-    DraggedMessage,
-    EditingMessage,
-    HandlesMessage,
-    PlanMessage,
-)
+from kindsl.robots.scene.messages import DraggedMessage, EditingMessage, HandlesMessage, PlanMessage
 
 PATIENCE = 2.0  # seconds, for what was written to be shown
 _OUTDATED = Refusal("the document has changed in the meantime")

@@ -9,12 +9,7 @@ from tornado.httpserver import HTTPServer
 
 from kindsl.frontends.preview.access import ADDRESS, Access, new_token
 from kindsl.frontends.preview.assets import PreviewUnavailableError, assets
-from kindsl.frontends.preview.documents import (
-    DocumentPreviews,
-    OnEdit,
-    OnReveal,
-    identifier,
-)
+from kindsl.frontends.preview.documents import DocumentPreviews, OnEdit, OnReveal, identifier
 from kindsl.frontends.preview.handlers import LiveHandler, Serving, application
 from kindsl.frontends.preview.session import PreviewSession, last_session, remember
 

@@ -16,12 +16,7 @@ from kindsl.language.syntax.document import SyntaxDocument, parse
 from kindsl.language.text.span import Span
 from kindsl.robots.interchange.format import AS_WRITTEN, Format, FormatError, ReadingChoices
 from kindsl.robots.interchange.kindsl_writing import described_kindsl
-from kindsl.robots.interchange.syntaxes import (
-    XACRO_SUFFIX,
-    other_format,
-    syntax_of,
-    unjudged,
-)
+from kindsl.robots.interchange.syntaxes import XACRO_SUFFIX, other_format, syntax_of, unjudged
 from kindsl.robots.interchange.xml_document import XmlDocument
 from kindsl.robots.mechanism.errors import ModelError
 

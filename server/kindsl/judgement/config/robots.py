@@ -28,9 +28,7 @@ class Obstacle(NamedTuple):
 
 
 def walked(
-    folder: str,
-    excluded: Collection[str] = TOOLS_FOLDERS,
-    suffixes: tuple[str, ...] = (SUFFIX,),
+    folder: str, excluded: Collection[str] = TOOLS_FOLDERS, suffixes: tuple[str, ...] = (SUFFIX,)
 ) -> Iterator[str | Obstacle]:
     """Yield the robots in a folder and in the folders below, in the order of their names.
 

@@ -74,9 +74,7 @@ def unused_bindings(
 
 
 def unreadable_twins(
-    configuration: Configuration,
-    settings: Settings,
-    may_read: Callable[[str], bool] | None = None,
+    configuration: Configuration, settings: Settings, may_read: Callable[[str], bool] | None = None
 ) -> list[Diagnostic]:
     """Return the twins that cannot be read, in the order of the file.
 

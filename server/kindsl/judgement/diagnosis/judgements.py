@@ -198,9 +198,7 @@ def keyword(inertia: Inertia) -> Place:
 
 
 def verdict_of(
-    body: MassDistribution,
-    half: MassDistribution,
-    pairs: tuple[Eigenpair, Eigenpair, Eigenpair],
+    body: MassDistribution, half: MassDistribution, pairs: tuple[Eigenpair, Eigenpair, Eigenpair]
 ) -> Verdict:
     """Return what the second moments about the CoM say of a body with positive mass.
 

@@ -3,13 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
-from kindsl.judgement.diagnosis.judgements import (
-    Judgement,
-    Verdict,
-    is_plain,
-    is_round,
-    judged_of,
-)
+from kindsl.judgement.diagnosis.judgements import Judgement, Verdict, is_plain, is_round, judged_of
 from kindsl.language.semantics.declarations import Inertia
 from kindsl.language.semantics.expressions import Expression, ParameterUse, symbols
 from kindsl.language.semantics.model import Model, ModelPart

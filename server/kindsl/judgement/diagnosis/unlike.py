@@ -83,9 +83,7 @@ def unlike_among(model: Model, body_of: Callable[[Link], MassDistribution | None
 
 
 def _compared(
-    link: Link,
-    near: Iterable[Iterable[Link]],
-    body_of: Callable[[Link], MassDistribution | None],
+    link: Link, near: Iterable[Iterable[Link]], body_of: Callable[[Link], MassDistribution | None]
 ) -> _Compared:
     """Return whether a link is the image of another one, and of which it is nearly."""
     body = body_of(link)

@@ -9,12 +9,7 @@ from kindsl.judgement.rules.xml_bodies import XmlBody, XmlPart, odd_links, pose_
 from kindsl.language.semantics.declarations import FixedAxes
 from kindsl.language.semantics.model import Model
 from kindsl.language.text.facts import kept
-from kindsl.mechanics.rigid.body import (
-    MassDistribution,
-    less,
-    seen_from,
-    shifted,
-)
+from kindsl.mechanics.rigid.body import MassDistribution, less, seen_from, shifted
 from kindsl.mechanics.rigid.pose import (
     IDENTITY,
     RigidPose,

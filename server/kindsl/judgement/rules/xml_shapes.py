@@ -33,11 +33,7 @@ from kindsl.judgement.rules.xml_bodies import (
     pose_of_com,
     reach_of,
 )
-from kindsl.judgement.rules.xml_elements import (
-    in_words_of_xml,
-    is_without_limits,
-    limited_joints,
-)
+from kindsl.judgement.rules.xml_elements import in_words_of_xml, is_without_limits, limited_joints
 from kindsl.judgement.rules.xml_fixes import set_as
 from kindsl.language.semantics.declarations import Link, Vector
 from kindsl.language.semantics.expressions import Expression

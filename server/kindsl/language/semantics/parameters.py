@@ -138,9 +138,7 @@ def _by_name(uses: Iterable[_Use]) -> Iterator[tuple[_Use, ...]]:
 
 
 def values_of(
-    parameters: Iterable[Parameter],
-    constants: Iterable[Constant],
-    given: Mapping[str, float],
+    parameters: Iterable[Parameter], constants: Iterable[Constant], given: Mapping[str, float]
 ) -> dict[str, float]:
     """Return the value of each bound parameter by name, and of each constant by `<name>`.
 

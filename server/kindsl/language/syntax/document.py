@@ -298,6 +298,5 @@ def _replaced(
     base, most = indices[low], _most_in_chunk(len(document))
     old[first - base : stop - base] = islands
     return SyntaxDocument(
-        (*document.chunks[:low], *_in_chunks(old, most), *document.chunks[high:]),
-        document.versions,
+        (*document.chunks[:low], *_in_chunks(old, most), *document.chunks[high:]), document.versions
     )

@@ -44,9 +44,7 @@ def joint_poses(bodies: Bodies, poses: Array) -> Array:
 
 
 @lru_cache(maxsize=64)
-def _jumps(
-    parents: tuple[int, ...],
-) -> list[tuple[npt.NDArray[np.intp], npt.NDArray[np.intp]]]:
+def _jumps(parents: tuple[int, ...]) -> list[tuple[npt.NDArray[np.intp], npt.NDArray[np.intp]]]:
     """Return, by step, the links whose pose does not start at the base yet, and where it does."""
     ancestors = np.array([0, *parents])
     jumps = []

@@ -233,14 +233,7 @@ def greatest_second_moment(body: MassDistribution, half: MassDistribution, axis:
         axis: A unit vector; the eigenvector of the smallest eigenvalue gives the sharpest bound.
     """
     x, y, z = axis
-    weights = (
-        0.5 - x * x,
-        0.5 - y * y,
-        0.5 - z * z,
-        2.0 * x * y,
-        2.0 * x * z,
-        2.0 * y * z,
-    )
+    weights = (0.5 - x * x, 0.5 - y * y, 0.5 - z * z, 2.0 * x * y, 2.0 * x * z, 2.0 * y * z)
     about_origin = _greatest_sum(weights, body.moments, half.moments)
     along = abs(x * body.com[0] + y * body.com[1] + z * body.com[2])
     reach = abs(x) * half.com[0] + abs(y) * half.com[1] + abs(z) * half.com[2]

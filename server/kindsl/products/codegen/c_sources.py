@@ -87,10 +87,7 @@ def model_source(library: Library) -> str:
     constants: dict[str, Sequence[Scalar]] = {"c": library.setup or [0.0]}
     context = ("parameters", f"const {p}_parameters *parameters")
     setup = c_definition(
-        library.robot.graph,
-        CBody(f"{p}_set_up", {}, constants, known, context),
-        style,
-        "static ",
+        library.robot.graph, CBody(f"{p}_set_up", {}, constants, known, context), style, "static "
     )
     joints = ", ".join(f'"{name}"' for name in library.robot.joint_names)
     return fill(

@@ -74,10 +74,7 @@ def _triple(moments: tuple[float, ...]) -> str:
 
 
 def _totals(found: Difference) -> Iterator[ChangeRow]:
-    for name, (old, new), unit in (
-        ("mass", found.total_mass, "kg"),
-        ("reach", found.reach, "m"),
-    ):
+    for name, (old, new), unit in (("mass", found.total_mass, "kg"), ("reach", found.reach, "m")):
         if f"{old:.9g}" != f"{new:.9g}":
             yield ChangeRow("total", name, f"{old:.6g} -> {new:.6g} {unit}{_percent(old, new)}")
 

@@ -10,13 +10,7 @@ from math import atan2, dist
 from typing import NamedTuple
 
 from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from
-from kindsl.mechanics.rigid.pose import (
-    IDENTITY,
-    RigidPose,
-    product,
-    rotation_from_z,
-    transposed,
-)
+from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, product, rotation_from_z, transposed
 from kindsl.robots.comparison.features import (
     HALF_TURNS,
     AxisLine,

@@ -323,11 +323,7 @@ def _n_round(wanted: _WantedNumbers, others: _WantedNumbers) -> int:
 
 
 def _difference(
-    kind: str,
-    wanted: _WantedNumbers,
-    other: Form,
-    k: int,
-    others: _WantedNumbers | None,
+    kind: str, wanted: _WantedNumbers, other: Form, k: int, others: _WantedNumbers | None
 ) -> NumberDifference:
     names = INERTIA if isinstance(wanted.form, WrittenInertia) else POSE
     value, there = wanted.form.values[k], wanted.values[k]

@@ -101,9 +101,7 @@ def read_foreign(
 
 
 def read_robot(
-    read: Callable[[ReadingChoices], ReadRobot],
-    label: str,
-    floating: bool | None,
+    read: Callable[[ReadingChoices], ReadRobot], label: str, floating: bool | None
 ) -> ReadDescription:
     """Return the robot of a file's content, its base as the file says, else as others do.
 

@@ -16,10 +16,7 @@ from kindsl.robots.mechanism.linkage import BodyPart, Linkage, RigidBody
 _DECIMALS = 15
 _DIGITS = 15
 _ANGLE_TOLERANCE = 1e-14
-_FRACTIONS = {
-    pi: "PI",
-    **{pi / n: f"PI/{n}.0" for n in (2, 3, 4, 6)},
-}
+_FRACTIONS = {pi: "PI", **{pi / n: f"PI/{n}.0" for n in (2, 3, 4, 6)}}
 Comments = Mapping[tuple[str, str], tuple[str, ...]]
 NO_COMMENTS: Comments = {}
 

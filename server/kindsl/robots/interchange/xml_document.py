@@ -18,12 +18,7 @@ from kindsl.language.text.encodings import declared_encoding
 from kindsl.language.text.lines import LineIndex
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3
 from kindsl.robots.interchange.robot_island import RobotIsland, XmlPiece, end_of_element
-from kindsl.robots.interchange.xml_reading import (
-    TAG,
-    XmlElement,
-    XmlError,
-    parsed_xml,
-)
+from kindsl.robots.interchange.xml_reading import TAG, XmlElement, XmlError, parsed_xml
 
 _TAG_OR_COMMENT = re.compile(f"<!--.*?-->|{TAG.pattern}", re.DOTALL)
 _REST_OF_LINE = re.compile(r"(?:[^\S\r\n]|<!--[^\r\n]*?-->)*")

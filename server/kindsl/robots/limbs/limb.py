@@ -159,12 +159,7 @@ def body_of(edge: Edge, values: Values, carried: tuple[Body, ...] = ()) -> Body 
 
 
 def assembled(
-    name: str,
-    by: str,
-    kind: str,
-    pose: RigidPose,
-    angles: Vector3,
-    carried: tuple[Body, ...],
+    name: str, by: str, kind: str, pose: RigidPose, angles: Vector3, carried: tuple[Body, ...]
 ) -> Body | None:
     """Return a body with what it carries, None where that is more than limbs have.
 

@@ -27,10 +27,7 @@ JOINT_FORMS = {"revolute": Form.DRUM, "prismatic": Form.BLOCK}
 _X, _Y, _Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 # Turns meshcat's cylinders, which lie along y, to z; blocks lie there already.
 _Y_TO_Z = (*_X, 0.0, *_Z, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
-JOINT_TURNS = {
-    "revolute": _Y_TO_Z,
-    "prismatic": (*_X, 0.0, *_Y, 0.0, *_Z, 0.0, 0.0, 0.0, 0.0, 1.0),
-}
+JOINT_TURNS = {"revolute": _Y_TO_Z, "prismatic": (*_X, 0.0, *_Y, 0.0, *_Z, 0.0, 0.0, 0.0, 0.0, 1.0)}
 # What is the same at each keystroke is made once.
 _MOST_KNOWN = 1 << 12
 

@@ -101,9 +101,7 @@ def linted(plan: LintPlan) -> Iterator[str | Failure]:
     return documents(plan.paths, plan.excluded, _WALKED, is_included)
 
 
-def _prepared(
-    plan: LintPlan,
-) -> "tuple[list[Task], list[Failure], dict[str, Configuration]]":
+def _prepared(plan: LintPlan) -> "tuple[list[Task], list[Failure], dict[str, Configuration]]":
     """Return tasks, failures of unreadable documents, and configurations by the path shown."""
     tasks: list[Task] = []
     failures: list[Failure] = []

@@ -33,8 +33,7 @@ def _case(file: LintedFile, finding: Diagnostic, failing: frozenset[Severity]) -
     line, column = file.place(finding.start)
     message = printable(finding.message)
     case = ET.Element(
-        "testcase",
-        {"name": f"{finding.code} {finding.name} {line}:{column}", **_class(file.path)},
+        "testcase", {"name": f"{finding.code} {finding.name} {line}:{column}", **_class(file.path)}
     )
     text = f"{project_path(file.path)}:{line}:{column}: {finding.severity.value}: {message}"
     attributes = {"message": message, "type": finding.severity.value}

@@ -4,12 +4,7 @@ from typing import NamedTuple
 
 from kindsl.frontends.features.manipulation.gesture import Refusal
 from kindsl.language.semantics.declarations import Vector
-from kindsl.language.semantics.expressions import (
-    ConstantUse,
-    Expression,
-    ParameterUse,
-    symbols,
-)
+from kindsl.language.semantics.expressions import ConstantUse, Expression, ParameterUse, symbols
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.parameters import Constant, Parameter
 from kindsl.language.semantics.places import has_problem_within

@@ -54,10 +54,7 @@ def pose_edit(
 
 
 async def request_edits(
-    view: View,
-    label: str,
-    edits: Sequence[TextEdit],
-    bindings: Sequence[tuple[str, float]] = (),
+    view: View, label: str, edits: Sequence[TextEdit], bindings: Sequence[tuple[str, float]] = ()
 ) -> str:
     """Have the client make edits of the version that a view shows, as one step of undo.
 

@@ -8,10 +8,7 @@ import numpy as np
 from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.forward_dynamics import forward_dynamics
 from kindsl.mechanics.dynamics.forward_kinematics import body_poses, frame_poses
-from kindsl.mechanics.dynamics.inverse_dynamics import (
-    floating_base_inverse_dynamics,
-    newton_euler,
-)
+from kindsl.mechanics.dynamics.inverse_dynamics import floating_base_inverse_dynamics, newton_euler
 from kindsl.mechanics.dynamics.joint_space_inertia import inertia_of
 from kindsl.mechanics.dynamics.joints import uniform_acceleration
 from kindsl.mechanics.dynamics.posture import posture

@@ -181,11 +181,7 @@ class WholeBody:
         return centroidal_momentum_drift(self.bodies, q, qd, v)
 
     def frame_velocity(
-        self,
-        q: JointVector,
-        qd: JointVector,
-        name: str,
-        base_velocity: npt.ArrayLike | None = None,
+        self, q: JointVector, qd: JointVector, name: str, base_velocity: npt.ArrayLike | None = None
     ) -> Array:
         """Return the velocity (..., 6) of a link or frame: `jacobian @ (base velocity, qd)`.
 
@@ -217,11 +213,7 @@ class WholeBody:
         return self._of_frame("acceleration", name, (q, qd, qdd), base)
 
     def frame_acceleration_drift(
-        self,
-        q: JointVector,
-        qd: JointVector,
-        name: str,
-        base_velocity: npt.ArrayLike | None = None,
+        self, q: JointVector, qd: JointVector, name: str, base_velocity: npt.ArrayLike | None = None
     ) -> Array:
         """Return the acceleration (..., 6) of a link or frame at zero acceleration: `Jd qd`.
 

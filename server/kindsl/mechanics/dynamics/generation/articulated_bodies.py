@@ -52,10 +52,7 @@ class _Joint(NamedTuple):
 
 
 def accelerations(
-    tree: Tree,
-    joints: Sequence[JointMotion],
-    tau: Vector,
-    wrenches: Sequence[Wrench],
+    tree: Tree, joints: Sequence[JointMotion], tau: Vector, wrenches: Sequence[Wrench]
 ) -> tuple[Vector, Vector]:
     """Return what the joints accelerate by, and a floating base more than it did.
 

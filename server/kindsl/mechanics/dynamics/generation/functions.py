@@ -23,12 +23,7 @@ from kindsl.mechanics.dynamics.generation.inverse_dynamics import (
     floating_base_inverse_dynamics,
     inverse_dynamics,
 )
-from kindsl.mechanics.dynamics.generation.jacobians import (
-    body_poses,
-    feet,
-    frame_pose,
-    jacobian,
-)
+from kindsl.mechanics.dynamics.generation.jacobians import body_poses, feet, frame_pose, jacobian
 from kindsl.mechanics.dynamics.generation.relative_frames import relative_columns
 from kindsl.mechanics.dynamics.generation.robot import PlacedFrame, Robot
 from kindsl.mechanics.dynamics.generation.terms import Scalar

@@ -23,13 +23,7 @@ from kindsl.mechanics.dynamics.generation.frame_motion import (
     frame_accelerations,
     frame_velocity,
 )
-from kindsl.mechanics.dynamics.generation.function import (
-    Argument,
-    Function,
-    Inputs,
-    Result,
-    matrix,
-)
+from kindsl.mechanics.dynamics.generation.function import Argument, Function, Inputs, Result, matrix
 from kindsl.mechanics.dynamics.generation.inverse_dynamics import bias_torque, newton_euler
 from kindsl.mechanics.dynamics.generation.jacobians import body_poses, feet, frame_pose, jacobian
 from kindsl.mechanics.dynamics.generation.robot import Robot

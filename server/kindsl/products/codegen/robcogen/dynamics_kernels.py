@@ -108,10 +108,7 @@ def forward_dynamics_kernels(robot: GeneratedRobot) -> list[str]:
 
 
 def _under_loads(
-    robot: GeneratedRobot,
-    name: str,
-    takes: Arguments,
-    results: Callable[[list[Vector]], Arguments],
+    robot: GeneratedRobot, name: str, takes: Arguments, results: Callable[[list[Vector]], Arguments]
 ) -> list[str]:
     """Return a function without forces on links, and with them: its name with `_loaded`.
 

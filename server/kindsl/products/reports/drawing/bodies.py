@@ -75,11 +75,7 @@ def reach(skeleton: Linkage, poses: Sequence[RigidPose]) -> Iterator[Vector3]:
 
 
 def _link(
-    solid: LinkSolid,
-    segments: Sequence[Segment],
-    pose: RigidPose,
-    camera: Camera,
-    color: str,
+    solid: LinkSolid, segments: Sequence[Segment], pose: RigidPose, camera: Camera, color: str
 ) -> Iterator[Deep]:
     origin = (0.0, 0.0, 0.0)
     bones = [(origin, piece.end) for piece in segments]

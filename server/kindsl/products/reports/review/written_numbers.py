@@ -6,10 +6,7 @@ from typing import NamedTuple
 
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.expressions import Expression
-from kindsl.language.semantics.unknown import (
-    inertia_expressions,
-    pose_expressions,
-)
+from kindsl.language.semantics.unknown import inertia_expressions, pose_expressions
 
 _ROUNDING = 1e-12
 # What a factor between two numbers says, and how near it must be.

@@ -62,13 +62,7 @@ def _read(spec: Any, name: str, floating: bool) -> ReadRobot:
     base: BaseKind = "floating" if floating or _is_free(model, roots[0]) else "fixed"
     links = _links(model, roots, base)
     robot, moved = robot_of_links(spec.modelname or name, base, links, "body")
-    told = (
-        *physics_losses(model),
-        *joint_losses(model),
-        *outside,
-        *_joint_remarks(model),
-        *moved,
-    )
+    told = (*physics_losses(model), *joint_losses(model), *outside, *_joint_remarks(model), *moved)
     joints = [joint for joint in range(model.njnt) if model.jnt_type[joint] >= _SLIDE]
     own = told_joints((_joint_name(model, joint), _properties(model, joint)) for joint in joints)
     why, unknown = tuple(refused), frozenset(missing)

@@ -15,11 +15,7 @@ from kindsl.mechanics.rigid.body import (
     principal_moments_about_com,
 )
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
-from kindsl.robots.interchange.format import (
-    WritingChoices,
-    WrittenRobot,
-    fixed_base_dropped,
-)
+from kindsl.robots.interchange.format import WritingChoices, WrittenRobot, fixed_base_dropped
 from kindsl.robots.interchange.mjcf.compiling import checked_text
 from kindsl.robots.interchange.xml_writing import added, document_text, numbers, quaternion
 from kindsl.robots.mechanism.linkage import Linkage

@@ -16,12 +16,7 @@ from kindsl.robots.interchange.format import (
     ReadRobot,
     told_joints,
 )
-from kindsl.robots.interchange.rigid_links import (
-    BaseKind,
-    RigidLink,
-    about_origin,
-    robot_of_links,
-)
+from kindsl.robots.interchange.rigid_links import BaseKind, RigidLink, about_origin, robot_of_links
 from kindsl.robots.interchange.sdf.elements import (
     defect,
     is_true,

@@ -16,13 +16,7 @@ from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.mechanics.rigid.pose import IDENTITY
 from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.robot_island import RobotIsland
-from kindsl.robots.interchange.urdf.checking import (
-    WORLD,
-    defects,
-    end_of,
-    root_links,
-    rotation_of,
-)
+from kindsl.robots.interchange.urdf.checking import WORLD, defects, end_of, root_links, rotation_of
 from kindsl.robots.interchange.xml_document import (
     Connection,
     XmlDocument,

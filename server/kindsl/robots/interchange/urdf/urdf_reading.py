@@ -24,12 +24,7 @@ from kindsl.robots.interchange.format import (
     mimic_dropped,
     told_joints,
 )
-from kindsl.robots.interchange.rigid_links import (
-    BaseKind,
-    RigidLink,
-    about_origin,
-    robot_of_links,
-)
+from kindsl.robots.interchange.rigid_links import BaseKind, RigidLink, about_origin, robot_of_links
 from kindsl.robots.interchange.urdf.checking import (
     WORLD,
     checked,

@@ -7,11 +7,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from kindsl.mechanics.dynamics.generation.emitters.c import CBody, Dialect, c_definition
-from kindsl.mechanics.dynamics.generation.emitters.lanes import (
-    shared,
-    wide_functions,
-    wide_loop,
-)
+from kindsl.mechanics.dynamics.generation.emitters.lanes import shared, wide_functions, wide_loop
 from kindsl.mechanics.dynamics.generation.emitters.loops import loop_call, loops_text
 from kindsl.mechanics.dynamics.generation.function import Function, Result
 from kindsl.mechanics.dynamics.generation.terms import Graph, Scalar
