@@ -31,12 +31,14 @@ from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.language.text.decimals import fixed_decimal, rounded_decimal
 from kindsl.language.text.distinct import free_name
 from kindsl.language.text.edits import TextEdit
+from kindsl.language.text.facts import Fact
 from kindsl.mechanics.rigid.body import MassDistribution, seen_from
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
 from kindsl.robots.mechanism.link_inertia import link_inertia
 
 _KIND = "refactor.rewrite"
 _BY_DIGITS = IMPOSSIBLE | {Verdict.WITHIN_ROUNDING}
+_SOUND = Fact[tuple[object, tuple[CodeAction, ...]]]("moves of an inertia that add no error")
 _BLANKS_BEFORE = re.compile(r"(?:\r\n?|\n)?[ \t]*\Z")
 
 
@@ -51,7 +53,11 @@ def move_inertia(analysis: Analysis, start: int, _end: int) -> Iterator[CodeActi
     body = link_inertia(link, {})
     if isinstance(body, Unknown):
         return
-    yield from _sound_actions(analysis, _Moving(link, link.inertia, body, place.start))
+    moving = _Moving(link, link.inertia, body, place.start)
+    # An editor asks again wherever the cursor goes in the inertia.
+    yield from analysis.facts.made_of(
+        _SOUND, moving.inertia.node, lambda: tuple(_sound_actions(analysis, moving))
+    )
 
 
 class _Moving(NamedTuple):
