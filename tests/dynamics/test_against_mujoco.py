@@ -6,6 +6,7 @@ import mujoco
 import numpy as np
 import pytest
 from tests.dynamics.random_bodies import tree_of_seed
+from tests.support.amount import usually
 
 from kindsl.mechanics.dynamics.bodies import Bodies
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
@@ -18,7 +19,7 @@ TOLERANCE = 1e-8
 
 @pytest.mark.parametrize("block", range(5))
 def test_random_trees_accelerate_as_in_mujoco(block: int) -> None:
-    for seed in range(60 * block, 60 * block + 60, 2):
+    for seed in range(60 * block, 60 * block + 60, usually(10, thoroughly=2)):
         bodies, generator = tree_of_seed(seed)
         assert not bodies.is_floating
         q, qd, tau = generator.uniform(-2.0, 2.0, (3, bodies.n_links))

@@ -21,7 +21,7 @@ from kindsl.mechanics.dynamics.quantities import JOINT_VECTORS, Quantity
 
 TREES_PER_BLOCK = 30
 # Of the trees that code is generated for, which takes nearly all of the time.
-GENERATED_STEP = usually(5, thoroughly=1)
+GENERATED_STEP = usually(10, thoroughly=1)
 GRAVITY = np.array([1.2, -3.4, -9.0])
 
 

@@ -26,7 +26,7 @@ def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return tmp_path_factory.mktemp("cache")
 
 
-@pytest.fixture(params=[4, 7], ids=["fixed", "floating"])
+@pytest.fixture(params=[4, 1], ids=["fixed", "floating"])
 def pair(
     request: pytest.FixtureRequest, cache: Path, monkeypatch: pytest.MonkeyPatch
 ) -> tuple[CompiledMechanics, Mechanics]:

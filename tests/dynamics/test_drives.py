@@ -71,8 +71,9 @@ def test_all_forms_are_one(seed: int) -> None:
 @needs_compiler
 def test_code_in_c_has_them(tmp_path: Path) -> None:
     bodies = with_drives(bodies_of_seed(*SMALL), np.random.default_rng(1))
-    quantities = tuple(name for name in ALL if name != "frame_motions")
-    for real in ("double", "float"):
+    most = tuple(name for name in ALL if name != "frame_motions")
+    few = ("inverse_dynamics", "forward_dynamics")
+    for real, quantities in ("double", most), ("float", usually(few, thoroughly=most)):
         folder = write_c(bodies, tmp_path / real, quantities, real=real)
         run_tests(build(COMPILERS[0], folder, [], "test"))
 

@@ -15,6 +15,7 @@ from tests.codegen.robcogen.programs import (
     needs_cpp,
     printed,
 )
+from tests.support.amount import usually
 
 from kindsl.mechanics.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanics.dynamics.generation.emitters import c
@@ -200,7 +201,7 @@ def program(library: Library, containers: str = CONTAINERS, before: str = "") ->
     return main.replace("@NS@", ns).replace("@BODY@", body + inertia + frames)
 
 
-@pytest.fixture(scope="module", params=ROBOTS)
+@pytest.fixture(scope="module", params=usually(("arm", "crab"), (*ROBOTS,)))
 def case(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Case:
     """Return a robot's mechanics, its library, and what a program with its classes prints."""
     folder = tmp_path_factory.mktemp(request.param)
@@ -272,7 +273,7 @@ def test_dynamics_of_a_fixed_base(case: Case) -> None:
 
 
 @needs_cpp
-@pytest.mark.parametrize("case", ["quadruped", "crab"], indirect=True)
+@pytest.mark.parametrize("case", usually(["crab"], ["quadruped", "crab"]), indirect=True)
 def test_dynamics_of_a_floating_base(case: Case) -> None:
     mechanics, _, found = case
     q, qd, qdd, v0, given = (found[name] for name in ("q", "qd", "qdd", "v0", "given"))
@@ -369,12 +370,11 @@ def test_inertia(case: Case) -> None:
 
 
 @needs_cpp
-@pytest.mark.parametrize("standard", ["c++14", "c++17"])
 @pytest.mark.parametrize("compiler", COMPILERS)
-def test_no_compiler_warns(compiler: str, standard: str, tmp_path: Path) -> None:
-    robot = "crab" if standard == "c++14" else "arm"
+def test_no_compiler_warns(compiler: str, tmp_path: Path) -> None:
+    robot = "crab" if compiler == COMPILERS[0] else "arm"
     _, library = generated(ROBOTS[robot], VALUES, tmp_path)
-    options = (f"-std={standard}", "-Wconversion", "-Wno-sign-conversion", "-fsyntax-only")
+    options = ("-std=c++17", "-Wconversion", "-Wno-sign-conversion", "-fsyntax-only")
     done = built(tmp_path, program(library), *options, compiler=compiler)
     assert (done.returncode, done.stderr) == (0, "")
 
@@ -405,7 +405,7 @@ def test_names_that_headers_and_classes_have_are_changed_and_told(tmp_path: Path
 
 
 @needs_cpp
-@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.parametrize("compiler", usually(COMPILERS[:1], COMPILERS))
 def test_vectors_that_are_not_aligned_are_read(compiler: str, tmp_path: Path) -> None:
     mass = "mass = 1.0 CoM = (0.1, 0.0, 0.0) Ix=0.1 Iy=0.1 Iz=0.1 Ixy=0.0 Ixz=0.0 Iyz=0.0"
     body, place = f"inertia_params {{ {mass} }}", "translation = (0.3, 0.0, 0.1)"

@@ -9,6 +9,7 @@ import pytest
 from tests.codegen.compiling import EIGEN
 from tests.codegen.robcogen.programs import COMPILERS, QUICK, STRICT, generated, needs_cpp
 from tests.codegen.robcogen.test_classes import CRAB, VALUES
+from tests.support.amount import usually
 
 from kindsl.products.codegen.robcogen.files import RUNTIME
 
@@ -98,7 +99,7 @@ HEADERS = (
 
 
 @needs_cpp
-@pytest.mark.parametrize("name", PROJECTS)
+@pytest.mark.parametrize("name", usually(("robcogen", "float", "pronto"), (*PROJECTS,)))
 def test_a_project_is_built_as_it_stands(name: str, tmp_path: Path) -> None:
     project, made = PROJECTS[name], tmp_path / "made"
     generated(CRAB, VALUES, made, **{"has_runtime": False, **project.options})
