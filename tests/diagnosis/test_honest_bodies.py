@@ -39,7 +39,7 @@ WRITERS = [
     for digits in range(2, 7)
 ]
 ONLY_INERTIA = Settings(select=("KD301", "KD302", "KD303"))
-BODIES = usually(300, 670)
+BODIES = usually(150, 670)
 MIXED = usually(150, 3000)
 
 

@@ -22,7 +22,7 @@ from kindsl.robots.limbs.peer_frames import peer_frames
 CAUSES = ("KD306", "KD307", "KD308")
 INERTIA = Settings(select=("KD301", "KD302", *CAUSES))
 EXACT = significant(9)
-N_WALKERS = usually(20, thoroughly=40)
+N_WALKERS = usually(14, thoroughly=40)
 Slip = Callable[[MassDistribution], MassDistribution]
 
 
@@ -205,7 +205,7 @@ IN_A_FRAME = (
 def test_peers_that_lie_anyhow_make_no_wrong_fix(legs: Legs, slip: str) -> None:
     """An inertia in a frame of its own has axes of which the joints tell nothing."""
     generator = random.Random(f"{slip} in a frame")
-    for _ in range(20):
+    for _ in range(N_WALKERS):
         walker, write = Walker(generator, legs), significant(generator.randrange(3, 7))
         victim = generator.choice(list(walker.bodies))
         meant = walker.bodies[victim]

@@ -1,9 +1,11 @@
 """What comes by itself while someone types, and what comes when they ask: typed situations."""
 
+import re
 from pathlib import Path
 
 import pytest
 from tests.features.samples import ARM, COMMENTED, PARAMETRIC
+from tests.support.amount import usually
 from tests.support.cursor import at_cursor
 from tests.typist.typist import lines_to_type
 
@@ -100,7 +102,8 @@ def test_no_list_is_open_at_a_line_s_end(path, is_closed):
 
 @pytest.mark.parametrize("text", [ARM, PARAMETRIC])
 def test_what_stands_before_the_cursor_is_never_offered(text):
-    for offset in range(len(text) + 1):
+    words = [match.end() for match in re.finditer(r"\w+", text)]
+    for offset in usually(words, thoroughly=range(len(text) + 1)):
         analysis = analyse(text[:offset])
         for found in (completions(analysis, offset), suggestions(analysis, offset)):
             assert text[found.start : offset].strip() not in {i.text for i in found.items}
