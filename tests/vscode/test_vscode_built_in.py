@@ -11,11 +11,12 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+import pytest
 from playwright.sync_api import Browser, Locator, TimeoutError, expect
 from tests.vscode import code_server, models
 from tests.vscode.browser import missing
 from tests.vscode.code_server import Machine
-from tests.vscode.extension_host import HOST, OLD_PYTHON, run_suite
+from tests.vscode.extension_host import OLD_PYTHON
 from tests.vscode.workbench import GESTURES, SHOTS, Workbench
 
 BUILT_IN = {"kindsl.interpreter": ["built-in"]}
@@ -24,7 +25,16 @@ CONFIGURATION = "parameters = { reach = 0.4 }\n"
 BROKEN = models.BROKEN.replace("(0.4, 0.0, 0.0)", "(reach, 0.0, 0.0)")
 
 
-def test_a_machine_without_python_needs_nothing(
+@pytest.fixture(scope="module")
+def workbench(
+    browser: Browser, vsix: Path, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[Workbench]:
+    """One window that asks for the built-in Python, on a folder in that of its installation."""
+    with window(browser, vsix, tmp_path_factory.mktemp("built-in"), BUILT_IN) as workbench:
+        yield workbench
+
+
+def test_a_machine_without_python_needs_nothing_and_passes_an_old_one_over(
     browser: Browser, vsix: Path, tmp_path: Path
 ) -> None:
     (tmp_path / "kindsl.toml").write_text(CONFIGURATION)
@@ -46,6 +56,7 @@ def test_a_machine_without_python_needs_nothing(
         workbench.screenshot("built-in")
         # Another server draws the same picture, another robot is seen from where it fits.
         page.evaluate("kindsl.isOfArm = true")
+        add_program(tmp_path, "python3", OLD_PYTHON)
         workbench.run("Kinematics-DSL: Restart Server")
         workbench.open("arm.kindsl")
         workbench.go_to_place(1, len("Robot arm") + 1)
@@ -55,17 +66,10 @@ def test_a_machine_without_python_needs_nothing(
         workbench.open("other.kindsl", models.OTHER)
         expect(page.locator("#robot")).to_have_text("other")
         assert page.evaluate("kindsl.isOfArm") is None
-
-
-def test_an_old_python_is_passed_over_and_a_good_one_beside_it_used(
-    browser: Browser, vsix: Path, tmp_path: Path
-) -> None:
-    machine = bare_machine(tmp_path, python3=OLD_PYTHON)
-    with window(browser, vsix, tmp_path, {}, machine) as workbench:
-        workbench.open("broken.kindsl", models.BROKEN)
-        expect(workbench.squiggles("error")).to_have_count(2)
         expect(language_status(workbench)).to_contain_text("built-in Python")
         expect(workbench.notifications()).to_have_count(0)
+        workbench.press("Escape")
+        workbench.open("broken.kindsl")
         add_program(tmp_path, "python3.12", f'#!/bin/sh\nexec "{sys.executable}" "$@"\n')
 
         def find() -> None:
@@ -98,34 +102,28 @@ def test_where_neither_starts_the_user_is_told(
         workbench.screenshot("built-in-spoilt")
 
 
-def test_a_server_that_is_killed_or_hangs_is_replaced(
-    browser: Browser, vsix: Path, tmp_path: Path
-) -> None:
-    with window(browser, vsix, tmp_path, BUILT_IN) as workbench:
-        workbench.open("broken.kindsl", models.BROKEN)
-        expect(workbench.squiggles("error")).to_have_count(2)
-        (first,) = host_processes(tmp_path)
-        os.kill(first, signal.SIGKILL)
-        workbench.eventually(
-            lambda: host_processes(tmp_path) not in ([], [first]), "another process"
-        )
-        workbench.go_to_place(1, len("Robot arm") + 1)
-        workbench.type(" {")
-        expect(workbench.squiggles("error")).not_to_have_count(2)
-        (second,) = host_processes(tmp_path)
-        keep_busy(workbench, second)
-        # Typed in vain, and not lost.
-        workbench.press("Backspace")
-        workbench.press("Backspace")
-        workbench.run("Kinematics-DSL: Restart Server")
-        workbench.eventually(
-            lambda: host_processes(tmp_path) not in ([], [second]), "a third process"
-        )
-        expect(workbench.squiggles("error")).to_have_count(2)
-        expect(workbench.notifications()).to_have_count(0)
+def test_a_server_that_is_killed_or_hangs_is_replaced(workbench: Workbench) -> None:
+    work = workbench.folder.parent
+    workbench.open("broken.kindsl", models.BROKEN)
+    expect(workbench.squiggles("error")).to_have_count(2)
+    (first,) = host_processes(work)
+    os.kill(first, signal.SIGKILL)
+    workbench.eventually(lambda: host_processes(work) not in ([], [first]), "another process")
+    workbench.go_to_place(1, len("Robot arm") + 1)
+    workbench.type(" {")
+    expect(workbench.squiggles("error")).not_to_have_count(2)
+    (second,) = host_processes(work)
+    keep_busy(workbench, second)
+    # Typed in vain, and not lost.
+    workbench.press("Backspace")
+    workbench.press("Backspace")
+    workbench.run("Kinematics-DSL: Restart Server")
+    workbench.eventually(lambda: host_processes(work) not in ([], [second]), "a third process")
+    expect(workbench.squiggles("error")).to_have_count(2)
+    expect(workbench.notifications()).to_have_count(0)
 
 
-def test_a_workspace_that_is_not_trusted_runs_nothing_of_its_own(
+def test_a_workspace_that_is_not_trusted_chooses_no_program_and_runs_none_of_its_own(
     browser: Browser, vsix: Path, tmp_path: Path
 ) -> None:
     trust = {"enabled": True, "startupPrompt": "never"}
@@ -134,6 +132,9 @@ def test_a_workspace_that_is_not_trusted_runs_nothing_of_its_own(
     planted.parent.mkdir(parents=True)
     planted.write_text(f"#!/bin/sh\ntouch '{tmp_path}/has-run'\n")
     planted.chmod(0o755)
+    chosen = tmp_path / "robots" / ".vscode" / "settings.json"
+    chosen.parent.mkdir()
+    chosen.write_text(json.dumps({"kindsl.path": ["/nowhere/server"]}))
     with window(browser, vsix, tmp_path, settings, bare_machine(tmp_path)) as workbench:
         expect(workbench.status("Restricted Mode")).to_be_visible()
         workbench.open("broken.kindsl", models.BROKEN)
@@ -170,43 +171,30 @@ def test_each_folder_of_a_workspace_has_its_configuration(
         workbench.screenshot("built-in-folders")
 
 
-def test_the_preview_opens_in_a_browser_too(browser: Browser, vsix: Path, tmp_path: Path) -> None:
-    with window(browser, vsix, tmp_path, BUILT_IN) as workbench:
-        workbench.open("arm.kindsl", models.ARM)
-        expect(language_status(workbench)).to_contain_text("built-in Python")
-        workbench.run("Kinematics-DSL: Open Preview to the Side")
-        panel = preview_page(workbench)
-        expect(panel.locator("#robot")).to_have_text("arm")
-        page = workbench.page_in_browser()
-        expect(page.locator("#state")).to_have_text("live")
-        # Each shows what is done in the other.
-        page.get_by_role("slider", name="elbow", exact=True).fill("1.2")
-        turned = "() => Math.abs(kindsl.scene.q.get('elbow') - 1.2) < 0.01"
-        workbench.eventually(lambda: panel.evaluate(turned), "the arm turned in the panel")
-        # It comes back to a server that is another one.
-        (first,) = host_processes(tmp_path)
-        os.kill(first, signal.SIGKILL)
-        workbench.eventually(
-            lambda: host_processes(tmp_path) not in ([], [first]), "another process"
-        )
-        workbench.open("arm.kindsl")
-        workbench.go_to_place(1, len("Robot arm") + 1)
-        workbench.type("2")
-        expect(page.locator("#robot")).to_have_text("arm2")
-        expect(page.locator("#state")).to_have_text("live")
-        assert abs(page.evaluate("kindsl.scene.q.get('elbow')") - 1.2) < 0.01
-        page.screenshot(path=SHOTS / "built-in-browser.png")
-
-
-def test_the_linter_is_a_task(browser: Browser, vsix: Path, tmp_path: Path) -> None:
-    if not code_server.has_terminals():
-        missing("the terminal of VS Code could not be compiled")
-    folder = tmp_path / "robots"
-    folder.mkdir()
-    (folder / "broken.kindsl").write_text(models.ARM.replace("lower via elbow", "lower via x"))
-    with code_server.running(tmp_path / "data", BUILT_IN, vsix) as server:
-        outcome = run_suite(browser, server, folder, HOST / "tasks.js")
-    assert outcome.code == 0, str(outcome)
+def test_the_preview_opens_in_a_browser_too(workbench: Workbench) -> None:
+    work = workbench.folder.parent
+    workbench.open("arm.kindsl", models.ARM)
+    expect(language_status(workbench)).to_contain_text("built-in Python")
+    workbench.run("Kinematics-DSL: Open Preview to the Side")
+    panel = preview_page(workbench)
+    expect(panel.locator("#robot")).to_have_text("arm")
+    page = workbench.page_in_browser()
+    expect(page.locator("#state")).to_have_text("live")
+    # Each shows what is done in the other.
+    page.get_by_role("slider", name="elbow", exact=True).fill("1.2")
+    turned = "() => Math.abs(kindsl.scene.q.get('elbow') - 1.2) < 0.01"
+    workbench.eventually(lambda: panel.evaluate(turned), "the arm turned in the panel")
+    # It comes back to a server that is another one.
+    (first,) = host_processes(work)
+    os.kill(first, signal.SIGKILL)
+    workbench.eventually(lambda: host_processes(work) not in ([], [first]), "another process")
+    workbench.open("arm.kindsl")
+    workbench.go_to_place(1, len("Robot arm") + 1)
+    workbench.type("2")
+    expect(page.locator("#robot")).to_have_text("arm2")
+    expect(page.locator("#state")).to_have_text("live")
+    assert abs(page.evaluate("kindsl.scene.q.get('elbow')") - 1.2) < 0.01
+    page.screenshot(path=SHOTS / "built-in-browser.png")
 
 
 def bare_machine(work: Path, **programs: str) -> Machine:

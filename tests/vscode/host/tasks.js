@@ -18,13 +18,23 @@ exports.run = () =>
       assert.deepEqual(problemMatchers, []);
     },
 
-    "the linter's task reports what the server would, by the editor's settings": async () => {
-      assert.equal(await ended(), 1);
-      await configure("ignore", ["KD106"]);
-      assert.equal(await ended(), 0);
-      await configure("ignore", undefined);
+    "the linter's task reports what the server would, by the editor's settings": reports,
+
+    "the built-in Python runs it as well": async () => {
+      const before = vscode.workspace.getConfiguration("kindsl").get("interpreter");
+      const api = await configure("interpreter", ["built-in"]);
+      assert.equal(api.isBuiltIn(), true);
+      await reports();
+      await configure("interpreter", before);
     },
   });
+
+async function reports() {
+  assert.equal(await ended(), 1);
+  await configure("ignore", ["KD106"]);
+  assert.equal(await ended(), 0);
+  await configure("ignore", undefined);
+}
 
 /** The tasks, once there are any: a busy VS Code may say at first that there are none. */
 async function offered() {
