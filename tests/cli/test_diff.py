@@ -179,6 +179,8 @@ def test_a_centre_of_mass_that_stays_in_the_base_has_not_moved(
         ("0.093138", "0.0931", "z of 'shoulder'"),
         ("0.3) rotation = (0.0", "0.3) rotation = (8e-7", "rx of 'wrist'"),
         ("0.3) rotation = (PI/2.0", "0.3) rotation = (1.571", "rx of 'wrist'"),
+        ("0.3) rotation = (PI/2.0", "0.3) rotation = (1.5708", "rx of 'wrist'"),
+        ("0.3) rotation = (-1.570796", "0.3) rotation = (-1.5708", "rx of 'wrist'"),
         ("tip { translation = (0.20213", "tip { translation = (0.202", "x of 'tip'"),
     ],
 )

@@ -72,9 +72,7 @@ def document_difference(
     pairs = zip(documents, skeletons, strict=True)
     ours, theirs = (described_document("", *document, skeleton) for document, skeleton in pairs)
     same, names = unrounded(ours, theirs)
-    return (
-        (difference(same, theirs.skeleton), list(rounded_numbers(names))) if names else (found, [])
-    )
+    return difference(same, theirs.skeleton), list(rounded_numbers(names))
 
 
 def _independent(found: Difference, depends: Sequence[Difference]) -> Difference:

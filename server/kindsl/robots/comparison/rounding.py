@@ -90,9 +90,11 @@ def unrounded(ours: ComparedSide, theirs: ComparedSide) -> tuple[Linkage, list[s
         )
         found = []
         for quantity, own, its, here, there in columns:
-            is_other = own != its and _is_alike(here, there, quantity in TURNS, digits)
+            # Angles within the digits of one meant are equal already, however they are written.
+            is_other = _is_alike(here, there, quantity in TURNS, digits) or own == its
             found.append(its if is_other else own)
-            names.extend([f"{quantity} of '{form.owner}'"] if is_other else [])
+            if is_other and here and there and here.value != there.value:
+                names.append(f"{quantity} of '{form.owner}'")
         return tuple(found)
 
     masses, poses = list(ours.skeleton.masses), list(ours.skeleton.placements)
