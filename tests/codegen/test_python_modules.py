@@ -107,6 +107,8 @@ def test_numpy_in_batches_and_by_name() -> None:
         )
     with pytest.raises(ValueError, match="expected"):
         module.poses(np.zeros(n + 1))
+    with pytest.raises(ValueError, match="there is no link or frame 'nowhere', only "):
+        module.jacobian(q, "nowhere")
 
 
 def test_jax() -> None:
