@@ -1,9 +1,10 @@
 """No honest robot is convicted, neither as a URDF nor as a document of the language."""
 
 from collections.abc import Iterator
+from random import Random
 
 import pytest
-from tests.support.solid_robots import DESIGNS, solid_robots
+from tests.support.solid_robots import DESIGNS, solid_robots, star
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.robots.interchange.kindsl_writing import written_kindsl
@@ -29,3 +30,8 @@ def test_nothing_is_told_of_documents() -> None:
     texts = {name: written_kindsl(robot_of_urdf(text, name)).text for name, text in robots}
     found = {name: [*told(text)] for name, text in texts.items()}
     assert not any(found.values()), found
+
+
+@pytest.mark.parametrize("chance", ["4242 262", "4242 302"])
+def test_links_with_motors_at_both_ends_have_moments_about_their_com(chance: str) -> None:
+    assert not [*told(star(Random(chance)).urdf())]
