@@ -133,6 +133,38 @@ def test_a_com_that_only_a_sign_keeps_from_that_of_the_other_side(
             assert told("KD510", apply_edits(text, fix.edits)) == []
 
 
+MIRRORED = "0.00051", "-0.00079", "-0.0003"
+TURNED = "-0.00051", "-0.00079", "0.0003"
+
+
+@pytest.mark.parametrize(
+    ("com", "products", "is_told"),
+    [
+        ("0.101, 0.0203, -0.0102", MIRRORED, False),
+        ("0.101, -0.0203, -0.0102", MIRRORED, True),
+        ("0.101, 0.0203, 0.0102", MIRRORED, True),
+        ("0.101, 0.0203, 0.0102", ("0.00051", "0.00079", "0.0003"), False),
+        ("0.101, -0.0203, -0.0102", TURNED, False),
+        ("0.101, -0.0257, -0.0102", MIRRORED, False),
+    ],
+)
+def test_a_sign_of_a_com_is_told_of_parts_with_drawings_of_their_own(
+    com: str, products: tuple[str, ...], is_told: bool
+) -> None:
+    """Not where the products show that the whole body was turned, or copied."""
+    text = two_arms("0.3, -0.1, 0.02")
+    left = section(2.0, "0.1, 0.02, 0.01", 0.01, 0.04, 0.041, 0.0005, 0.0008, 0.0003)
+    right = section(2.02, com, 0.0101, 0.0402, 0.0409, *products)
+    for side, inertia in (("left", left), ("right", right)):
+        at = text.index("inertia_params", text.index(f"link {side}_forearm"))
+        text = text[:at] + inertia + text[text.index("}", at) + 1 :]
+    assert codes(text) == ["KD510"] * is_told
+    for finding in found("KD510", text):
+        mended = [apply_edits(text, fix.edits) for fix in finding.choices]
+        assert [codes(each) for each in mended] == [[], []]
+        assert any("(0.101, 0.0203, -0.0102)" in each for each in mended)
+
+
 def test_a_number_that_both_sides_have_alike_is_told_where_the_rest_is_mirrored() -> None:
     text = two_arms("0.3, -0.001, 0.02").replace("0.3, 0.1, 0.02", "0.3, -0.001, 0.02")
     left, wrist, right = text.rpartition("0.25, 0.0, 0.0")

@@ -27,6 +27,7 @@ link right_arm { id = 2 inertia_params { mass = 1.42 ... } children {} }
 
 from collections.abc import Iterator
 
+from kindsl.judgement.diagnosis.judgements import keyword
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.inertia.mirror_images import unlike_pairs
@@ -41,9 +42,11 @@ from kindsl.robots.mechanism.link_inertia import link_inertia
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    yield from explained(model, context, "KD312")
     verdicts = limb_slips(model, context).verdicts
     told = {place.link for v in verdicts for place in v.places if place.what in OF_A_LINK}
+    inertias = (model.body_named[name].inertia for name in told)
+    of_limbs = {keyword(inertia) for inertia in inertias if inertia is not None}
+    yield from (f for f in explained(model, context, "KD312") if f.at not in of_limbs)
 
     def is_told(body: Link) -> bool:
         is_of_limbs = body.name in told or is_told_of(body, model, context)
