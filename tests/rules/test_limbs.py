@@ -22,8 +22,8 @@ from kindsl.language.semantics.places import Located
 from kindsl.language.text.edits import TextEdit, apply_edits
 from kindsl.robots.limbs.attachments import Attachment, Misplaced
 from kindsl.robots.limbs.limb import Limbs
-from kindsl.robots.limbs.verdicts import ComparedLimbs, LimbVerdict, verdicts
-from kindsl.robots.limbs.weighing import Masses
+from kindsl.robots.limbs.verdicts import ComparedLimbs, verdicts
+from kindsl.robots.limbs.weighing import LimbVerdict, Masses
 
 CODES = ("KD208", "KD209", "KD210", "KD509", "KD510")
 THIGH = "0.08, 0.0, 0.0"

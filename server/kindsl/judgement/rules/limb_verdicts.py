@@ -20,8 +20,8 @@ from kindsl.language.text.facts import Fact
 from kindsl.robots.limbs.attachments import Attachment, LimbNames
 from kindsl.robots.limbs.limb import Limbs, limbs_of
 from kindsl.robots.limbs.mirrored import PairOfLimbs, pairs_of, unmirrored
-from kindsl.robots.limbs.verdicts import ComparedLimbs, LimbVerdict, agreed, verdicts
-from kindsl.robots.limbs.weighing import Masses
+from kindsl.robots.limbs.verdicts import ComparedLimbs, agreed, verdicts
+from kindsl.robots.limbs.weighing import LimbVerdict, Masses
 from kindsl.robots.mechanism.link_inertia import link_inertia
 
 _ASSIGNMENTS = range(3)

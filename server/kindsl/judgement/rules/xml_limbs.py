@@ -24,7 +24,8 @@ from kindsl.robots.limbs.attachments import Attachment, LimbNames
 from kindsl.robots.limbs.limb import Body, Limbs, assembled, base_origin, groups_of, names_of
 from kindsl.robots.limbs.mirrored import PairOfLimbs, pairs_of, unmirrored
 from kindsl.robots.limbs.slips import angles_near
-from kindsl.robots.limbs.verdicts import ComparedLimbs, LimbVerdict, MeantNumbers, verdicts
+from kindsl.robots.limbs.verdicts import ComparedLimbs, verdicts
+from kindsl.robots.limbs.weighing import LimbVerdict, MeantNumbers
 
 _WITHIN = 1e-9
 # Right angles are written with five digits or more: what is as near to a number is that number.

@@ -5,76 +5,32 @@ make it alike, its peers convict that place; of two limbs either may be wrong. W
 agree, each mass, CoM and moments that one limb only has so is convicted.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import chain, combinations
-from math import dist, inf
-from operator import sub
-from typing import NamedTuple
+from math import dist
 
-from kindsl.mechanics.rigid.body import MassDistribution
-from kindsl.mechanics.rigid.pose import (
-    IDENTITY,
-    Rotation,
-    Vector3,
-    dot,
-    pose_from,
-    product,
-    transposed,
-    turned,
-)
+from kindsl.mechanics.rigid.pose import IDENTITY, dot, pose_from, product, transposed, turned
 from kindsl.robots.limbs.comparison import LimbComparison, Reading
 from kindsl.robots.limbs.limb import Body, Limbs, Side, held_by, matched
-from kindsl.robots.limbs.mounts import ALONG, MIRRORS, REFLECTIONS, SAME_PLACE
+from kindsl.robots.limbs.mounts import ALONG, MIRRORS, SAME_PLACE
 from kindsl.robots.limbs.names import is_held
-from kindsl.robots.limbs.slips import n_retyped
-from kindsl.robots.limbs.weighing import Accusation, Masses, Suspect, WeighedComparison, seen_by
+from kindsl.robots.limbs.odd_masses import SMALLEST, Pair, Weighed, odd_masses
+from kindsl.robots.limbs.weighing import (
+    Accusation,
+    LimbVerdict,
+    Masses,
+    MeantNumbers,
+    Suspect,
+    WeighedComparison,
+)
 
-# Bodies of a pair of which a number may be typed anew; of fewer it is a sign, an order, a unit.
-_SMALLEST = {"LR": 3, "HELD": 2}
 # Of the numbers of a turn that two limbs let expect.
 _SAME_TURN = 0.02
 _PLACE_OF_HEAD = 0, "translation"
-# How far a left and a right part are apart whose numbers come from drawings of their own, as a
-# share of the greatest moment, and of what a sign of the CoM changes. Of 609 published robots none
-# has such a sign off but in bodies that were copied.
-_AS_DRAWN = 0.1
-# So many times nearer as mirror images than as copies moments are of bodies that were mirrored.
-_NEARER = 3.0
 # A limb in another is its copy, or mirrored in the plane across its axis.
 _SIDES = (IDENTITY.rotation, MIRRORS[2])
 _HALF_A_TURN = ((-1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, 1.0))
-_Pair = tuple[Side, Side]
 _ByPeer = Sequence[Sequence[Accusation]]
-_Weighed = Mapping[_Pair, WeighedComparison]
-_Way = Mapping[_Pair, Rotation]
-
-
-class MeantNumbers(NamedTuple):
-    """A place with the numbers that its peers have there, at each assignment of parameters.
-
-    Without numbers where these cannot be written by themselves.
-    """
-
-    place: Suspect
-    meant: tuple[tuple[float, ...], ...]
-
-
-class LimbVerdict(NamedTuple):
-    """The misfits of a limb.
-
-    Attributes:
-        places: Where: the one that is odd, or those among which nobody can choose.
-        repairs: What to write, one for each way to put it right; none where that is not known.
-        peers: Names of links that agree with each other; none for a pair.
-        is_convicted: Whether the peers outvote one limb; of a pair either may be wrong.
-        may_be_zero: Whether both are alike if the zero of a joint is half a turn away.
-    """
-
-    places: tuple[Suspect, ...]
-    repairs: tuple[MeantNumbers, ...]
-    peers: tuple[str, ...]
-    is_convicted: bool
-    may_be_zero: bool = False
 
 
 class ComparedLimbs:
@@ -89,7 +45,7 @@ class ComparedLimbs:
     def __init__(self, limbs: Limbs) -> None:
         heads = dict(limbs.heads)
         self.held: list[ComparedLimbs] = []
-        self.pairs: dict[_Pair, LimbComparison] = {}
+        self.pairs: dict[Pair, LimbComparison] = {}
         for one, other, how in limbs.pairs():
             rows = matched(heads[one], heads[other])
             if rows is not None:
@@ -112,12 +68,10 @@ def verdicts(carried: Sequence[ComparedLimbs], masses: Masses) -> list[list[Limb
     return [_of_group(_without_strangers(_in_one_way(group, groups))) for group in groups]
 
 
-def _of_group(weighed: _Weighed) -> list[LimbVerdict]:
+def _of_group(weighed: Weighed) -> list[LimbVerdict]:
     if all(c.n_slips == 0 for c in weighed.values()):
         within = [verdict for c in weighed.values() for verdict in _within_each_other(c)]
-        return within or [
-            verdict for alike in _connected(weighed) for verdict in _odd_masses(alike)
-        ]
+        return within or [verdict for alike in _connected(weighed) for verdict in odd_masses(alike)]
     return _convicted(weighed) or [v for c in weighed.values() for v in _of_pair(c)]
 
 
@@ -137,7 +91,7 @@ def agreed(found: Sequence[Sequence[LimbVerdict]]) -> list[LimbVerdict]:
     return made
 
 
-def _in_one_way(pairs: _Weighed, groups: Sequence[_Weighed]) -> _Weighed:
+def _in_one_way(pairs: Weighed, groups: Sequence[Weighed]) -> Weighed:
     """Return all pairs of a sort read in the way in which one of them agrees best.
 
     A left and a right limb for whose places a turn alone accounts are read as others of their
@@ -166,29 +120,29 @@ def _best(pairs: Sequence[WeighedComparison]) -> Reading | None:
     return min(whole, key=lambda each: each[0])[1] if whole else None
 
 
-def _without_strangers(pairs: _Weighed) -> _Weighed:
+def _without_strangers(pairs: Weighed) -> Weighed:
     """Return the pairs without limbs that differ from every other by more than a slip: a thumb."""
     kin = {label for pair, c in pairs.items() if c.n_slips <= 1 for label in pair}
     return {pair: c for pair, c in pairs.items() if kin.issuperset(pair)}
 
 
-def _connected(pairs: _Weighed) -> Iterator[_Weighed]:
+def _connected(pairs: Weighed) -> Iterator[Weighed]:
     """Yield the pairs of limbs that match each other: front and rear ones may have other links."""
     rest = dict(pairs)
     while rest:
-        sides, together = set(next(iter(rest))), dict[_Pair, WeighedComparison]()
+        sides, together = set(next(iter(rest))), dict[Pair, WeighedComparison]()
         while found := [pair for pair in rest if not sides.isdisjoint(pair)]:
             together |= {pair: rest.pop(pair) for pair in found}
             sides.update(chain.from_iterable(found))
         yield together
 
 
-def _convicted(pairs: _Weighed) -> list[LimbVerdict]:
+def _convicted(pairs: Weighed) -> list[LimbVerdict]:
     """Return the verdict of two peers or more, which agree themselves, on the limb they accuse.
 
     It names one place where that is the cheapest alone.
     """
-    cases: dict[tuple[Side, Suspect], dict[_Pair, list[Accusation]]] = {}
+    cases: dict[tuple[Side, Suspect], dict[Pair, list[Accusation]]] = {}
     for pair, c in pairs.items():
         for both in c.accusations if len(c.limbs.rows) > 1 or c.limbs.other_kinds else ():
             for label, said in zip(pair, both, strict=True):
@@ -214,7 +168,7 @@ def _convicted(pairs: _Weighed) -> list[LimbVerdict]:
     return [LimbVerdict(places, repairs, tuple(each[0].peer for each in by_peer), True)]
 
 
-def _is_at_another(pairs: _Weighed, label: Side, said: Accusation) -> bool:
+def _is_at_another(pairs: Weighed, label: Side, said: Accusation) -> bool:
     """Return whether a limb so mended would be where another is, though all others are apart."""
     heads: dict[Side, Body] = {}
     for pair, c in pairs.items():
@@ -255,9 +209,9 @@ def _matrix(x: float, y: float, z: float) -> tuple[float, ...]:
 def _of_pair(c: WeighedComparison) -> Iterator[LimbVerdict]:
     """Yield what differs between a left and a right limb by one slip; either may be wrong."""
     limbs = c.limbs
-    if limbs.how not in _SMALLEST:
+    if limbs.how not in SMALLEST:
         return
-    most = 1 if len(limbs.rows) >= _SMALLEST[limbs.how] else 0
+    most = 1 if len(limbs.rows) >= SMALLEST[limbs.how] else 0
     ranked = [
         ((round(one.cost, 2), min(one.n_retyped, other.n_retyped)), (one, other))
         for one, other in c.accusations
@@ -342,153 +296,3 @@ def _is_base_at_one(limbs: LimbComparison, said: Accusation) -> bool:
         abs(x - y) < SAME_PLACE for x, y in zip(said.meant, peer.translation, strict=True)
     )
     return is_there or not any(one.translation) or not any(other.translation)
-
-
-def _odd_masses(pairs: _Weighed) -> Iterator[LimbVerdict]:
-    """Yield each mass, CoM and moments that only one limb has so, where all joints agree.
-
-    All limbs are read in one way, that in which they agree most: two ways would accuse two limbs.
-    """
-    mirrored = {pair: c.best[1].conventions for pair, c in pairs.items()}
-    odd = {index for pair, c in pairs.items() for index, _ in c.differing(mirrored[pair])}
-    if len(pairs) == 1 and odd:
-        yield from _odd_com(pairs, mirrored)
-    for index in sorted(odd):
-        given = {pair: each[index] for pair, each in mirrored.items()}
-        found = [(_differing(pairs, index, way), way) for way in _ways(pairs, given, index)]
-        n_fewest = min(_n_words(differing) for differing, _ in found)
-        likeliest: dict[tuple[Side, ...], list[LimbVerdict]] = {}
-        for differing, way in found:
-            if _n_words(differing) == n_fewest:
-                accused = dict(_accused(differing))
-                said = [_odd_mass(side, index, accused[side], pairs, way) for side in accused]
-                likeliest.setdefault(tuple(accused), said)
-        yield from _chosen([said for said in likeliest.values() if said])
-
-
-def _chosen(likeliest: Sequence[Sequence[LimbVerdict]]) -> Iterator[LimbVerdict]:
-    """Yield what is said if it is said in one way; else one verdict on all, without repairs."""
-    if len(likeliest) == 1:
-        yield from likeliest[0]
-    elif likeliest:
-        every = list(chain.from_iterable(likeliest))
-        places = dict.fromkeys(place for verdict in every for place in verdict.places)
-        suspects = {place.link for place in places}
-        peers = dict.fromkeys(t for v in every for t in v.peers if t not in suspects)
-        yield LimbVerdict(tuple(places), (), tuple(peers), True)
-
-
-def _accused(differing: Mapping[_Pair, set[str]]) -> Iterator[tuple[Side, list[str]]]:
-    """Yield each limb that differs from all others, which agree, and in what."""
-    for label in dict.fromkeys(label for pair in differing for label in pair):
-        mine = [words for pair, words in differing.items() if label in pair]
-        others = [words for pair, words in differing.items() if label not in pair]
-        words = set.intersection(*mine).difference(*others)
-        if words and len(mine) > 1 and others:
-            yield label, sorted(words)
-
-
-def _n_words(differing: Mapping[_Pair, set[str]]) -> int:
-    return sum(map(len, differing.values()))
-
-
-def _ways(pairs: _Weighed, mirrored: _Way, index: int) -> Iterator[_Way]:
-    """Yield how peers may lie: as the limbs do, all alike, or mirrored in one row.
-
-    Hips often are where the rest is copied; what they carry stays where it is.
-    """
-    yield mirrored
-    yield dict.fromkeys(pairs, IDENTITY.rotation)
-    rows = {pair: C for pair, C in mirrored.items() if pairs[pair].limbs.how == "ROW"}
-    places = [r.one.translation for p in rows for r in pairs[p].limbs.rows if r.up == index]
-    for signs in REFLECTIONS[1:] if rows else ():
-        if all(
-            abs(x) < SAME_PLACE for place in places for x in map(sub, turned(signs, place), place)
-        ):
-            yield {**mirrored, **{pair: product(signs, C) for pair, C in rows.items()}}
-
-
-def _differing(pairs: _Weighed, index: int, way: _Way) -> dict[_Pair, set[str]]:
-    return {p: {what for _, what in c.differing({index: way[p]})} for p, c in pairs.items()}
-
-
-def _odd_com(
-    pairs: _Weighed, conventions: Mapping[_Pair, Mapping[int, Rotation]]
-) -> Iterator[LimbVerdict]:
-    """Yield the one CoM that a sign or an order keeps from being that of the other side."""
-    ((pair, c),) = pairs.items()
-    if len(c.limbs.rows) < _SMALLEST.get(c.limbs.how, inf):
-        return
-    found = [(index, coms) for index in conventions[pair] if (coms := _meant_coms(c, index))]
-    if len(found) != 1:
-        return
-    ((index, coms),) = found
-    if c.limbs.how == "HELD" and not index:
-        return  # Fingers may be copies where their palm, of the arm's, is mirrored.
-    bodies = c.limbs.rows[index][1:]
-    both = [
-        MeantNumbers(Suspect(body.name, body.joint, "com"), (meant,))
-        for body, meant in zip(bodies, coms, strict=True)
-    ][::-1]
-    yield LimbVerdict(tuple(each.place for each in both), tuple(both), (), False)
-
-
-def _meant_coms(c: WeighedComparison, index: int) -> tuple[Vector3, ...]:
-    """Return the CoM of either body of a row that would fit the other's; none if they may be meant.
-
-    They may where one way to read the limbs, or a copy, explains them. Of a sign the rest of both
-    may differ as left and right parts do that come from drawings of their own.
-    """
-    _, one, other = c.limbs.rows[index]
-    here, there = c.masses.get(one.name), c.masses.get(other.name)
-    ways = [reading.conventions[index] for cost, reading in c.ranked if cost == c.best[0]]
-    differ = [c.differing({index: C}) for C in ways]
-    as_copies = c.differing({index: IDENTITY.rotation})
-    if here is None or there is None or any((index, "com") not in each for each in differ):
-        return ()
-    if (index, "com") not in as_copies:
-        off = min(_apart(seen_by(here, C).moments, there.moments) for C in ways)
-        if _apart(here.moments, there.moments) <= _NEARER * off:
-            return ()
-    for C, words in zip(ways, differ, strict=True):
-        back = seen_by(there, transposed(C))
-        sign = _sign_off(here, back)
-        if sign is not None:
-            return turned(sign, here.com), turned(transposed(C), turned(sign, turned(C, there.com)))
-        is_alone = words == as_copies == [(index, "com")]
-        if is_alone and n_retyped(here.com, back.com, are_angles=False) == 0:
-            return back.com, turned(transposed(C), here.com)
-    return ()
-
-
-def _sign_off(written: MassDistribution, meant: MassDistribution) -> Rotation | None:
-    """Return what changes the sign of the one component of a CoM that nearly explains a difference.
-
-    If moments have that sign as well, the whole body is meant so.
-    """
-    axis = max(range(3), key=lambda i: abs(written.com[i] - meant.com[i]))
-    changed = seen_by(written, MIRRORS[axis])
-    near = _AS_DRAWN * abs(written.com[axis] - meant.com[axis])
-    off, off_if_changed = (_apart(each.moments, meant.moments) for each in (written, changed))
-    is_near = _apart(changed.com, meant.com) <= near
-    is_alike = off <= min(_AS_DRAWN * max(map(abs, meant.moments)), off_if_changed)
-    return MIRRORS[axis] if is_near and is_alike else None
-
-
-def _apart(one: Sequence[float], other: Sequence[float]) -> float:
-    return max(abs(x - y) for x, y in zip(one, other, strict=True))
-
-
-def _odd_mass(
-    label: Side, index: int, words: Sequence[str], pairs: _Weighed, way: _Way
-) -> LimbVerdict:
-    """Return the verdict on numbers of a body, and the first peer's in their place."""
-    mine = [pair for pair in pairs if label in pair]
-    rows = [pairs[pair].limbs.rows[index][1:][:: 1 if pair[0] == label else -1] for pair in mine]
-    (body, peer), C = rows[0], way[mine[0]]
-    what = words[0] if len(words) == 1 else "inertia"
-    meant = seen_by(pairs[mine[0]].masses[peer.name], C if mine[0][1] == label else transposed(C))
-    numbers = {"mass": (meant.mass,), "com": meant.com, "moments": meant.moments}
-    place = Suspect(body.name, body.joint, what)
-    repair = MeantNumbers(place, (numbers.get(what, meant.numbers),))
-    return LimbVerdict((place,), (repair,), tuple(peer.name for _, peer in rows), True)

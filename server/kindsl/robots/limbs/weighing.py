@@ -60,6 +60,34 @@ class Accusation(NamedTuple):
     free_axis: int | None = None
 
 
+class MeantNumbers(NamedTuple):
+    """A place with the numbers that its peers have there, at each assignment of parameters.
+
+    Without numbers where these cannot be written by themselves.
+    """
+
+    place: Suspect
+    meant: tuple[tuple[float, ...], ...]
+
+
+class LimbVerdict(NamedTuple):
+    """The misfits of a limb.
+
+    Attributes:
+        places: Where: the one that is odd, or those among which nobody can choose.
+        repairs: What to write, one for each way to put it right; none where that is not known.
+        peers: Names of links that agree with each other; none for a pair.
+        is_convicted: Whether the peers outvote one limb; of a pair either may be wrong.
+        may_be_zero: Whether both are alike if the zero of a joint is half a turn away.
+    """
+
+    places: tuple[Suspect, ...]
+    repairs: tuple[MeantNumbers, ...]
+    peers: tuple[str, ...]
+    is_convicted: bool
+    may_be_zero: bool = False
+
+
 class WeighedComparison:
     """Two limbs, their masses compared too.
 

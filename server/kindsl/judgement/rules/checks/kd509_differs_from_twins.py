@@ -57,7 +57,7 @@ from kindsl.language.semantics.numbers import frame_of_com, written_pose
 from kindsl.mechanics.rigid.body import MassDistribution, seen_from
 from kindsl.robots.limbs.comparison import LOOSE
 from kindsl.robots.limbs.limb import names_of
-from kindsl.robots.limbs.verdicts import LimbVerdict
+from kindsl.robots.limbs.weighing import LimbVerdict
 from kindsl.robots.mechanism.link_inertia import link_inertia, written_inertia
 
 _MOST_NAMED = 2

@@ -35,7 +35,7 @@ from kindsl.judgement.rules.limb_writing import as_numbers, retyped, rewriting
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 from kindsl.robots.limbs.limb import names_of
-from kindsl.robots.limbs.verdicts import LimbVerdict, MeantNumbers
+from kindsl.robots.limbs.weighing import LimbVerdict, MeantNumbers
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
