@@ -19,9 +19,10 @@ RUN_TESTS = $(IN_PARALLEL) 2 $(BROWSERS:%=--ignore=%); others=$$?; \
 
 .PHONY: demo demo-web playground test thorough fix lint types layers docs tables bench vsix screenshots clean
 
+# The pip that comes with Python may take twice as long as the latest.
 $(BIN)/python:
 	@echo "Making a virtual environment in $(VENV)"
-	@$(PYTHON) -m venv $(VENV)
+	@$(PYTHON) -m venv --upgrade-deps $(VENV)
 
 $(TOOLS): pyproject.toml | $(BIN)/python
 	@echo "Installing kindsl in it, with all that the preview and the mechanics need"
@@ -42,9 +43,11 @@ demo: $(TOOLS)
 	@echo; echo "Now the live preview: edit $(EXAMPLE) and save, and the picture follows. Ctrl-C stops."; echo
 	@$(BIN)/kindsl preview $(EXAMPLE) $(DEMO_OPTIONS)
 
-# Everything that the CI runs; what takes one core only goes side by side, installations as well.
+# Everything that the CI runs; what takes one core only goes side by side, installations as well. The
+# search of a package for secrets takes as long as all else in packing: only what is released is searched.
 test:
-	@$(MAKE) --jobs 2 --output-sync --no-print-directory vsix types page-tests lint layers docs-check
+	@$(MAKE) --jobs 2 --output-sync --no-print-directory PACKING=--allow-package-all-secrets \
+		vsix types page-tests lint layers docs-check
 	$(RUN_TESTS)
 
 # The tests with every random case; `make test` tries a part of them.
@@ -136,7 +139,7 @@ $(IMAGE): $(shell git ls-files server/kindsl grammar web/scripts web/package-loc
 
 # The extension, one file for desktops and browsers.
 vsix: $(IMAGE)
-	cd vscode-extension && npm ci --ignore-scripts --no-audit --no-fund --silent && PYTHON=$(abspath $(BIN))/python npm run --silent package
+	cd vscode-extension && npm ci --ignore-scripts --no-audit --no-fund --silent && PYTHON=$(abspath $(BIN))/python npm run --silent package -- $(PACKING)
 
 # The whole tool in a browser's tab: one static folder, dist/playground.
 playground: $(TOOLS) $(IMAGE)
