@@ -24,6 +24,7 @@ from tests.preview.robots import (
     skeleton_in,
     skeleton_of,
 )
+from tests.support.amount import usually
 from tests.support.documents import all_documents
 
 from kindsl.frontends.preview.server import PreviewServer
@@ -61,7 +62,7 @@ DRAWN_CATEGORIES = """() => {
 }"""
 
 
-@pytest.mark.parametrize("file", all_documents())
+@pytest.mark.parametrize("file", all_documents()[:: usually(2, thoroughly=1)])
 async def test_every_category_is_in_the_picture(browser, server, file):
     text = file.read_text()
     analysis = analyse(text)
