@@ -6,9 +6,11 @@ tried as far as `_PAIRS` says, for a share of their weight.
 
 from collections.abc import Callable, Container, Iterator, Sequence
 from enum import StrEnum
+from functools import partial
 from itertools import combinations
 from math import exp, log
-from typing import NamedTuple, TypeVar
+from operator import mul
+from typing import Any, NamedTuple, TypeVar
 
 from kindsl.judgement.diagnosis.fitted import TABLES, WEIGHTS
 from kindsl.language.syntax.vocabulary import MOMENTS
@@ -212,35 +214,21 @@ def _shifted_once(h: Hypothesis) -> Iterator[Hypothesis]:
 
 def _scaled(h: Hypothesis) -> Iterator[Hypothesis]:
     for power, unit, share in (*_UNITS, *((power, "", _ANY_POWER) for power in _OTHER_POWERS)):
-        yield h._replace(
-            body=h.body._replace(moments=_times(10.0**power, h.body.moments)),
-            half=h.half._replace(moments=_times(10.0**power, h.half.moments)),
-            weight=share * h.weight,
-            power=power,
-            unit=unit,
-        )
+        scaled = _changed(h, "moments", partial(_times, 10.0**power))
+        yield scaled._replace(weight=share * h.weight, power=power, unit=unit)
 
 
 def _com_scaled(h: Hypothesis) -> Iterator[Hypothesis]:
     for factor, unit, share in _LENGTHS if any(h.body.com) else ():
-        yield h._replace(
-            body=h.body._replace(com=_times(factor, h.body.com)),
-            half=h.half._replace(com=_times(factor, h.half.com)),
-            weight=share * h.weight,
-            unit=unit,
-        )
+        scaled = _changed(h, "com", partial(_times, factor))
+        yield scaled._replace(weight=share * h.weight, unit=unit)
 
 
 def _one_scaled(h: Hypothesis) -> Iterator[Hypothesis]:
     for index, moment in enumerate(h.body.moments[:3]):
         for power in (-1, 1) if moment else ():
-            yield h._replace(
-                body=h.body._replace(moments=_with_one_times(10.0**power, h.body.moments, index)),
-                half=h.half._replace(moments=_with_one_times(10.0**power, h.half.moments, index)),
-                names=(MOMENTS[index],),
-                power=power,
-                is_partial=True,
-            )
+            scaled = _changed(h, "moments", partial(_with_one_times, 10.0**power, index))
+            yield scaled._replace(names=(MOMENTS[index],), power=power, is_partial=True)
 
 
 def _other_moment_sign(h: Hypothesis) -> Iterator[Hypothesis]:
@@ -261,11 +249,8 @@ def _other_com_order(h: Hypothesis) -> Iterator[Hypothesis]:
     for one, other in combinations(range(3), 2):
         if h.body.com[one] != h.body.com[other]:
             order = _exchanged(range(3), one, other)
-            yield h._replace(
-                body=h.body._replace(com=_ordered(h.body.com, order)),
-                half=h.half._replace(com=_ordered(h.half.com, order)),
-                names=("xyz"[one], f"{'xyz'[other]} of the CoM"),
-            )
+            names = "xyz"[one], f"{'xyz'[other]} of the CoM"
+            yield _changed(h, "com", partial(_ordered, order))._replace(names=names)
 
 
 def _swapped(h: Hypothesis) -> Iterator[Hypothesis]:
@@ -287,13 +272,8 @@ def _about_other_axes(h: Hypothesis) -> Iterator[Hypothesis]:
 
 def _other_mass(h: Hypothesis) -> Iterator[Hypothesis]:
     for power, unit, share in _MASSES:
-        yield h._replace(
-            body=h.body._replace(mass=h.body.mass * 10.0**power),
-            half=h.half._replace(mass=h.half.mass * 10.0**power),
-            weight=share * h.weight,
-            power=power,
-            unit=unit,
-        )
+        scaled = _changed(h, "mass", partial(mul, 10.0**power))
+        yield scaled._replace(weight=share * h.weight, power=power, unit=unit)
 
 
 def _unknown(_: Hypothesis) -> Iterator[Hypothesis]:
@@ -359,19 +339,21 @@ def _times(factor: float, values: _Values) -> _Values:
     return tuple(factor * value for value in values)  # type: ignore[return-value]
 
 
-def _with_one_times(factor: float, values: Symmetric, index: int) -> Symmetric:
+def _with_one_times(factor: float, index: int, values: Symmetric) -> Symmetric:
     return tuple(factor * v if i == index else v for i, v in enumerate(values))  # type: ignore[return-value]
 
 
 def _in_order(h: Hypothesis, order: Sequence[int], *names: str) -> Hypothesis:
-    return h._replace(
-        body=h.body._replace(moments=_ordered(h.body.moments, order)),
-        half=h.half._replace(moments=_ordered(h.half.moments, order)),
-        names=names,
-    )
+    return _changed(h, "moments", partial(_ordered, order))._replace(names=names)
 
 
-def _ordered(values: _Values, order: Sequence[int]) -> _Values:
+def _changed(h: Hypothesis, part: str, change: Callable[[Any], Any]) -> Hypothesis:
+    """Return a hypothesis with its mass, CoM or moments changed, and the half-widths of these."""
+    body, half = (b._replace(**{part: change(getattr(b, part))}) for b in (h.body, h.half))
+    return h._replace(body=body, half=half)
+
+
+def _ordered(order: Sequence[int], values: _Values) -> _Values:
     return tuple(values[index] for index in order)  # type: ignore[return-value]
 
 

@@ -24,10 +24,10 @@ from kindsl.judgement.diagnosis.slips import Hypothesis, Slip
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.numbers import frame_of_com, mass_distribution, written_pose
+from kindsl.language.semantics.numbers import mass_distribution, pose_of_com, written_pose
 from kindsl.language.text.facts import Fact, kept
 from kindsl.mechanics.rigid.body import MassDistribution
-from kindsl.mechanics.rigid.pose import RigidPose, Rotation, Vector3, dot, transposed, turned
+from kindsl.mechanics.rigid.pose import Rotation, Vector3, dot, transposed, turned
 from kindsl.robots.limbs.names import label_of
 from kindsl.robots.limbs.peer_frames import peer_frames
 from kindsl.robots.limbs.weighing import seen_by
@@ -121,7 +121,7 @@ def _surroundings(
     model: Model, values: Mapping[str, float], found: Judgement, named: Sequence[Link]
 ) -> LinkSurroundings:
     link = found.link
-    T = _inertia_pose(link, values)
+    T = pose_of_com(link, values)
     points = _points(model, values, link)
     if T is not None:
         points = tuple(turned(transposed(T.rotation), point) for point in points)
@@ -160,12 +160,6 @@ def _carried(model: Model) -> dict[str, list[Vector3]]:
         joint = each.parent_T_child.then(each.child_T_joint)
         found.setdefault(each.parent, []).append(joint.translation)
     return found
-
-
-def _inertia_pose(link: Link, values: Mapping[str, float]) -> RigidPose | None:
-    """Return the pose of the frame that an inertia is given in, in its link's frame."""
-    frame = frame_of_com(link)
-    return None if frame is None else written_pose(frame.pose, values)
 
 
 def farthest_end(model: Model, values: Mapping[str, float], link: Link) -> Vector3 | None:

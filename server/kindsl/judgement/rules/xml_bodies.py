@@ -9,7 +9,7 @@ from kindsl.judgement.diagnosis.judgements import IMPOSSIBLE, Verdict, judgement
 from kindsl.language.semantics.declarations import Joint, Link, Vector
 from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.numbers import frame_of_com, written_pose
+from kindsl.language.semantics.numbers import frame_of_com, pose_of_com
 from kindsl.language.semantics.unknown import Unknown
 from kindsl.language.text.facts import kept
 from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from
@@ -117,7 +117,7 @@ def far_coms(bodies: Sequence[XmlBody]) -> Iterator[tuple[Link, Vector]]:
     """
     reach = reach_of(bodies)
     for part in (part for body in bodies for part in body.parts if reach > 0.0):
-        frame, pose = frame_of_com(part.link), pose_of_com(part.link)
+        frame, pose = frame_of_com(part.link), pose_of_com(part.link, {})
         if frame is None or pose is None or frame.pose.translation is None:
             continue
         if hypot(*pose.translation) > max(reach, DOUBTFUL_LENGTH):
@@ -148,12 +148,6 @@ def far_joint(body: XmlBody, bodies: Sequence[XmlBody]) -> Vector | None:
     # What stands in a world may stand anywhere.
     is_odd = far > GREATEST_LENGTH and parent is not None and not is_as_large(parent, far)
     return translation if is_odd else None
-
-
-def pose_of_com(link: Link) -> RigidPose | None:
-    """Return the frame about which moments of a link are, None where it is not known."""
-    frame = frame_of_com(link)
-    return written_pose(frame.pose, {}) if frame is not None else None
 
 
 class _BodyWalk:

@@ -5,9 +5,10 @@ from itertools import chain
 from math import dist
 
 from kindsl.judgement.rules.limb_places import OF_A_LINK, PARTS, numbers_at, place_at
-from kindsl.judgement.rules.xml_bodies import XmlBody, XmlPart, odd_links, pose_of_com, xml_bodies
+from kindsl.judgement.rules.xml_bodies import XmlBody, XmlPart, odd_links, xml_bodies
 from kindsl.language.semantics.declarations import FixedAxes
 from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.numbers import pose_of_com
 from kindsl.language.text.facts import kept
 from kindsl.mechanics.rigid.body import MassDistribution, less, seen_from, shifted
 from kindsl.mechanics.rigid.pose import (
@@ -150,7 +151,7 @@ class _LimbsAsWritten:
     def _of_link(self, repair: MeantNumbers) -> Sequence[float] | None:
         (link, _, what), (meant, *_) = repair
         body = self._named[link]
-        pose = pose_of_com(body.link)
+        pose = pose_of_com(body.link, {})
         own, *others = _heavy(body) or body.parts
         if pose is None or own.link is not body.link:
             return None

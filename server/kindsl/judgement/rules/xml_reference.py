@@ -5,11 +5,11 @@ from typing import NamedTuple
 
 from kindsl.judgement.diagnosis.suspects import suspects_of
 from kindsl.judgement.rules.base import Finding, Related, Severity
-from kindsl.judgement.rules.xml_bodies import XmlBody, pose_of_com
+from kindsl.judgement.rules.xml_bodies import XmlBody
 from kindsl.judgement.rules.xml_elements import A_FEW
 from kindsl.language.semantics.declarations import Inertia, Link
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.numbers import mass_distribution
+from kindsl.language.semantics.numbers import mass_distribution, pose_of_com
 from kindsl.mechanics.rigid.body import (
     NO_BODY,
     MassDistribution,
@@ -85,7 +85,7 @@ def _factor_to_si(model: Model) -> float:
 
 
 def _seen(link: Link, factor: float) -> _Seen | None:
-    inertia, pose = link.inertia, pose_of_com(link)
+    inertia, pose = link.inertia, pose_of_com(link, {})
     body = mass_distribution(inertia, {}) if inertia is not None else None
     if inertia is None or body is None or pose is None or body.mass <= 0.0:
         return None

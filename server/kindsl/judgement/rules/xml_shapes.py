@@ -25,20 +25,13 @@ from kindsl.judgement.rules.limb_places import numbers_at
 from kindsl.judgement.rules.limb_writing import as_numbers, rewriting
 from kindsl.judgement.rules.registry import rules_with
 from kindsl.judgement.rules.units import LENGTH_UNITS
-from kindsl.judgement.rules.xml_bodies import (
-    XmlBody,
-    far_coms,
-    far_joint,
-    odd_links,
-    pose_of_com,
-    reach_of,
-)
+from kindsl.judgement.rules.xml_bodies import XmlBody, far_coms, far_joint, odd_links, reach_of
 from kindsl.judgement.rules.xml_elements import in_words_of_xml, is_without_limits, limited_joints
 from kindsl.judgement.rules.xml_fixes import set_as
 from kindsl.language.semantics.declarations import Link, Vector
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.numbers import mass_distribution
+from kindsl.language.semantics.numbers import mass_distribution, pose_of_com
 from kindsl.language.semantics.unknown import Unknown
 from kindsl.language.text.phrases import alternatives
 from kindsl.mechanics.rigid.body import MassDistribution
@@ -252,7 +245,7 @@ def _of_same_side(
 
 def _as_written(link: Link, _: object = None) -> MassDistribution | None:
     """Return mass, CoM and the six numbers as they stand in the file; None if axes are turned."""
-    inertia, pose = link.inertia, pose_of_com(link)
+    inertia, pose = link.inertia, pose_of_com(link, {})
     written = mass_distribution(inertia, {}) if inertia is not None else None
     if written is None or pose is None or pose.rotation != IDENTITY.rotation:
         return None

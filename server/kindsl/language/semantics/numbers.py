@@ -45,6 +45,12 @@ def frame_of_com(link: Link) -> Frame | None:
     return next((f for f in link.frames if inertia and f.node is inertia.node), None)
 
 
+def pose_of_com(link: Link, values: Mapping[str, float]) -> RigidPose | None:
+    """Return the pose of that frame in its link's, None where there is none that is known."""
+    frame = frame_of_com(link)
+    return None if frame is None else written_pose(frame.pose, values)
+
+
 def mass_distribution(inertia: Inertia, values: Mapping[str, float]) -> MassDistribution | None:
     """Return the numbers of an inertia, None where one is missing, unbound or infinite."""
     island = inertia.island

@@ -40,7 +40,6 @@ class Solid(NamedTuple):
         density: kg/m^3.
         is_possible: Whether a rigid body has this inertia; if not, the solid is drawn from the
             magnitudes of the second moments.
-        longest: The axis of the largest second moment.
     """
 
     center: Vector3
@@ -50,7 +49,6 @@ class Solid(NamedTuple):
     exponents: tuple[float, float]
     density: float
     is_possible: bool
-    longest: Vector3
 
     def support(self, direction: Vector3) -> Vector3:
         """Return the farthest point in a direction, in the body's axes."""
@@ -115,7 +113,6 @@ def _superquadric(
         exponents=(e1, e2),
         density=body.mass / (volume * a * b * c),
         is_possible=is_possible,
-        longest=pairs[0].axis,
     )
 
 
