@@ -19,6 +19,7 @@ from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from math import exp, log
 from pathlib import Path
+from textwrap import TextWrapper
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -322,17 +323,21 @@ class Fit:
         return dict(zip(self.sorts, result.x[:n], strict=True)), list(result.x[n:])
 
 
+_ROW = TextWrapper(100, " " * 4, " " * 8, break_on_hyphens=False)
+
+
 def text_of(
     known: Tables, shares: Sequence[float], sorts: Mapping[str, float], factors: Sequence[float]
 ) -> str:
     lines = [
         '"""Written by `benchmarks/fit_judge.py`, which says of what and how."""\n',
-        "from kindsl.judgement.diagnosis.tables import LikelihoodTable\n",
+        "# fmt: off\nfrom kindsl.judgement.diagnosis.tables import LikelihoodTable\n",
         "TABLES = {",
     ]
     for factor, (name, each) in zip(factors, known.items(), strict=False):
         values = ", ".join(f"{factor * value:.2f}" for value in each.values)
-        lines.append(f'    "{name}": LikelihoodTable({each.low}, {each.step}, ({values})),')
+        table = f'"{name}": LikelihoodTable({each.low}, {each.step}, ({values})),'
+        lines.append(_ROW.fill(table))
     trust, expected, mirrored = factors[len(known) :]
     expected = min(expected, mirrored + MOST_EXPECTED)
     lines += ["}", "# Along the axes, turned about one, tilted a little, anyhow."]
