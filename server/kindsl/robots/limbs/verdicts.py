@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from itertools import chain, combinations
 from math import dist
 
-from kindsl.mechanics.rigid.pose import IDENTITY, dot, pose_from, product, transposed, turned
+from kindsl.mechanics.rigid.pose import IDENTITY, Rotation, pose_from, product, transposed, turned
 from kindsl.robots.limbs.comparison import LimbComparison, Reading
 from kindsl.robots.limbs.limb import Body, Limbs, Side, held_by, matched
 from kindsl.robots.limbs.mounts import ALONG, MIRRORS, SAME_PLACE
@@ -263,22 +263,28 @@ def _within_each_other(c: WeighedComparison) -> Iterator[LimbVerdict]:
 
 def _turns_axis(limbs: LimbComparison, said: Accusation) -> bool:
     """Return whether a joint would turn about another axis."""
-    bodies = (body for _, *both in limbs.rows for body in both)
-    own = next(body for body in bodies if body.joint == said.place.joint)
-    meant = pose_from((0.0, 0.0, 0.0), (said.meant[0], said.meant[1], said.meant[2])).rotation
-    one, other = transposed(own.rotation)[2], transposed(meant)[2]
-    return abs(dot(one, other)) < ALONG
+    own = _accused_body(limbs, said)
+    return own is not None and abs(_turn_meant(own, said)[2][2]) < ALONG
 
 
 def _is_of_other_zero(limbs: LimbComparison, said: Accusation) -> bool:
     """Return whether a joint's zero would only be half a turn away: the wrists of Atlas are so."""
-    bodies = (body for _, *both in limbs.rows for body in both)
-    own = next((body for body in bodies if body.joint == said.place.joint), None)
+    own = _accused_body(limbs, said)
     if said.place.what != "angles" or own is None or own.kind != "revolute":
         return False
-    meant = pose_from((0.0, 0.0, 0.0), (said.meant[0], said.meant[1], said.meant[2])).rotation
-    turn = product(transposed(own.rotation), meant)
+    turn = _turn_meant(own, said)
     return all(dist(a, b) < _SAME_TURN for a, b in zip(turn, _HALF_A_TURN, strict=True))
+
+
+def _accused_body(limbs: LimbComparison, said: Accusation) -> Body | None:
+    bodies = (body for _, *both in limbs.rows for body in both)
+    return next((body for body in bodies if body.joint == said.place.joint), None)
+
+
+def _turn_meant(own: Body, said: Accusation) -> Rotation:
+    """Return the turn that takes a joint frame as it is to that which its peers have."""
+    x, y, z = said.meant
+    return product(transposed(own.rotation), pose_from((0.0, 0.0, 0.0), (x, y, z)).rotation)
 
 
 def _is_base_at_one(limbs: LimbComparison, said: Accusation) -> bool:
