@@ -23,7 +23,7 @@ from kindsl.language.semantics.declarations import Joint, Link
 from kindsl.language.semantics.lowering import declarations
 from kindsl.language.syntax.tree import Node
 from kindsl.language.text.phrases import listed
-from kindsl.robots.interchange.xml_document import Connection, XmlDocument
+from kindsl.robots.interchange.xml_document import Connection, xml_of
 
 _UNLIMITED = "without limits"
 
@@ -109,8 +109,7 @@ def _finding_lines(analysis: Analysis, link: Link) -> Iterator[str]:
 
 
 def _of_joint(analysis: Analysis, joint: Joint) -> str:
-    document = analysis.syntax
-    connections = document.connections if isinstance(document, XmlDocument) else ()
+    connections = xml_of(analysis.syntax).connections
     limited = next((e for e in joints_of(analysis.model) if e.name == joint.name), None)
     kind = limited.kind if limited is not None else ""
     lines = (_joint_lines(c, limited) for c in connections if c.joint is joint)

@@ -17,7 +17,7 @@ from kindsl.language.text.span import Span
 from kindsl.robots.interchange.format import AS_WRITTEN, Format, FormatError, ReadingChoices
 from kindsl.robots.interchange.kindsl_writing import described_kindsl
 from kindsl.robots.interchange.syntaxes import XACRO_SUFFIX, other_format, syntax_of, unjudged
-from kindsl.robots.interchange.xml_document import XmlDocument
+from kindsl.robots.interchange.xml_document import xml_of
 from kindsl.robots.mechanism.errors import ModelError
 
 if TYPE_CHECKING:
@@ -179,6 +179,5 @@ def _translated(
 
 def _defects(judged: Analysis) -> Iterator[Diagnostic]:
     """Yield what keeps a file from being in its format."""
-    flaws = judged.syntax.flaws if isinstance(judged.syntax, XmlDocument) else ()
-    codes = {flaw.code for flaw in flaws}
+    codes = {flaw.code for flaw in xml_of(judged.syntax).flaws}
     yield from (finding for finding in judged.findings if finding.code in codes)

@@ -22,7 +22,7 @@ from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.mechanics.rigid.body import eigensystem, second_moments_about_com
 from kindsl.mechanics.rigid.matter import density_of
 from kindsl.robots.interchange.robot_island import RobotIsland
-from kindsl.robots.interchange.xml_document import XmlDocument
+from kindsl.robots.interchange.xml_document import xml_of
 
 _MISSING, _PLACEHOLDER, _COPIED, _DENSITY = "KD304", "KD310", "KD315", "KD311"
 # Of what twins convict, and of angles, 289 of 306 fixes are right, or one of two; in place 70 of 72
@@ -57,25 +57,23 @@ def xml_findings(
         settings: Which rules report.
         found: What the rules found that concern it.
     """
-    flaws = document.flaws if isinstance(document, XmlDocument) else ()
-    has_shapes = isinstance(document, XmlDocument) and document.has_shapes
-    bodies = xml_bodies(model)
-    own = [(flaw.code, Finding(flaw.at, flaw.message)) for flaw in flaws]
+    xml, bodies = xml_of(document), xml_bodies(model)
+    own = [(flaw.code, Finding(flaw.at, flaw.message)) for flaw in xml.flaws]
     own += ((_PLACEHOLDER, finding) for finding in _placeholders(model))
     of_bodies = list(body_findings(model, bodies, context))
     # A mass that its twins tell is told once.
     of_twins = {id(finding.at.island) for code, finding in of_bodies if code in _OF_TWINS}
-    missing = () if has_shapes else _missing(bodies, of_twins)
+    missing = () if xml.has_shapes else _missing(bodies, of_twins)
     own += ((_MISSING, finding) for finding in missing)
     own += ((_REFERENCE, finding) for finding in reference_findings(model, bodies))
     own += of_bodies
     rules = {rule.code: rule for rule in rules_with(frozenset(code for code, _ in own))}
     enabled = [(rules[code], each) for code, each in own if is_enabled(rules[code], settings)]
     light = _light_parts(bodies)
-    at_rest = set() if has_shapes else _parts_at_rest(bodies)
+    at_rest = set() if xml.has_shapes else _parts_at_rest(bodies)
     # Where nothing moves but a base may float its density matters.
     has_joints = any(body.moves for body in bodies)
-    massless = set() if has_shapes else {id(b.link.island) for b in _massless(bodies)}
+    massless = set() if xml.has_shapes else {id(b.link.island) for b in _massless(bodies)}
     copied = {id(finding.at.island) for rule, finding in found if rule.code == _COPIED}
     in_units = {id(f.at.island) for rule, f in (*enabled, *found) if rule.code in _UNITS}
     explained = {

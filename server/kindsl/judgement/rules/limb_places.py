@@ -49,9 +49,9 @@ def carrying(model: Model, link: str) -> "Connection | None":
     """Return what connects a link to the one that carries it, where a joint names both."""
     if not model.document.is_xml:
         return None
-    from kindsl.robots.interchange.xml_document import XmlDocument
+    from kindsl.robots.interchange.xml_document import xml_of
 
-    connections = model.document.connections if isinstance(model.document, XmlDocument) else ()
+    connections = xml_of(model.document).connections
     return next((each for each in connections if each.child == link), None)
 
 

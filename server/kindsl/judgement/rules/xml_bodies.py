@@ -1,6 +1,6 @@
 """The bodies of a robot in XML: links that are fixed together, and the joint that moves them."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from math import hypot
 from typing import NamedTuple
 
@@ -14,7 +14,7 @@ from kindsl.language.semantics.unknown import Unknown
 from kindsl.language.text.facts import kept
 from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3, rotation_from_z
-from kindsl.robots.interchange.xml_document import Connection, XmlDocument
+from kindsl.robots.interchange.xml_document import Connection, xml_of
 from kindsl.robots.mechanism.link_inertia import link_inertia
 
 _AT_ORIGIN = (0.0, 0.0, 0.0)
@@ -84,17 +84,7 @@ def xml_bodies(model: Model) -> list[XmlBody]:
 
     What loops or hangs on no link of the file is there as well, and begins a tree of its own.
     """
-    links: dict[str, Link] = {}
-    for link in model.links:
-        links.setdefault(str(link.name), link)
-    below: dict[str, list[Connection]] = {}
-    carried: dict[str, Connection] = {}
-    document = model.document
-    for connection in document.connections if isinstance(document, XmlDocument) else ():
-        if carried.setdefault(connection.child, connection) is connection:
-            below.setdefault(connection.parent, []).append(connection)
-    has_shapes = isinstance(document, XmlDocument) and document.has_shapes
-    return _BodyWalk(links, below, carried, has_shapes).bodies()
+    return _BodyWalk(model).bodies()
 
 
 def odd_links(model: Model, bodies: Sequence[XmlBody]) -> set[Link]:
@@ -153,15 +143,17 @@ def far_joint(body: XmlBody, bodies: Sequence[XmlBody]) -> Vector | None:
 class _BodyWalk:
     """A walk from the roots down."""
 
-    def __init__(
-        self,
-        links: Mapping[str, Link],
-        below: Mapping[str, Sequence[Connection]],
-        carried: Mapping[str, Connection],
-        has_shapes: bool,
-    ) -> None:
-        self._links, self._below, self._carried = links, below, carried
-        self._has_shapes = has_shapes
+    def __init__(self, model: Model) -> None:
+        document = xml_of(model.document)
+        self._links: dict[str, Link] = {}
+        for link in model.links:
+            self._links.setdefault(str(link.name), link)
+        self._below: dict[str, list[Connection]] = {}
+        self._carried: dict[str, Connection] = {}
+        for connection in document.connections:
+            if self._carried.setdefault(connection.child, connection) is connection:
+                self._below.setdefault(connection.parent, []).append(connection)
+        self._has_shapes = document.has_shapes
         self._seen: set[str] = set()
         self._bodies: list[XmlBody] = []
 

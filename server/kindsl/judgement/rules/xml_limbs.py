@@ -51,11 +51,9 @@ def xml_limb_verdicts(model: Model) -> list[LimbVerdict]:
 
     Inertias that are impossible by themselves, or of no material, are left out.
     """
-    bodies = xml_bodies(model)
-    named = {str(body.link.name): body for body in bodies}
-    odd, masses = odd_links(model, bodies), _masses(bodies)
-    written = _LimbsAsWritten(model, bodies, named, masses)
-    found = []
+    written, found = _LimbsAsWritten(model), []
+    bodies, named, masses = written.bodies, written.named, written.masses
+    odd = odd_links(model, bodies)
     for carried in _limbs_in(bodies):
         compared = [each for limbs in map(ComparedLimbs, carried) for each in (limbs, *limbs.held)]
         for verdict in chain.from_iterable(verdicts(compared, masses)):
@@ -100,14 +98,10 @@ def _masses(bodies: Sequence[XmlBody]) -> dict[str, MassDistribution]:
 class _LimbsAsWritten:
     """Translates numbers of limbs into those of the file."""
 
-    def __init__(
-        self,
-        model: Model,
-        bodies: Sequence[XmlBody],
-        named: Mapping[str, XmlBody],
-        masses: Mapping[str, MassDistribution],
-    ) -> None:
-        self._model, self._bodies, self._named, self._masses = model, bodies, named, masses
+    def __init__(self, model: Model) -> None:
+        self._model, self.bodies = model, xml_bodies(model)
+        self.named = {str(body.link.name): body for body in self.bodies}
+        self.masses = _masses(self.bodies)
 
     def repair(self, repair: MeantNumbers) -> MeantNumbers | None:
         """Return what is to be written at a place, None where its numbers do not tell alone."""
@@ -118,19 +112,19 @@ class _LimbsAsWritten:
         found = self._of_link(repair) if place.what in OF_A_LINK else self._of_joint(repair)
         if found is None or len(found) != len(own):
             return None
-        peers = (place_at(self._model, name, place.what) for name in self._named)
+        peers = (place_at(self._model, name, place.what) for name in self.named)
         near = [*own, *(v.literal or 0.0 for t in peers for v in numbers_at(self._model, t))]
         size = 1.0 if place.what == "angles" else max(map(abs, (*found, *own)))
         meant = tuple(_rounded(x, near, _ROUNDED * size) for x in found)
         # What is fixed to a link may be wrong instead: its own numbers stand at a peer then.
-        is_alone = place.what not in OF_A_LINK or len(_heavy(self._named[place.link])) == 1
+        is_alone = place.what not in OF_A_LINK or len(_heavy(self.named[place.link])) == 1
         is_known = is_alone or {*map(abs, meant)} <= {*map(abs, near)}
         return MeantNumbers(place, (meant,)) if is_known else None
 
     def _of_joint(self, repair: MeantNumbers) -> Vector3 | None:
         (link, _, what), (meant, *_) = repair
-        body = self._named[link]
-        carrier, parent = body.carrier, self._bodies[body.parent or 0]
+        body = self.named[link]
+        carrier, parent = body.carrier, self.bodies[body.parent or 0]
         if carrier is None or not carrier.is_told or len(meant) != 3:
             return None
         part = next(p for p in parent.parts if p.link.name == carrier.parent)
@@ -150,12 +144,12 @@ class _LimbsAsWritten:
 
     def _of_link(self, repair: MeantNumbers) -> Sequence[float] | None:
         (link, _, what), (meant, *_) = repair
-        body = self._named[link]
+        body = self.named[link]
         pose = pose_of_com(body.link, {})
         own, *others = _heavy(body) or body.parts
         if pose is None or own.link is not body.link:
             return None
-        seen = self._masses[link]
+        seen = self.masses[link]
         ten = [*seen.numbers]
         ten[PARTS[what]] = meant
         limb = seen_from(shifted(MassDistribution.of(ten)), body.axis_pose)

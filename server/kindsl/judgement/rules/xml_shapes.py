@@ -36,7 +36,7 @@ from kindsl.language.semantics.unknown import Unknown
 from kindsl.language.text.phrases import alternatives
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import IDENTITY
-from kindsl.robots.interchange.xml_document import XmlDocument
+from kindsl.robots.interchange.xml_document import xml_of
 from kindsl.robots.limbs.names import label_of
 from kindsl.robots.limbs.weighing import Suspect
 from kindsl.robots.mechanism.link_inertia import link_inertia
@@ -111,8 +111,7 @@ def _branches(bodies: Sequence[XmlBody]) -> bool:
 def _limb_findings(model: Model, context: Context) -> Found:
     """Yield what does not fit in limbs, as the rules of a document tell it."""
     # Imported for branches only, since they delay the linter's start.
-    flaws = model.document.flaws if isinstance(model.document, XmlDocument) else ()
-    codes = {flaw.code for flaw in flaws}
+    codes = {flaw.code for flaw in xml_of(model.document).flaws}
     if "KD202" in codes:
         return  # One of its limbs carries what is another's.
     is_unique = codes.isdisjoint(("KD102", "KD103"))

@@ -105,6 +105,11 @@ class XmlDocument(SyntaxDocument):
         return self.make(apply_edits(self.text, edits), self)
 
 
+def xml_of(document: SyntaxDocument) -> XmlDocument:
+    """Return a document as that of an XML file, an empty one for what is none."""
+    return document if isinstance(document, XmlDocument) else XmlDocument(())
+
+
 def _unmade(text: str, former: SyntaxDocument | None) -> SyntaxDocument:
     raise NotImplementedError
 
