@@ -19,10 +19,11 @@ RUN_TESTS = $(IN_PARALLEL) 2 $(BROWSERS:%=--ignore=%); others=$$?; \
 
 .PHONY: demo demo-web playground test thorough fix lint types layers docs tables bench vsix screenshots clean
 
-# The pip that comes with Python may take twice as long as the latest.
+# The pip that comes with Python may take twice as long as the latest, but does where that cannot be had.
 $(BIN)/python:
 	@echo "Making a virtual environment in $(VENV)"
-	@$(PYTHON) -m venv --upgrade-deps $(VENV)
+	@$(PYTHON) -m venv $(VENV)
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --upgrade pip || true
 
 $(TOOLS): pyproject.toml | $(BIN)/python
 	@echo "Installing kindsl in it, with all that the preview and the mechanics need"
