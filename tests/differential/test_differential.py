@@ -19,7 +19,7 @@ from kindsl.judgement.analysis.verdicts import verdicts
 pytest.importorskip("robmodel", reason="robot-model-tools is not installed")
 SEED = 20
 AMOUNT = usually(300, 5000)
-STEP = usually(5, 1)
+STEP = usually(10, 1)
 
 needs_cases = pytest.mark.skipif(not FILE.is_file(), reason="../shared/differential is absent")
 
