@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from itertools import product
-from math import cos, radians, sin
+from math import cos, pi, radians, sin
 from types import SimpleNamespace
 from typing import Any, cast
 
@@ -17,6 +17,7 @@ from kindsl.judgement.rules import limb_verdicts
 from kindsl.judgement.rules.inertia import shapes
 from kindsl.judgement.rules.inertia.shapes import shape_verdicts
 from kindsl.judgement.rules.limb_attachments import crossed_findings, elsewhere_findings
+from kindsl.judgement.rules.limb_writing import retyped
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.places import Located
 from kindsl.language.text.edits import TextEdit, apply_edits
@@ -821,3 +822,20 @@ def test_a_link_with_no_expected_place_is_unlike_its_twin() -> None:
     for findings in (crossed_findings, elsewhere_findings):
         ((finding, _),) = findings(names, lambda _: cast(Located, None))
         assert finding.message.endswith(", unlike its twin")
+
+
+@pytest.mark.parametrize(
+    ("own", "peer", "expected"), [("0.0", "0.0", "1.570796"), ("0.0", "0.25", "1.57")]
+)
+def test_zeros_tell_nothing_of_the_digits_that_are_meant(
+    own: str, peer: str, expected: str
+) -> None:
+    """A quarter turn beside zeros alone is not 1.6."""
+    wheels = link("a", 1), link("b", 2)
+    turns = ("j", f"{own}, 0.0, 0.0"), ("k", f"{peer}, 0.0, 0.0")
+    joints = [placed_joint(name, "0.0, 0.0, 0.0", turn) for name, turn in turns]
+    model = analyse(robot(*wheels, *joints, base="a via j b via k")).model
+    mine, other = (joint.pose.rotation for joint in model.joints)
+    assert mine is not None and other is not None
+    texts = retyped(mine.components, [other.components], [(pi / 2, 0.0, 0.0)], [{}])
+    assert texts == (expected, "0.0", "0.0")

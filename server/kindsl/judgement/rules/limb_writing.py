@@ -82,8 +82,9 @@ def _retyped(
         fraction = as_fraction_of_pi(wanted[0], _NEAR_PI)
         if fraction is not None:
             return fraction
-    literals = (e for e in (own, *words) if e.literal is not None and e.text != EXACT_ZERO)
-    n_decimals = max(map(decimals, (e.text for e in literals)), default=1)
+    # Zeros tell nothing of how many digits are meant: a quarter turn beside them is not 1.6.
+    literals = (e.text for e in (own, *words) if e.literal)
+    n_decimals = max(map(decimals, literals), default=_MOST_DECIMALS)
     return fixed_decimal(
         wanted[0], min(n_decimals, _MOST_DECIMALS) if exactly == _SAME else n_decimals
     )
