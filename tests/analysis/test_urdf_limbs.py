@@ -385,3 +385,51 @@ def test_a_palm_is_mirrored_though_its_fingers_are_copies() -> None:
                 joint(f"{side}_{part}", above, f"{side}_{part}").replace("<parent", place)
             )
     assert "KD510" not in codes_in_document(robot(*blocks))
+
+
+def _with_axis(text: str, joint_name: str, axis: str) -> str:
+    before, name, after = text.partition(f'<joint name="{joint_name}"')
+    return before + name + re.sub(r'(?<=axis xyz=")[^"]*', axis, after, count=1)
+
+
+def _of_two(text: str) -> str:
+    for name in ("LH", "RH"):
+        text = re.sub(rf'<(link|joint) name="{name}_.*?</\1>', "", text, flags=re.DOTALL)
+    return text
+
+
+@pytest.mark.parametrize(
+    ("axis", "other"), [("0 1 0", "1 0 0"), ("0 1 0", "0 0 1"), ("-1 0 0", "0 1 0")]
+)
+@pytest.mark.parametrize("joint_name", ["LF_HAA", "RH_HFE", "RF_KFE"])
+def test_an_axis_that_three_legs_have_otherwise_is_restored(
+    joint_name: str, axis: str, other: str
+) -> None:
+    text = placed_legs(axis)
+    spoilt = _with_axis(text, joint_name, other)
+    (found,) = analyse(spoilt).findings
+    assert (found.code, spoilt[found.start : found.end]) == ("KD509", other)
+    assert found.message.startswith(f"axis of '{joint_name}' is (")
+    assert found.fix is not None
+    assert apply_edits(spoilt, found.fix.edits).replace("1.0 ", "1 ") == text
+
+
+def test_of_two_axes_either_may_be_wrong() -> None:
+    text = _of_two(placed_legs("0 1 0"))
+    for side in "LR":
+        text = _with_axis(text, f"{side}F_HAA", "1 0 0")
+    spoilt = _with_axis(text, "RF_KFE", "0 0 1")
+    (found,) = analyse(spoilt).findings
+    assert found.code == "KD510" and found.fix is None
+    fixed = [apply_edits(spoilt, each.edits) for each in found.choices]
+    assert text.replace("0 1 0", "0 1.0 0") in (each.replace("0 1 0", "0 1.0 0") for each in fixed)
+    assert [analyse(each).findings for each in fixed] == [(), ()]
+
+
+def test_of_axes_in_senses_of_their_own_none_is_written() -> None:
+    """A joint that turns the other way is worse than one that is told to be wrong."""
+    text = _with_axis(_of_two(placed_legs("1 0 0")), "RF_HAA", "-1 0 0")
+    assert analyse(text).findings == ()
+    (found,) = analyse(_with_axis(text, "RF_KFE", "0 1 0")).findings
+    assert (found.code, found.fix, found.choices) == ("KD510", None, ())
+    assert found.message.startswith("axis of 'RF_KFE' and axis of 'LF_KFE' differ")

@@ -7,11 +7,12 @@ from kindsl.language.semantics.declarations import Child, Joint, Vector
 from kindsl.language.semantics.expressions import Expression
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import frame_of_com
-from kindsl.language.semantics.places import Located, has_problem_within
+from kindsl.language.semantics.places import Located, Place, has_problem_within
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.robots.limbs.weighing import Suspect
 
 if TYPE_CHECKING:
+    from kindsl.robots.interchange.robot_island import RobotIsland
     from kindsl.robots.interchange.xml_document import Connection
 
 # Places in the inertia of a link, by which of its ten numbers they have.
@@ -60,11 +61,15 @@ def place_of_parent(model: Model, link: str) -> Located:
     connection = carrying(model, link)
     if connection is None:
         return child_of(model, link) or model.body_named[link].name
+    return _island(connection).reference("parent")
+
+
+def _island(connection: "Connection") -> "RobotIsland":
     from kindsl.robots.interchange.robot_island import RobotIsland
 
     island = connection.joint.island
     assert isinstance(island, RobotIsland)
-    return island.reference("parent")
+    return island
 
 
 def place_of_joint(model: Model, link: str) -> Located:
@@ -91,6 +96,9 @@ def vector_at(model: Model, place: Suspect) -> Vector | None:
 def numbers_at(model: Model, place: Suspect) -> tuple[Expression, ...]:
     """Return the numbers of a place; none where some are missing, or are those of another frame."""
     vector, body = vector_at(model, place), model.body_named[place.link]
+    if place.what == "axis":
+        connection = carrying(model, place.link)
+        return tuple(_island(connection).axis()) if connection is not None else ()
     if place.what not in OF_A_LINK:
         return vector.components if vector is not None else ()
     inertia = body.inertia
@@ -118,4 +126,7 @@ def located(model: Model, place: Suspect) -> Located:
     if place.what in OF_A_LINK and place.what != "com" and inertia is not None:
         return keyword(inertia)
     name = joint.name if joint is not None else model.body_named[place.link].name
+    axis = numbers_at(model, place) if place.what == "axis" else ()
+    if axis:
+        return Place(axis[0].island, axis[0].start, axis[-1].end)
     return vector_at(model, place) or name

@@ -77,6 +77,12 @@ class XmlBody(NamedTuple):
         axis = self.carrier.axis if self.carrier is not None else None
         return IDENTITY if axis is None else RigidPose(rotation_from_z(axis), _AT_ORIGIN)
 
+    def with_axis(self, axis: Vector3) -> "XmlBody":
+        """Return the body with another axis of its joint, if it has one."""
+        if self.carrier is None or self.carrier.axis is None:
+            return self
+        return self._replace(carrier=self.carrier._replace(axis=axis))
+
 
 @kept
 def xml_bodies(model: Model) -> list[XmlBody]:

@@ -5,6 +5,7 @@ from itertools import chain
 from math import dist
 
 from kindsl.judgement.rules.limb_places import OF_A_LINK, PARTS, numbers_at, place_at
+from kindsl.judgement.rules.xml_axes import odd_axes
 from kindsl.judgement.rules.xml_bodies import XmlBody, XmlPart, odd_links, xml_bodies
 from kindsl.language.semantics.declarations import FixedAxes
 from kindsl.language.semantics.model import Model
@@ -31,6 +32,9 @@ from kindsl.robots.limbs.weighing import LimbVerdict, MeantNumbers
 _WITHIN = 1e-9
 # Right angles are written with five digits or more: what is as near to a number is that number.
 _ROUNDED = 2e-5
+_Z = (0.0, 0.0, 1.0)
+# Bodies of a left and a right limb whose other axes agree: of fewer, both may be meant.
+_FEWEST = 3
 
 
 @kept
@@ -54,20 +58,44 @@ def xml_limb_verdicts(model: Model) -> list[LimbVerdict]:
     written, found = _LimbsAsWritten(model), []
     bodies, named, masses = written.bodies, written.named, written.masses
     odd = odd_links(model, bodies)
-    for carried in _limbs_in(bodies):
-        compared = [each for limbs in map(ComparedLimbs, carried) for each in (limbs, *limbs.held)]
-        for verdict in chain.from_iterable(verdicts(compared, masses)):
-            weighed = (p.link for p in verdict.places if p.what in OF_A_LINK)
-            links = (part.link for name in weighed for part in named[name].parts)
-            is_zero = verdict.may_be_zero and _is_turned_on_one_side(verdict, bodies, named)
-            if odd.isdisjoint(links) and not is_zero:
-                repairs = tuple(map(written.repair, verdict.repairs))
-                known = tuple(each for each in repairs if each is not None)
-                untold = () if verdict.is_convicted else verdict.repairs
-                nothing = tuple(each._replace(meant=()) for each in untold)
-                whole = known if len(known) == len(repairs) else nothing
-                found.append(verdict._replace(repairs=whole))
+    for verdict in _verdicts(bodies, masses):
+        weighed = (p.link for p in verdict.places if p.what in OF_A_LINK)
+        links = (part.link for name in weighed for part in named[name].parts)
+        is_zero = verdict.may_be_zero and _is_turned_on_one_side(verdict, bodies, named)
+        if odd.isdisjoint(links) and not is_zero:
+            repairs = tuple(map(written.repair, verdict.repairs))
+            known = tuple(each for each in repairs if each is not None)
+            untold = () if verdict.is_convicted else verdict.repairs
+            nothing = tuple(each._replace(meant=()) for each in untold)
+            whole = known if len(known) == len(repairs) else nothing
+            found.append(verdict._replace(repairs=whole))
     return found
+
+
+def _verdicts(
+    bodies: Sequence[XmlBody], masses: Mapping[str, MassDistribution]
+) -> Iterator[LimbVerdict]:
+    """Yield what is told of limbs; of one axis alone where all frames agree."""
+    carried = list(map(_compared, _limbs_in(bodies)))
+    in_file = carried
+    if not all(map(_are_alike, chain(*carried))):
+        in_file = list(map(_compared, _limbs_in([body.with_axis(_Z) for body in bodies])))
+    axes = {str(b.link.name): b.carrier.axis for b in bodies if b.carrier and b.carrier.axis}
+    for groups, as_placed in zip(carried, in_file, strict=True):
+        told = verdicts(groups, masses)
+        for limbs, placed, own in zip(groups, as_placed, told, strict=True):
+            is_turned = any(place.what == "angles" for each in own for place in each.places)
+            is_long = is_turned or any(len(pair.rows) >= _FEWEST for pair in limbs.pairs.values())
+            odd = [] if _are_alike(limbs) else list(odd_axes(placed, axes))
+            yield from [each for each in odd if each.is_convicted or is_long] or own
+
+
+def _compared(groups: Sequence[Limbs]) -> list[ComparedLimbs]:
+    return [each for limbs in map(ComparedLimbs, groups) for each in (limbs, *limbs.held)]
+
+
+def _are_alike(limbs: ComparedLimbs) -> bool:
+    return all(any(r.slip is None for r in pair.readings()) for pair in limbs.pairs.values())
 
 
 def xml_copied_limbs(model: Model, told_of: Set[str]) -> list[PairOfLimbs]:
@@ -107,7 +135,7 @@ class _LimbsAsWritten:
         """Return what is to be written at a place, None where its numbers do not tell alone."""
         place = repair.place
         own = [value.literal or 0.0 for value in numbers_at(self._model, place)]
-        if place.what == "kind":
+        if place.what in ("kind", "axis"):
             return repair
         found = self._of_link(repair) if place.what in OF_A_LINK else self._of_joint(repair)
         if found is None or len(found) != len(own):

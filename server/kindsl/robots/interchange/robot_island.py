@@ -128,6 +128,10 @@ class RobotIsland(OtherIsland):
         inertia.moments = moments
         return inertia
 
+    def axis(self) -> list[Expression]:
+        """Return the numbers of a joint's axis, none if they are not written in its own frame."""
+        return []
+
     def pose_in(self, parent: XmlElement) -> Pose:
         """Return the pose that an element gives, whatever that is relative to."""
         raise NotImplementedError

@@ -27,8 +27,8 @@ class Suspect(NamedTuple):
     Attributes:
         link: The name of the link.
         joint: The name of the joint that supports it.
-        what: `translation` or `angles` of the joint, `kind` of it, `mass`, `com` or `moments` of
-            the link, `inertia` for several of them.
+        what: `translation` or `angles` of the joint, `kind` or `axis` of it, `mass`, `com` or
+            `moments` of the link, `inertia` for several of them.
     """
 
     link: str

@@ -4,9 +4,9 @@
 Compares limbs that are meant to be alike: three or more legs, arms or fingers of one body, told
 apart by sides and rows (`LF_hip`, `RH_hip`) or by numbers (`leg3_coxa`). Link frames of mirrored
 limbs may lie in other ways; what counts is whether some mirroring or turning of the limb makes all
-numbers those of its twins. Where all limbs agree but one, and one translation or rotation of it
-would make it agree too, that one is reported; where all joints agree, the mass, the centre of mass
-and the moments that one limb only has so.
+numbers those of its twins. Where all limbs agree but one, and one translation or rotation of it,
+or the axis of one joint in XML, would make it agree too, that one is reported; where all joints
+agree, the mass, the centre of mass and the moments that one limb only has so.
 
 Links that two others or more are images of but for one mistake, such as a sign, a unit or two
 moments swapped, count as twins whatever their names: equal digits tell that parts are equal. The

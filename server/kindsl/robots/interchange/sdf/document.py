@@ -65,6 +65,13 @@ class SdfIsland(RobotIsland):
         mass = self._number_in(inertial, inertial, "mass", 1)
         return self.inertia_of(inertial, owner, mass, moments)
 
+    def axis(self) -> list[Expression]:
+        """Return the numbers of a joint's axis, none if they are not written in its own frame."""
+        told = self.element.find("axis") if self.element is not None else None
+        is_of_model = told is not None and told.find("use_parent_model_frame") is not None
+        xyz = None if told is None or is_of_model else told.find("xyz")
+        return [] if xyz is None or xyz.get("expressed_in") else self.numbers_within(xyz)
+
     def _number_in(self, at: Any, parent: Any, tag: str, sign: int) -> Expression | None:
         """Return the number of a child; SDFormat's default is 1, and 0 of a product."""
         child = None if parent is None else parent.find(tag)

@@ -59,13 +59,17 @@ class UrdfIsland(RobotIsland):
         element, joints = self.element, self.declared().joints
         if element is None or not joints:
             return None
-        kind, told = element.get("type"), element.find("axis")
-        numbers = [] if told is None else self.numbers(told, "xyz")
+        kind, numbers = element.get("type"), self.axis()
         x, y, z = (e.literal or 0.0 for e in numbers) if len(numbers) == 3 else _USUAL_AXIS
         has_axis = kind in JOINT_KINDS and kind != "fixed" and any((x, y, z))
         ends = end_of(element, "parent"), end_of(element, "child")
         axis, pose = (x, y, z) if has_axis else None, written_pose(joints[0].pose, {})
         return Connection(joints[0], *ends, kind == "fixed", axis, pose or IDENTITY)
+
+    def axis(self) -> list[Expression]:
+        """Return the numbers of a joint's axis, none if they are not written in its own frame."""
+        told = self.element.find("axis") if self.element is not None else None
+        return [] if told is None else self.numbers(told, "xyz")
 
     def pose_in(self, parent: XmlElement) -> Pose:
         """Return the pose in an element's `<origin>`, not turned where a quaternion is none."""
