@@ -237,10 +237,8 @@ def _check(args: argparse.Namespace, source: "Source") -> int:
     from kindsl.products.codegen.checking import misfit
     from kindsl.products.codegen.library import GenerationError
 
-    unreadable, errors = (
-        refusals(args.check, OSError),
-        refusals(args.file, GenerationError, status=1),
-    )
+    unreadable = refusals(args.check, OSError)
+    errors = refusals(args.file, GenerationError, status=1)
     with unreadable, errors, model_errors(args.file, source.analysis):
         why = misfit(source, Path(args.check))
     if why is not None:
