@@ -49,7 +49,10 @@ def retyped(
 def as_numbers(numbers: Sequence[Expression | str]) -> str:
     """Return some numbers for people, as they are written."""
     texts = [e if isinstance(e, str) else e.text for e in numbers]
-    texts = ["0" if text.lstrip("-") == EXACT_ZERO else text for text in texts]
+    are_zero = [text.lstrip("-") == EXACT_ZERO for text in texts]
+    if any(are_zero):  # in XML
+        pairs = zip(texts, are_zero, strict=True)
+        texts = ["0" if is_zero else text.removesuffix(".0") for text, is_zero in pairs]
     return f"({', '.join(texts)})" if len(texts) > 1 else texts[0]
 
 

@@ -63,7 +63,7 @@ def _change(change: Replacement) -> Replacement | None:
 
 
 def _in_its_way(word: str, text: str) -> str:
-    """Return a new number, as the old one where it differs in its sign or exponent alone."""
+    """Return a new number, whole as the old one, or that in its sign or exponent changed."""
     if text.lstrip("-") == EXACT_ZERO:
         return "0"
     meant, rounding = float(text), half_unit(text)
@@ -72,7 +72,8 @@ def _in_its_way(word: str, text: str) -> str:
     if e:
         powers = range(-_GREATEST_POWER, _GREATEST_POWER + 1)
         ways += (f"{mantissa}{e}{int(exponent) + power:+03d}" for power in powers)
-    return next((way for way in ways if abs(float(way) - meant) <= rounding), text)
+    plain = text.removesuffix(".0") if word.lstrip("+-").isdigit() else text
+    return next((way for way in ways if abs(float(way) - meant) <= rounding), plain)
 
 
 def _with_other_sign(word: str) -> str:
