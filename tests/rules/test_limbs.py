@@ -13,12 +13,16 @@ from tests.support.published import CORPUS, published
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.diagnosis.body_verdicts import BodyVerdict
+from kindsl.judgement.diagnosis.judgements import keyword
 from kindsl.judgement.rules import limb_verdicts
+from kindsl.judgement.rules.base import Finding
+from kindsl.judgement.rules.checks import kd312_mirrored_pair_differs
 from kindsl.judgement.rules.inertia import shapes
 from kindsl.judgement.rules.inertia.shapes import shape_verdicts
 from kindsl.judgement.rules.limb_attachments import crossed_findings, elsewhere_findings
 from kindsl.judgement.rules.limb_writing import retyped
 from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Located
 from kindsl.language.text.edits import TextEdit, apply_edits
 from kindsl.robots.limbs.attachments import Attachment, Misplaced
@@ -839,3 +843,17 @@ def test_zeros_tell_nothing_of_the_digits_that_are_meant(
     assert mine is not None and other is not None
     texts = retyped(mine.components, [other.components], [(pi / 2, 0.0, 0.0)], [{}])
     assert texts == (expected, "0.0", "0.0")
+
+
+def test_a_cause_in_a_limb_that_its_peers_outvote_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The peers leave it to the cause, so that nobody else tells it."""
+    text = legs_with(RH=HIP.replace("0.02, 0.01, 0.05", "0.06, 0.01, 0.05"))
+    assert codes(text) == ["KD509"]
+
+    def explained(model: Model, *_: object) -> Iterator[Finding]:
+        inertia = model.body_named["RH_hip"].inertia
+        assert inertia is not None
+        yield Finding(keyword(inertia), "told by its cause")
+
+    monkeypatch.setattr(kd312_mirrored_pair_differs, "explained", explained)
+    assert [each.message for each in found("KD312", text)] == ["told by its cause"]

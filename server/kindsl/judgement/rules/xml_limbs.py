@@ -85,9 +85,9 @@ def _verdicts(
         told = verdicts(groups, masses)
         for limbs, placed, own in zip(groups, as_placed, told, strict=True):
             is_turned = any(place.what == "angles" for each in own for place in each.places)
-            is_long = is_turned or any(len(pair.rows) >= _FEWEST for pair in limbs.pairs.values())
+            is_long = any(len(pair.rows) >= _FEWEST for pair in limbs.pairs.values())
             odd = [] if _are_alike(limbs) else list(odd_axes(placed, axes))
-            yield from [each for each in odd if each.is_convicted or is_long] or own
+            yield from [v for v in odd if v.is_convicted or is_long or is_turned] or own
 
 
 def _compared(groups: Sequence[Limbs]) -> list[ComparedLimbs]:

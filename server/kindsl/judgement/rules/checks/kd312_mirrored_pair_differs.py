@@ -44,7 +44,10 @@ from kindsl.robots.mechanism.link_inertia import link_inertia
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     verdicts = limb_slips(model, context).verdicts
     told = {place.link for v in verdicts for place in v.places if place.what in OF_A_LINK}
-    inertias = (model.body_named[name].inertia for name in told)
+    # What KD510 tells with a fix for either side; what KD509 leaves to a cause is told here.
+    pairs = (v for v in verdicts if not v.is_convicted and v.repairs)
+    links = {place.link for v in pairs for place in v.places if place.what in OF_A_LINK}
+    inertias = (model.body_named[name].inertia for name in links)
     of_limbs = {keyword(inertia) for inertia in inertias if inertia is not None}
     yield from (f for f in explained(model, context, "KD312") if f.at not in of_limbs)
 
