@@ -4,15 +4,16 @@ What is to be *proved* believes nothing of a writer but his digits: each number,
 for all that are rounded to it or cut off to it. That holds for the numbers in an expression and for
 the values of parameters, too.
 
-What is *likely* looks at the whole section. Two kinds of writers are believed: the one who keeps
-as many decimals everywhere, and the one who keeps as many significant digits; both may drop zeros
-at the end. So the finest last digit and the greatest count of significant digits are taken, and
-each number is as exact as the coarser of the two allows: `CoM = (0.0, 0.0, 0.1)` beside `Ix=0.012`
-is mostly 100 mm, and not anything between 50 and 150. A number of many digits is no round one, and
-has dropped no zeros.
+What is *likely* looks at the whole section, of moments at the moments, which may be from another
+source than the centre of mass and have fewer digits. Two kinds of writers are believed: the one who
+keeps as many decimals everywhere, and the one who keeps as many significant digits; both may drop
+zeros at the end. So the finest last digit and the greatest count of significant digits are taken,
+and each number is as exact as the coarser of the two allows: `CoM = (0.0, 0.0, 0.1)` beside
+`Ix=0.012` is mostly 100 mm, and not anything between 50 and 150. A number of many digits is no
+round one, and has dropped no zeros.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from math import floor, inf, log10
 from typing import NamedTuple
 
@@ -80,11 +81,17 @@ def all_written_as(text: str) -> Interval:
 
 
 def likely_half_widths(numbers: Sequence[WrittenDigits]) -> MassDistribution:
-    """Return how far ten numbers, written in one manner, are likely to be from their digits."""
-    manner = [number for number in numbers[1:] if number.literal]
+    """Return how far ten numbers are likely to be from their digits."""
+    groups = (numbers[:4], numbers[1:]), (numbers[4:], numbers[4:])
+    return MassDistribution.of(half for group, like in groups for half in _halves(group, like))
+
+
+def _halves(numbers: Sequence[WrittenDigits], like: Sequence[WrittenDigits]) -> Iterator[float]:
+    """Yield how far numbers are likely to be, written in the manner of others."""
+    manner = [number for number in like if number.literal]
     finest = min((number.rounding for number in manner), default=inf)
     digits = max([_FEWEST_DIGITS, *map(_believed_digits, manner)])
-    return MassDistribution.of([_half(number, finest, digits) for number in numbers])
+    return (_half(number, finest, digits) for number in numbers)
 
 
 def numbers_written(inertia: Inertia, values: Mapping[str, float]) -> list[WrittenDigits]:
