@@ -7,7 +7,10 @@ from kindsl.mechanics.rigid.body import MassDistribution, Symmetric, eigensystem
 from kindsl.mechanics.rigid.pose import Vector3, dot
 
 _SLENDER = 4.0  # largest by middle second moment
-_BESIDE, _BEYOND = 0.2, 0.1  # shares of the way's length
+_BESIDE = 0.2  # of the way's length
+# Of a rod whose CoM is a sixth of its length beyond an end, twice as much would lie on the way if
+# it were turned round there; of less, as of an arm with a counterweight, a sign says little.
+_BEYOND = 1.0 / 6.0
 _IMPOSSIBLE, _NEGLIGIBLE = 0.01, 1e-9
 
 
@@ -33,7 +36,8 @@ class Rod(NamedTuple):
     @property
     def is_between(self) -> bool:
         """True if the CoM is between the ends of the way, or hardly beyond."""
-        return -_BEYOND <= self.ahead <= 1.0 + _BEYOND
+        beyond = _BEYOND * self.length / self.way
+        return -beyond <= self.ahead <= 1.0 + beyond
 
     @property
     def is_beside(self) -> bool:
