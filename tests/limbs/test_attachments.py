@@ -165,3 +165,12 @@ def test_links_on_one_chain_are_no_repeated_limb(
     chain = ["base", *names.split()]
     pairs = [*pairwise(chain), *((chain[1], fin) for fin in fins)]
     assert misplaced(*(Attachment(b, a, joint.format(b)) for a, b in pairs)) == ([], [])
+
+
+def test_ring_and_little_fingers_are_not_of_a_right_and_a_left_side() -> None:
+    fingers = [
+        Attachment(f"{finger}_prox_{side}", f"palm_{side}", f"{finger}_mcp_{side}")
+        for side in "lr"
+        for finger in ("if", "mf", "rf", "lf")
+    ]
+    assert misplaced(*fingers) == ([], [])

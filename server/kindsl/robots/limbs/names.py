@@ -40,6 +40,12 @@ _HELD = frozenset((
     "mano", "dito", "pince", "doigt", "dedo",
 ))  # fmt: skip
 
+# Of a hand, whose ring and little fingers are `rf` and `lf`.
+_BONES = frozenset((
+    "prox", "proximal", "medial", "dist", "distal", "meta", "metacarpal", "phalanx", "mcp", "pip",
+    "dip",
+))  # fmt: skip
+
 
 class LimbLabel(NamedTuple):
     """The place of a part, as its name has it.
@@ -113,9 +119,12 @@ def _marks(name: str) -> list[re.Match[str]]:
     """Return the words of a name that tell a side.
 
     After the first one a letter does only in what a limb holds, `l_gripper_r_finger`: elsewhere it
-    is for roll, `L_ANKLE_R`, and before a number for link, `right_l3`.
+    is for roll, `L_ANKLE_R`, and before a number for link, `right_l3`. Beside a finger's bone `rf`
+    is the ring finger.
     """
-    found = [match for match in _TOKEN.finditer(name) if match[0].lower() in _EITHER]
+    fingers = ("rf", "lf") if not _BONES.isdisjoint(tokens(name)) else ()
+    words = _EITHER.difference(fingers)
+    found = [match for match in _TOKEN.finditer(name) if match[0].lower() in words]
     return found[:1] + [
         mark
         for mark in found[1:]
