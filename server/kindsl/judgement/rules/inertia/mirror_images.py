@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from math import isclose
 
-from kindsl.judgement.diagnosis.counterparts import images, is_mirror_image
+from kindsl.judgement.diagnosis.counterparts import images, is_turned_image
 from kindsl.judgement.diagnosis.judgements import TEN, keyword
 from kindsl.judgement.rules.base import Finding, Related
 from kindsl.language.semantics.declarations import Link
@@ -62,7 +62,7 @@ def _difference(left: Link, right: Link, values: Values, body_of: _BodyOf) -> tu
     if not isinstance(here, MassDistribution) or not isinstance(there, MassDistribution):
         return "", True
     numbers = mirror_difference((str(left.name), str(right.name)), here, there)
-    return numbers, not numbers and is_mirror_image(here, there, _SIGNIFICANT)
+    return numbers, not numbers and is_turned_image(here, there, _SIGNIFICANT)
 
 
 def _finding(own: Link, peer: Link, message: str) -> Finding:
