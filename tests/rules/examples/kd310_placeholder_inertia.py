@@ -20,5 +20,38 @@ def _arm(third: str) -> str:
     return robot(*links, base="upper via shoulder", joints="shoulder elbow wrist")
 
 
-GOOD = (_arm(_INERTIA % ("0.02", "0.02", "0.02")),)
-BAD = (_arm(_SAME), link("upper", 1, inertia=_INERTIA % ("1.0", "1.0", "1.0")))
+_OF_A_CHAIN = _INERTIA.replace("0.0, 0.0, 0.0", "0.0, 0.0, 0.054") % (
+    "0.005217",
+    "0.00629",
+    "0.0013",
+)
+
+
+def _chain(first: str, second: str) -> str:
+    """Return two links of one design, the one on the other, and a hand of another one."""
+    links = (
+        link(first, 1, f"{second} via elbow", _OF_A_CHAIN),
+        link(second, 2, "hand via wrist", _OF_A_CHAIN),
+        link("hand", 3),
+    )
+    return robot(*links, base=f"{first} via shoulder", joints="shoulder elbow wrist")
+
+
+def _branches(*names: str) -> str:
+    links = [link(name, i, inertia=_SAME) for i, name in enumerate(names, 1)]
+    carried = " ".join(f"{name} via {name}_joint" for name in names)
+    return robot(*links, base=carried, joints=" ".join(f"{name}_joint" for name in names))
+
+
+GOOD = (
+    _arm(_INERTIA % ("0.02", "0.02", "0.02")),
+    _chain("seg_a1", "seg_b1"),
+    _branches("index_knuckle", "middle_knuckle", "ring_knuckle"),
+    _branches("wheel_x_link", "wheel_y_link", "wheel_z_link"),
+)
+BAD = (
+    _arm(_SAME),
+    _branches("camera_link", "lidar_link", "imu_link"),
+    _chain("upper", "lower"),
+    link("upper", 1, inertia=_INERTIA % ("1.0", "1.0", "1.0")),
+)

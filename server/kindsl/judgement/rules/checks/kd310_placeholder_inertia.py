@@ -6,7 +6,8 @@ moving links of different parts. Parts are recognised by names without sides and
 and `RH_hip` are one part, and so are `segment1` and `segment2`. Links of which none carries another
 may be one part that is mounted several times, as wheels are, where their moments have many digits,
 or, not all equal, where they carry equally many links, as knuckles do. What hangs on links that are
-one part is one part as well, as fingertips are.
+one part is one part as well, as fingertips are. So are `index_knuckle` and `ring_knuckle`, and
+`wheel_x` and `wheel_y`.
 
 Of two links with the same mass, centre of mass and moments of many digits, of which no third link
 has them, it reports the one that such a body fits less: its numbers were copied. They are two parts
@@ -61,6 +62,8 @@ _MOST_RELATED = 20
 # Of logarithms of likelihoods. 53 pairs of links that share a body in published robots are 0.2
 # apart at most; of 47 planted copies 28 are more than this, 29 than half of it, 23 than twice.
 _APART = 1.0
+# What anything may be called, and letters that number parts; `r`, `p` and `y` are of joints.
+_SAYING_NOTHING, _LETTERS = frozenset(("link", "body", "part", "frame", "mount")), frozenset("abcd")
 Numbers = tuple[float | None, ...]
 
 
@@ -99,13 +102,23 @@ def _is_one_part(model: Model, bodies: Sequence[Link]) -> bool:
     carried = [model.tree.in_topological_order(body) for body in bodies]
     if not set(chain.from_iterable(carried)).isdisjoint(bodies):
         return False
-    if _telling_moments(bodies[0]):
+    if _telling_moments(bodies[0]) or _are_named_alike(bodies):
         return True
     inertia, n_carried = bodies[0].inertia, {len(links) for links in carried}
     moments = [inertia.moments[name].literal for name in MOMENTS[:3]] if inertia else []
     if n_carried == {0}:
         return _are_ends_of_one_part(model, bodies)
     return len(n_carried) == 1 and len(set(moments)) > 1
+
+
+def _are_named_alike(bodies: Sequence[Link]) -> bool:
+    """Return whether names share what they end with, but for a letter, and differ by one word."""
+    names = [[w for w in _label(body).part if w not in _SAYING_NOTHING] for body in bodies]
+    shared = set(names[0]).intersection(*names[1:])
+    own = [[word for word in name if word not in shared] for name in names]
+    are_letters = all(len(word) == 1 for word in chain.from_iterable(own))
+    is_thing = bool(shared) and all(name[-1] in shared or are_letters for name in names)
+    return is_thing and all(len(words) <= 1 for words in own)
 
 
 def _are_ends_of_one_part(model: Model, bodies: Sequence[Link]) -> bool:
@@ -134,7 +147,8 @@ def _label(body: Link) -> LimbLabel:
 
 def _are_parts_of_a_chain(model: Model, pair: Sequence[Link]) -> bool:
     carried = chain.from_iterable(map(model.tree.in_topological_order, pair))
-    return len({_label(body).part for body in pair}) == 2 and not set(pair).isdisjoint(carried)
+    parts = {tuple(w for w in _label(body).part if w not in _LETTERS) for body in pair}
+    return len(parts) == 2 and not set(pair).isdisjoint(carried)
 
 
 def _copied(model: Model, pair: Sequence[Link], values: Mapping[str, float]) -> Finding | None:
