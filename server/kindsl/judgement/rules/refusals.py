@@ -1,9 +1,11 @@
 """Refusals of a generator: constructs, and defects of meaning at which it stops while it loads."""
 
 from collections.abc import Iterator
+from functools import partial
 
-from kindsl.judgement.rules.base import Finding, Severity, fix_of
+from kindsl.judgement.rules.base import Finding, Rule, Severity, fix_of
 from kindsl.judgement.rules.context import ROBCOGEN, ROBCOGEN2, Context
+from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Place
 from kindsl.language.syntax.document import Chunk
@@ -22,6 +24,12 @@ _STOPPING = {
 }  # fmt: skip
 # What these find is an error for every target; no generator needs to be named besides.
 _REFERENCES = ("KD105", "KD106", "KD107")
+
+
+def rule_of_refusals(module: str, target: str) -> Rule:
+    """Return the rule of a module that does nothing but tell what a generator refuses."""
+    check, reads = partial(refused_by, target), Aspect.SYMBOLS | Aspect.LAYOUT
+    return Rule(module, Severity.ERROR, check_document=check, reads=reads, is_default=False)
 
 
 def refused_by(target: str, model: Model, context: Context) -> Iterator[Finding]:

@@ -72,9 +72,4 @@ def _severity(*is_error: bool) -> Severity:
     return Severity.ERROR if any(is_error) else Severity.WARNING
 
 
-RULE = Rule(
-    __name__,
-    Severity.WARNING,
-    check_document=check_document,
-    reads=Aspect.STRUCTURE | Aspect.PLACES,
-)
+RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.PLACES)

@@ -27,15 +27,6 @@ Changes these signs, or the order. Offered only where no other cause is left. Un
 though a likely one.
 """
 
-from functools import partial
+from kindsl.judgement.rules.inertia.told_causes import rule_of_causes
 
-from kindsl.judgement.rules.base import Rule, Severity
-from kindsl.judgement.rules.inertia.told_causes import explained
-from kindsl.language.semantics.aspects import Aspect
-
-RULE = Rule(
-    __name__,
-    Severity.INFORMATION,
-    check_document=partial(explained, code="KD307"),
-    reads=Aspect.NUMBERS,
-)
+RULE = rule_of_causes(__name__)

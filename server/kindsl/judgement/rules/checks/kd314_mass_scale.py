@@ -26,15 +26,6 @@ Converts the mass. Offered only where no other cause is left. Unsafe: it is a gu
 one.
 """
 
-from functools import partial
+from kindsl.judgement.rules.inertia.told_causes import rule_of_causes
 
-from kindsl.judgement.rules.base import Rule, Severity
-from kindsl.judgement.rules.inertia.told_causes import explained
-from kindsl.language.semantics.aspects import Aspect
-
-RULE = Rule(
-    __name__,
-    Severity.INFORMATION,
-    check_document=partial(explained, code="KD314"),
-    reads=Aspect.NUMBERS,
-)
+RULE = rule_of_causes(__name__)

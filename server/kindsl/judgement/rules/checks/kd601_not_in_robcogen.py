@@ -18,17 +18,7 @@ translation = (1.0e-3, 0.0, 0.0)
 Writes an equivalent that both generators support, if there is one: `0.001`. Safe: the value stays.
 """
 
-from functools import partial
-
-from kindsl.judgement.rules.base import Rule, Severity
 from kindsl.judgement.rules.context import ROBCOGEN
-from kindsl.judgement.rules.refusals import refused_by
-from kindsl.language.semantics.aspects import Aspect
+from kindsl.judgement.rules.refusals import rule_of_refusals
 
-RULE = Rule(
-    __name__,
-    Severity.ERROR,
-    check_document=partial(refused_by, ROBCOGEN),
-    reads=Aspect.SYMBOLS | Aspect.LAYOUT,
-    is_default=False,
-)
+RULE = rule_of_refusals(__name__, ROBCOGEN)

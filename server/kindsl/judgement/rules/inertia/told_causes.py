@@ -7,13 +7,20 @@ from typing import NamedTuple
 from kindsl.judgement.diagnosis.judgements import keyword
 from kindsl.judgement.diagnosis.suspects import long_suspects_of, suspects_of
 from kindsl.judgement.diagnosis.unlike import unlike_links
-from kindsl.judgement.rules.base import Finding
+from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
+from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Link, Vector
 from kindsl.language.semantics.model import Model
 from kindsl.language.text.facts import Fact
 
 _CAUSES = Fact[tuple[object, list[tuple[str, Finding]]]]("inertia causes")
+
+
+def rule_of_causes(module: str) -> Rule:
+    """Return the rule of a module that does nothing but tell the mistakes that belong to it."""
+    rule = Rule(module, Severity.INFORMATION, reads=Aspect.NUMBERS)
+    return rule._replace(check_document=partial(explained, code=rule.code))
 
 
 def explained(model: Model, context: Context, code: str) -> Iterator[Finding]:
