@@ -1,12 +1,13 @@
 """A document beside another description of its robot: the other as a ghost, and the differences."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from functools import partial
 from typing import NamedTuple
 
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.compared_document import compared_document
 from kindsl.judgement.analysis.twins import read_file, read_twin
+from kindsl.language.semantics.expressions import Values
 from kindsl.robots.comparison.mechanical import compared_mechanics
 from kindsl.robots.comparison.number_differences import NumberDifference
 from kindsl.robots.comparison.restated import restated
@@ -98,11 +99,7 @@ def other_messages(others: Iterable[OtherRobot], chosen: str) -> list[OtherMessa
 
 
 def compared(
-    label: str,
-    analysis: Analysis,
-    values: Mapping[str, float],
-    skeleton: Linkage,
-    other: OtherRobot,
+    label: str, analysis: Analysis, values: Values, skeleton: Linkage, other: OtherRobot
 ) -> ShownComparison:
     """Compare a document with another description."""
     theirs = other.read(skeleton.is_floating)

@@ -7,6 +7,7 @@ from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 from kindsl.judgement.analysis.twins import read_file
+from kindsl.language.semantics.expressions import Values
 from kindsl.language.semantics.model import Model
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
 from kindsl.robots.comparison.document_side import described_document
@@ -85,9 +86,7 @@ def offered(source: MeshSource) -> list[Part]:
     return [MeshesMessage(source.name, False, ())]
 
 
-def link_meshes(
-    source: MeshSource, model: Model, values: Mapping[str, float], skeleton: Linkage
-) -> LinkMeshes:
+def link_meshes(source: MeshSource, model: Model, values: Values, skeleton: Linkage) -> LinkMeshes:
     """Return the meshes of a URDF on a document's links, and report those left out."""
     ours = described_document("here", model, values, skeleton)
     try:

@@ -15,6 +15,7 @@ from kindsl.frontends.preview.steps import Steps, Writing
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.rules.base import Severity
+from kindsl.language.semantics.expressions import Values
 from kindsl.robots.scene.messages import DraggedMessage, PlanMessage, WrittenMessage
 
 _IMPOSSIBLE = ("KD301", "KD302")
@@ -38,9 +39,7 @@ class Outcome(NamedTuple):
     parameters: Mapping[str, float] = {}
 
 
-def drag_outcome(
-    analysis: Analysis, request: Drag, typed: Mapping[str, float]
-) -> Outcome | Refusal:
+def drag_outcome(analysis: Analysis, request: Drag, typed: Values) -> Outcome | Refusal:
     """Return what moving or dropping a handle would do.
 
     Args:

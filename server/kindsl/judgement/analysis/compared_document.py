@@ -1,9 +1,9 @@
 """A document as one side of a comparison."""
 
-from collections.abc import Mapping
 from dataclasses import replace
 
 from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.language.semantics.expressions import Values
 from kindsl.language.semantics.places import Located
 from kindsl.language.text.lines import LineIndex
 from kindsl.robots.comparison.document_side import described_document
@@ -12,7 +12,7 @@ from kindsl.robots.mechanism.linkage import Linkage
 
 
 def compared_document(
-    name: str, analysis: Analysis, values: Mapping[str, float], skeleton: Linkage
+    name: str, analysis: Analysis, values: Values, skeleton: Linkage
 ) -> ComparedSide:
     """Return the robot of a document, with its configuration's properties of joints."""
     lines = LineIndex(analysis.text)

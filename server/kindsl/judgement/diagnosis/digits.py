@@ -18,7 +18,7 @@ from math import floor, inf, log10
 from typing import NamedTuple
 
 from kindsl.language.semantics.declarations import Inertia
-from kindsl.language.semantics.expressions import Expression, half_unit
+from kindsl.language.semantics.expressions import Expression, Values, half_unit
 from kindsl.language.semantics.ranges import Interval, bounds_of
 from kindsl.language.semantics.unknown import inertia_expressions
 from kindsl.language.text.decimals import significant_digits
@@ -94,7 +94,7 @@ def _halves(numbers: Sequence[WrittenDigits], like: Sequence[WrittenDigits]) -> 
     return (_half(number, finest, digits) for number in numbers)
 
 
-def numbers_written(inertia: Inertia, values: Mapping[str, float]) -> list[WrittenDigits]:
+def numbers_written(inertia: Inertia, values: Values) -> list[WrittenDigits]:
     """Return the ten numbers of a complete inertia: mass, centre of mass, moments."""
     return [_digits_of(value, values) for value in inertia_expressions(inertia)]
 
@@ -104,7 +104,7 @@ def rewritten_number(text: str) -> WrittenDigits:
     return WrittenDigits(text, float(text), half_unit(text))
 
 
-def _digits_of(value: Expression, values: Mapping[str, float]) -> WrittenDigits:
+def _digits_of(value: Expression, values: Values) -> WrittenDigits:
     text, literal = value.text, value.literal
     rounding = value.rounding(values) if literal is None else half_unit(text)
     return WrittenDigits(text, literal, rounding)

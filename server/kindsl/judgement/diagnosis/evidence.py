@@ -19,7 +19,7 @@ from typing import NamedTuple
 from kindsl.judgement.diagnosis.fitted import LIES, TABLES, TRUST
 from kindsl.judgement.diagnosis.judgements import spread_along
 from kindsl.mechanics.rigid.body import (
-    Eigenpair,
+    Eigenpairs,
     MassDistribution,
     Symmetric,
     eigensystem,
@@ -54,7 +54,7 @@ class MassShape(NamedTuple):
 
     matrix: Symmetric
     errors: Symmetric
-    pairs: tuple[Eigenpair, Eigenpair, Eigenpair]
+    pairs: Eigenpairs
 
     @property
     def values(self) -> Vector3:

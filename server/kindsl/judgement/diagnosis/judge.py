@@ -45,6 +45,7 @@ from kindsl.judgement.diagnosis.surroundings import (
     surroundings,
 )
 from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.expressions import Values
 from kindsl.language.semantics.lowering import OtherIsland
 from kindsl.language.semantics.model import Model
 from kindsl.language.syntax.vocabulary import MOMENTS
@@ -117,9 +118,7 @@ class _Tried(NamedTuple):
     doubt: float
 
 
-def diagnoses(
-    suspects: Sequence[Judgement], model: Model, values: Mapping[str, float]
-) -> list[Diagnosis]:
+def diagnoses(suspects: Sequence[Judgement], model: Model, values: Values) -> list[Diagnosis]:
     """Return what may have happened to each inertia that needs an explanation."""
     alike: dict[object, _Tried] = {}
     tried = [_tried(found, surroundings(model, values, found), alike) for found in suspects]
@@ -137,9 +136,7 @@ def diagnoses(
     ]
 
 
-def diagnosed_alone(
-    found: Judgement, model: Model, values: Mapping[str, float]
-) -> Diagnosis | None:
+def diagnosed_alone(found: Judgement, model: Model, values: Values) -> Diagnosis | None:
     """Return what may have happened to an inertia whatever the others are, None if nothing has."""
     tried = _tried(found, surroundings(model, values, found), {})
     return Diagnosis(found, _likely(found, tried, (), 0.0)) if tried.causes else None

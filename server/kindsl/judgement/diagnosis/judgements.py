@@ -7,14 +7,14 @@ those of the smallest ones about the CoM. See `digits` for the intervals that pr
 are likely.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from enum import Enum
 from operator import mul
 from typing import TYPE_CHECKING, NamedTuple
 
 from kindsl.judgement.diagnosis.body_verdicts import GREATEST_LENGTH
 from kindsl.language.semantics.declarations import Declarations, Inertia, Link
-from kindsl.language.semantics.expressions import ParameterUse, symbols
+from kindsl.language.semantics.expressions import ParameterUse, Values, symbols
 from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.numbers import mass_distribution
 from kindsl.language.semantics.places import Place, has_problem_within
@@ -24,6 +24,7 @@ from kindsl.language.text.facts import Fact
 from kindsl.mechanics.rigid.body import (
     ROUNDING_OF_MOMENTS,
     Eigenpair,
+    Eigenpairs,
     MassDistribution,
     Symmetric,
     eigensystem,
@@ -44,7 +45,7 @@ from kindsl.mechanics.rigid.pose import Vector3
 if TYPE_CHECKING:
     from kindsl.judgement.diagnosis.digits import Bounds
 
-_JUDGED: "Fact[tuple[Mapping[str, float] | None, Judged]]" = Fact("judgements")
+_JUDGED: "Fact[tuple[Values | None, Judged]]" = Fact("judgements")
 # The numbers of an inertia in words, as `MassDistribution` has them.
 TEN = ("mass", "x of the CoM", "y of the CoM", "z of the CoM", *MOMENTS)
 _SINGULAR = 1e-9
@@ -86,7 +87,7 @@ class Judgement(NamedTuple):
     inertia: Inertia
     body: MassDistribution
     half: MassDistribution
-    second_moments: tuple[Eigenpair, Eigenpair, Eigenpair]
+    second_moments: Eigenpairs
     verdict: Verdict
     is_proved: bool
 
@@ -112,7 +113,7 @@ class Judged(NamedTuple):
 _NONE = Judged([], [], [])
 
 
-def judgements(declared: Declarations, values: Mapping[str, float]) -> Sequence[Judgement]:
+def judgements(declared: Declarations, values: Values) -> Sequence[Judgement]:
     """Return the moving links of an island whose inertia is not plainly possible.
 
     A body without whose CoM, beyond ten metres, nothing could be told is none of them.
@@ -120,7 +121,7 @@ def judgements(declared: Declarations, values: Mapping[str, float]) -> Sequence[
     return judged_of(declared, values).near
 
 
-def judged_of(declared: Declarations, values: Mapping[str, float]) -> Judged:
+def judged_of(declared: Declarations, values: Values) -> Judged:
     """Return what is judged once for each island, or for values where parameters are in it."""
     if not declared.links and not declared.bases:
         return _NONE
@@ -142,7 +143,7 @@ def _is_far(found: Judgement) -> bool:
     return not is_possible and max(map(abs, found.body.com)) > GREATEST_LENGTH
 
 
-def is_impossible(link: Link, values: Mapping[str, float]) -> bool:
+def is_impossible(link: Link, values: Values) -> bool:
     """Return whether the inertia of a link is reported as that of no body."""
     found = judgements(declarations(link.island), values)
     return any(judgement.link is link and judgement.is_impossible for judgement in found)
@@ -184,7 +185,7 @@ def is_plain(inertia: Inertia) -> bool:
     return all(value.literal is not None for value in inertia_expressions(inertia))
 
 
-def at_values(inertia: Inertia, values: Mapping[str, float]) -> str:
+def at_values(inertia: Inertia, values: Values) -> str:
     """Return at which parameters' values an inertia was looked at: ` at m = 2`, or nothing."""
     used = _used(inertia, values).items() if values else ()
     told = [f"{name} = {value:g}" for name, value in used if not name.startswith("<")]
@@ -197,9 +198,7 @@ def keyword(inertia: Inertia) -> Place:
     return Place(inertia.island, word.start, word.end)
 
 
-def verdict_of(
-    body: MassDistribution, half: MassDistribution, pairs: tuple[Eigenpair, Eigenpair, Eigenpair]
-) -> Verdict:
+def verdict_of(body: MassDistribution, half: MassDistribution, pairs: Eigenpairs) -> Verdict:
     """Return what the second moments about the CoM say of a body with positive mass.
 
     Args:
@@ -219,7 +218,7 @@ def verdict_of(
     return Verdict.SINGULAR
 
 
-def is_impossible_within(bounds: "Bounds", pairs: tuple[Eigenpair, Eigenpair, Eigenpair]) -> bool:
+def is_impossible_within(bounds: "Bounds", pairs: Eigenpairs) -> bool:
     """Return whether an axis proves that no body has numbers within bounds.
 
     Args:
@@ -238,7 +237,7 @@ def _size(body: MassDistribution) -> float:
     return sum(map(abs, body.moments)) + body.mass * sum(c * c for c in body.com)
 
 
-def _judge(link: Link, values: Mapping[str, float]) -> Judgement | None:
+def _judge(link: Link, values: Values) -> Judgement | None:
     inertia = link.inertia
     if inertia is None or has_problem_within(inertia):
         return None
@@ -264,9 +263,7 @@ def _is_long(body: MassDistribution, second_moments: Symmetric) -> bool:
     return is_near and 0.0 < shift * way <= spread_along(second_moments, body.com)
 
 
-def judgement_of(
-    link: Link, inertia: Inertia, body: MassDistribution, values: Mapping[str, float]
-) -> Judgement:
+def judgement_of(link: Link, inertia: Inertia, body: MassDistribution, values: Values) -> Judgement:
     """Return the judgement on a complete inertia with a positive mass, possible or not."""
     # Imported for suspects only, since it delays the linter's start.
     from kindsl.judgement.diagnosis.digits import likely_half_widths, numbers_written
@@ -280,9 +277,7 @@ def judgement_of(
     return Judgement(link, inertia, body, half, pairs, verdict, is_proved)
 
 
-def _is_proved_impossible(
-    inertia: Inertia, values: Mapping[str, float], pairs: tuple[Eigenpair, Eigenpair, Eigenpair]
-) -> bool:
+def _is_proved_impossible(inertia: Inertia, values: Values, pairs: Eigenpairs) -> bool:
     from kindsl.judgement.diagnosis.digits import all_written_as, bounds_by_digits
 
     # A value's digits are those of the shortest decimal number that is equal to it.
@@ -291,7 +286,7 @@ def _is_proved_impossible(
     return bounds is not None and is_impossible_within(bounds, pairs)
 
 
-def _used(inertia: Inertia, values: Mapping[str, float]) -> dict[str, float]:
+def _used(inertia: Inertia, values: Values) -> dict[str, float]:
     """Return the values that an inertia uses, of parameters by name, of constants by `<name>`."""
     unknown = (value for value in inertia.values() if value.literal is None)
     uses = [use for value in unknown for use in symbols(value)]
@@ -301,18 +296,14 @@ def _used(inertia: Inertia, values: Mapping[str, float]) -> dict[str, float]:
     return {name: values[name] for name in names if name in values}
 
 
-def can_be_of_matter(
-    body: MassDistribution, half: MassDistribution, pairs: tuple[Eigenpair, Eigenpair, Eigenpair]
-) -> bool:
+def can_be_of_matter(body: MassDistribution, half: MassDistribution, pairs: Eigenpairs) -> bool:
     """Return whether the density is plausible for some choice of the numbers within the digits."""
     if is_dense_as_matter(body.mass, pairs):
         return True
     return is_dense_as_matter(body.mass, _widened(body, half, pairs))
 
 
-def _widened(
-    body: MassDistribution, half: MassDistribution, pairs: tuple[Eigenpair, Eigenpair, Eigenpair]
-) -> tuple[Eigenpair, Eigenpair, Eigenpair]:
+def _widened(body: MassDistribution, half: MassDistribution, pairs: Eigenpairs) -> Eigenpairs:
     """Return the eigenpairs with values moved towards a plausible density, within the digits."""
     reach = sum(half.moments) + 2.0 * body.mass * sum(map(mul, map(abs, body.com), half.com))
     is_heavy = density_of(body.mass, pairs) > GREATEST_DENSITY

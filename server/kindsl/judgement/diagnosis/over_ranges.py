@@ -17,6 +17,7 @@ from typing import NamedTuple
 from kindsl.judgement.diagnosis.digits import likely_half_widths, numbers_written
 from kindsl.judgement.diagnosis.judgements import IMPOSSIBLE, verdict_of
 from kindsl.language.semantics.declarations import Inertia
+from kindsl.language.semantics.expressions import Values
 from kindsl.language.semantics.numbers import mass_distribution
 from kindsl.language.semantics.ranges import (
     Interval,
@@ -34,7 +35,6 @@ _MOST_AT_CORNERS = 12
 _MOST_PARTS = 2000
 
 Ranges = Mapping[str, Interval]
-Values = Mapping[str, float]
 
 
 class Conclusion(Enum):

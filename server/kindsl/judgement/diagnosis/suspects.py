@@ -1,11 +1,11 @@
 """Inertias that need an explanation: impossible or implausible ones."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from kindsl.judgement.diagnosis.judgements import Judgement, Verdict, is_plain, is_round, judged_of
 from kindsl.language.semantics.declarations import Inertia
-from kindsl.language.semantics.expressions import Expression, ParameterUse, symbols
+from kindsl.language.semantics.expressions import Expression, ParameterUse, Values, symbols
 from kindsl.language.semantics.model import Model, ModelPart
 from kindsl.language.text.facts import Fact
 
@@ -20,12 +20,12 @@ class _Suspects(NamedTuple):
 _SUSPECTS = Fact[_Suspects]("suspects")
 
 
-def suspects_of(model: Model, values: Mapping[str, float]) -> list[Judgement]:
+def suspects_of(model: Model, values: Values) -> list[Judgement]:
     """Return what was judged of each inertia that needs an explanation."""
     return [found for each in _of_chunks(model, values) for found in each.odd]
 
 
-def long_suspects_of(model: Model, values: Mapping[str, float]) -> list[Judgement]:
+def long_suspects_of(model: Model, values: Values) -> list[Judgement]:
     """Return the possible bodies whose moments may have been shifted twice.
 
     A thing that carries nothing, with places marked on it, may have any shape: a hammer.
@@ -34,7 +34,7 @@ def long_suspects_of(model: Model, values: Mapping[str, float]) -> list[Judgemen
     return [f for f in far if model.tree.joints_on(f.link) or not f.link.frames]
 
 
-def _of_chunks(model: Model, values: Mapping[str, float]) -> Iterator[_Suspects]:
+def _of_chunks(model: Model, values: Values) -> Iterator[_Suspects]:
     for chunk, part in zip(model.document.chunks, model.parts, strict=True):
         known = chunk.facts.get(_SUSPECTS)
         if known is None or part.parameters or part.constants:
@@ -42,7 +42,7 @@ def _of_chunks(model: Model, values: Mapping[str, float]) -> Iterator[_Suspects]
         yield known
 
 
-def _suspects(part: ModelPart, values: Mapping[str, float]) -> _Suspects:
+def _suspects(part: ModelPart, values: Values) -> _Suspects:
     judged = (judged_of(declared, values) for declared in part.declared)
     odd, long = list[Judgement](), list[Judgement]()
     for near, far, possible in judged:

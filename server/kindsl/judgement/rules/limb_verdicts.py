@@ -5,7 +5,7 @@ again only where it has changed. Numbers in broken text are not yet read, so the
 rules about syntax alone: two fixes of one number would contradict each other.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import lru_cache, partial
 from itertools import chain
 from typing import NamedTuple
@@ -14,6 +14,7 @@ from kindsl.judgement.rules.context import Context
 from kindsl.judgement.rules.limb_places import is_broken
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.declarations import Link, ValueKind
+from kindsl.language.semantics.expressions import Values
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.unknown import Unknown
 from kindsl.language.text.facts import Fact
@@ -32,7 +33,6 @@ _ARBITRARY: dict[object, tuple[float, float]] = {
 }
 _ANYTHING = (0.5, 1.0)
 
-Values = Mapping[str, float]
 # A group of limbs, or what they hold, at each assignment of parameters.
 _Compared = tuple[ComparedLimbs, ...]
 

@@ -1,10 +1,10 @@
 """The values of peers at a place, in the author's hand: in his words where they say it."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
 from kindsl.judgement.rules.base import Fix, Replacement
 from kindsl.judgement.rules.number_writing import as_fraction_of_pi, decimals, opposite
-from kindsl.language.semantics.expressions import EXACT_ZERO, Expression
+from kindsl.language.semantics.expressions import EXACT_ZERO, Expression, Values
 from kindsl.language.text.decimals import fixed_decimal
 from kindsl.robots.limbs.comparison import LOOSE
 
@@ -17,7 +17,7 @@ def retyped(
     own: Sequence[Expression],
     peers: Sequence[Sequence[Expression]],
     meant: Sequence[Sequence[float]],
-    assignments: Sequence[Mapping[str, float]],
+    assignments: Sequence[Values],
     kinds: Sequence[slice] = (),
     share: float = LOOSE.share,
 ) -> tuple[str, ...] | None:
@@ -66,7 +66,7 @@ def _retyped(
     own: Expression,
     words: Sequence[Expression],
     wanted: Sequence[float],
-    assignments: Sequence[Mapping[str, float]],
+    assignments: Sequence[Values],
     within: float,
     exactly: float,
 ) -> str | None:

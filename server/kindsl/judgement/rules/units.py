@@ -5,9 +5,9 @@ value of `kg` at run time.
 """
 
 from bisect import bisect_left
-from collections.abc import Mapping
 from typing import NamedTuple
 
+from kindsl.language.semantics.expressions import Values
 from kindsl.language.semantics.parameters import Parameter
 from kindsl.language.semantics.places import Name, Place
 from kindsl.language.syntax.values import in_radians
@@ -36,9 +36,7 @@ class NumberWithUnit(NamedTuple):
     in_si: str
 
 
-def numbers_with_unit(
-    parameter: Parameter, values: Mapping[str, float]
-) -> tuple[NumberWithUnit, ...]:
+def numbers_with_unit(parameter: Parameter, values: Values) -> tuple[NumberWithUnit, ...]:
     """Return the numbers behind which a parameter stands as a unit.
 
     Args:
@@ -52,7 +50,7 @@ def numbers_with_unit(
     return tuple(found) if len(found) == len(parameter.uses) else ()
 
 
-def is_unit(name: Name, values: Mapping[str, float]) -> bool:
+def is_unit(name: Name, values: Values) -> bool:
     """Return whether a parameter without a value stands as the unit of the number before it."""
     return name not in values and name in (*_SI, *_DEGREES) and _found(name) is not None
 

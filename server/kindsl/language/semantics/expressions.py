@@ -17,6 +17,10 @@ _SYMBOLS_BEHIND_NUMBERS = {"number": 1.0, "juxtaposed_pi": pi, "juxtaposed_param
 EXACT_ZERO = "0.000000000000000"
 
 
+# Of parameters by name, and of constants by `<name>`.
+Values = Mapping[str, float]
+
+
 class Expression(Construct):
     """A value as written.
 
@@ -41,7 +45,7 @@ class Expression(Construct):
         written = self.island.text[self.start : self.end]
         return written if written.isascii() else " ".join(t.text for t in self.node.tokens())
 
-    def value(self, bindings: Mapping[str, float]) -> float | None:
+    def value(self, bindings: Values) -> float | None:
         """Return the value in SI units, or None where a name is unbound or nothing is defined.
 
         Args:
@@ -49,7 +53,7 @@ class Expression(Construct):
         """
         return self.literal if self.literal is not None else evaluate(self.node, bindings, FLOATS)
 
-    def rounding(self, bindings: Mapping[str, float]) -> float:
+    def rounding(self, bindings: Values) -> float:
         """Return how far the true value may be from the written one, to first order.
 
         A decimal number stands for all that round to it: half a unit of its last digit.
@@ -114,7 +118,7 @@ def _symbols(node: Node, island: Island) -> Iterator[ParameterUse | ConstantUse]
         yield from _symbols(part, island)
 
 
-def _rounding(node: Node, bindings: Mapping[str, float]) -> float:
+def _rounding(node: Node, bindings: Values) -> float:
     if node.kind in _SYMBOLS_BEHIND_NUMBERS:
         token, symbol = node.children[0], _SYMBOLS_BEHIND_NUMBERS[node.kind]
         factor = bindings.get(name_of(node), 0.0) if symbol is None else symbol
@@ -130,7 +134,7 @@ def _rounding(node: Node, bindings: Mapping[str, float]) -> float:
     return 0.0
 
 
-def _rounding_of_product(node: Node, parts: list[Node], bindings: Mapping[str, float]) -> float:
+def _rounding_of_product(node: Node, parts: list[Node], bindings: Values) -> float:
     left, right = (evaluate(part, bindings, FLOATS) or 0.0 for part in parts)
     left_error, right_error = (_rounding(part, bindings) for part in parts)
     if node.kind == "multiply":

@@ -3,10 +3,10 @@
 What comes from an island without parameters and constants is computed once in the island's life.
 """
 
-from collections.abc import Mapping
 from math import isfinite
 
 from kindsl.language.semantics.declarations import FixedAxes, Frame, Inertia, Link, Pose, Vector
+from kindsl.language.semantics.expressions import Values
 from kindsl.language.semantics.parameters import island_symbols
 from kindsl.language.syntax.tree import Island
 from kindsl.language.syntax.vocabulary import MOMENTS
@@ -18,7 +18,7 @@ POSES = Fact[dict[Vector, RigidPose]]("poses")
 BODIES = Fact[dict[Inertia, MassDistribution]]("mass distributions")
 
 
-def written_pose(pose: Pose, values: Mapping[str, float]) -> RigidPose | None:
+def written_pose(pose: Pose, values: Values) -> RigidPose | None:
     """Return a pose in numbers, None where one is missing, unbound or infinite."""
     if pose.translation is None or pose.rotation is None:
         return None
@@ -45,13 +45,13 @@ def frame_of_com(link: Link) -> Frame | None:
     return next((f for f in link.frames if inertia and f.node is inertia.node), None)
 
 
-def pose_of_com(link: Link, values: Mapping[str, float]) -> RigidPose | None:
+def pose_of_com(link: Link, values: Values) -> RigidPose | None:
     """Return the pose of that frame in its link's, None where there is none that is known."""
     frame = frame_of_com(link)
     return None if frame is None else written_pose(frame.pose, values)
 
 
-def mass_distribution(inertia: Inertia, values: Mapping[str, float]) -> MassDistribution | None:
+def mass_distribution(inertia: Inertia, values: Values) -> MassDistribution | None:
     """Return the numbers of an inertia, None where one is missing, unbound or infinite."""
     island = inertia.island
     known = island.facts.get(BODIES)
@@ -71,7 +71,7 @@ def mass_distribution(inertia: Inertia, values: Mapping[str, float]) -> MassDist
     return written
 
 
-def triple(vector: Vector | None, values: Mapping[str, float]) -> Vector3 | None:
+def triple(vector: Vector | None, values: Values) -> Vector3 | None:
     """Return three components as written, None where one is missing, unbound or infinite."""
     if vector is None:
         return None

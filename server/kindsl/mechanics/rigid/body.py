@@ -65,6 +65,10 @@ class Eigenpair(NamedTuple):
     axis: Vector3
 
 
+# Ascending.
+Eigenpairs = tuple[Eigenpair, Eigenpair, Eigenpair]
+
+
 def second_moments_about_com(body: MassDistribution) -> Symmetric:
     """Return `S` about the CoM, axes as given."""
     m, (x, y, z), (ix, iy, iz, ixy, ixz, iyz) = body
@@ -142,7 +146,7 @@ def less(body: MassDistribution, parts: Sequence[MassDistribution]) -> MassDistr
     return lumped((body, *taken))
 
 
-def principal_moments(pairs: tuple[Eigenpair, Eigenpair, Eigenpair]) -> Vector3:
+def principal_moments(pairs: Eigenpairs) -> Vector3:
     """Return the ascending principal moments of the ascending eigenvalues of `S`."""
     a, b, c = (pair.value for pair in pairs)
     return a + b, a + c, b + c
@@ -185,7 +189,7 @@ def determinant(matrix: Symmetric) -> float:
     return zz * (xx * yy - xy * xy) - xx * yz * yz - yy * xz * xz + 2.0 * xy * xz * yz
 
 
-def eigensystem(matrix: Symmetric) -> tuple[Eigenpair, Eigenpair, Eigenpair]:
+def eigensystem(matrix: Symmetric) -> Eigenpairs:
     """Return the eigenpairs of a symmetric matrix, ascending.
 
     Exact to rounding also for equal eigenvalues. Source: the cyclic Jacobi method, Golub and Van

@@ -2,14 +2,14 @@
 
 from math import inf, pi, sqrt
 
-from kindsl.mechanics.rigid.body import Eigenpair, Symmetric, determinant
+from kindsl.mechanics.rigid.body import Eigenpairs, Symmetric, determinant
 
 LEAST_DENSITY, GREATEST_DENSITY = 10.0, 30_000.0  # kg/m³: foam, and more than any metal
 
 _LEAST_SQUARE = (3.0 / (4.0 * pi * LEAST_DENSITY)) ** 2 / 125.0
 _GREATEST_SQUARE = (3.0 / (4.0 * pi * GREATEST_DENSITY)) ** 2 / 125.0
 
-Pairs = tuple[Eigenpair, Eigenpair, Eigenpair]
+Pairs = Eigenpairs
 
 
 def density_of(mass: float, pairs: Pairs) -> float:

@@ -1,9 +1,9 @@
 """The transform of a joint in closed form: `predecessor_T_link` as formulas of q and parameters."""
 
-from collections.abc import Mapping
 from math import cos, pi, sin
 
 from kindsl.language.semantics.declarations import Joint
+from kindsl.language.semantics.expressions import Values
 from kindsl.robots.scene.formulas import affine_vector
 from kindsl.robots.scene.messages import Affine
 
@@ -13,7 +13,7 @@ VARIABLE = "q"
 Rows = tuple[tuple[str, ...], ...]
 
 
-def joint_transform(joint: Joint, values: Mapping[str, float]) -> Rows | None:
+def joint_transform(joint: Joint, values: Values) -> Rows | None:
     """Return the 4 rows of the link's pose in its predecessor, None if the pose is not whole.
 
     Values are those of parameters by name, and of constants by `<name>`.

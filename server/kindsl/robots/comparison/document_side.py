@@ -1,9 +1,9 @@
 """A document as a robot to compare: its bodies, and where its numbers stand."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 
 from kindsl.language.semantics.declarations import Link, Pose
-from kindsl.language.semantics.expressions import Expression
+from kindsl.language.semantics.expressions import Expression, Values
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import mass_distribution, triple, written_pose
 from kindsl.language.semantics.unknown import inertia_expressions
@@ -24,9 +24,7 @@ from kindsl.robots.mechanism.reading import named_frames
 from kindsl.robots.mechanism.total_mass import unknown_bodies
 
 
-def described_document(
-    label: str, model: Model, values: Mapping[str, float], skeleton: Linkage
-) -> ComparedSide:
+def described_document(label: str, model: Model, values: Values, skeleton: Linkage) -> ComparedSide:
     """Return a document's robot; what cannot be read is named in `unknown`.
 
     Args:
@@ -53,14 +51,14 @@ def described_document(
     return exactly_turned(described)
 
 
-def _unknown(model: Model, values: Mapping[str, float]) -> Iterator[str]:
+def _unknown(model: Model, values: Values) -> Iterator[str]:
     yield from (name for name, why in unknown_bodies(model, values).items() if why != NO_INERTIA)
     for joint in model.joints:
         if written_pose(joint.pose, values) is None:
             yield str(joint.name)
 
 
-def _inertias(link: Link, values: Mapping[str, float]) -> tuple[WrittenInertia, ...]:
+def _inertias(link: Link, values: Values) -> tuple[WrittenInertia, ...]:
     inertia = link.inertia
     body = None if inertia is None else mass_distribution(inertia, values)
     if inertia is None or body is None:
@@ -71,7 +69,7 @@ def _inertias(link: Link, values: Mapping[str, float]) -> tuple[WrittenInertia, 
     return (WrittenInertia(str(link.name), body.numbers, numbers, pose),)
 
 
-def _pose(owner: str, pose: Pose, values: Mapping[str, float], known: RigidPose) -> WrittenPose:
+def _pose(owner: str, pose: Pose, values: Values, known: RigidPose) -> WrittenPose:
     vectors = [vector for vector in pose if vector is not None]
     written = tuple(each for vector in vectors for each in triple(vector, values) or ())
     if len(written) != len(POSE):
@@ -80,11 +78,11 @@ def _pose(owner: str, pose: Pose, values: Mapping[str, float], known: RigidPose)
     return WrittenPose(owner, written, _numbers(expressions, values))
 
 
-def _numbers(expressions: Iterable[Expression | None], values: Mapping[str, float]) -> Numbers:
+def _numbers(expressions: Iterable[Expression | None], values: Values) -> Numbers:
     return tuple(None if e is None else _number(e, values) for e in expressions)
 
 
-def _number(expression: Expression, values: Mapping[str, float]) -> WrittenNumber:
+def _number(expression: Expression, values: Values) -> WrittenNumber:
     value = expression.value(values) or 0.0
     half = expression.rounding(values) if _is_decimal(expression.node) else 0.0
     return WrittenNumber(expression.text, value, half, expression)

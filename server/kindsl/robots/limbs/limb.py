@@ -1,10 +1,11 @@
 """Limbs in plain numbers, and which of a robot are meant to be alike."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import combinations
 from typing import NamedTuple
 
 from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.expressions import Values
 from kindsl.language.semantics.kinematic_tree import Edge, KinematicTree
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import triple, written_pose
@@ -20,7 +21,6 @@ _FEWEST = {True: 2, False: 3}
 
 AT_ORIGIN = IDENTITY.translation
 Side = tuple[object, ...]
-Values = Mapping[str, float]
 
 
 class Body(NamedTuple):

@@ -4,10 +4,11 @@ from collections.abc import Iterator
 from itertools import product as combinations
 
 from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.expressions import Values
 from kindsl.language.semantics.kinematic_tree import KinematicTree
 from kindsl.mechanics.rigid.pose import Rotation, turned
 from kindsl.robots.limbs.comparison import LimbComparison, Tolerance
-from kindsl.robots.limbs.limb import Body, Match, Values, body_of, way_up
+from kindsl.robots.limbs.limb import Body, Match, body_of, way_up
 from kindsl.robots.limbs.mounts import Mount, diagonal, moved
 
 _NEAR = Tolerance(1e-9, 0.02, 0.02)

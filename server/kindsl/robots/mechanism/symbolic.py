@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import cast
 
 from kindsl.language.semantics import declarations as declared
-from kindsl.language.semantics.expressions import Expression
+from kindsl.language.semantics.expressions import Expression, Values
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.parameters import JointProperties
 from kindsl.language.syntax.vocabulary import MOMENTS
@@ -25,7 +25,7 @@ PLACEHOLDER = 0.731
 
 def symbolic_robot(
     model: Model,
-    values: Mapping[str, float],
+    values: Values,
     inputs: Collection[str],
     told: Mapping[str, JointProperties] | None = None,
 ) -> Robot:
@@ -71,7 +71,7 @@ class _ScalarReader:
         inputs: The parameters that stay inputs.
     """
 
-    def __init__(self, values: Mapping[str, float], inputs: dict[str, Term]) -> None:
+    def __init__(self, values: Values, inputs: dict[str, Term]) -> None:
         self.inputs = inputs
         # The arithmetic of values is that of their operands.
         self._values = cast(Mapping[str, float], {**values, **inputs})

@@ -1,11 +1,11 @@
 """The mass of a robot, whether it is complete, and what is missing from it."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from math import isfinite
 from typing import NamedTuple
 
 from kindsl.language.semantics.declarations import Link
-from kindsl.language.semantics.expressions import is_undecided, symbols
+from kindsl.language.semantics.expressions import Values, is_undecided, symbols
 from kindsl.language.semantics.kinematic_tree import Edge
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.unknown import Unknown, why_unknown
@@ -59,7 +59,7 @@ class Weight(NamedTuple):
 NO_MASS = Weight(0.0)
 
 
-def total_mass(model: Model, values: Mapping[str, float]) -> Weight:
+def total_mass(model: Model, values: Values) -> Weight:
     """Return the mass of all that moves: of a fixed base nothing, unless it is all there is.
 
     Args:
@@ -72,13 +72,13 @@ def total_mass(model: Model, values: Mapping[str, float]) -> Weight:
     return total
 
 
-def missing_masses(model: Model, values: Mapping[str, float]) -> list[tuple[str, Unknown]]:
+def missing_masses(model: Model, values: Values) -> list[tuple[str, Unknown]]:
     """Return the bodies by name whose masses `total_mass` lacks, and why."""
     parts = _parts(model, values)
     return [(name, weight.reason) for name, weight in parts if not weight.is_whole]
 
 
-def unknown_bodies(model: Model, values: Mapping[str, float]) -> dict[str, Unknown]:
+def unknown_bodies(model: Model, values: Values) -> dict[str, Unknown]:
     """Return the moving bodies by name whose mass, CoM or moments are not known, and why."""
     found: dict[str, Unknown] = {}
     for body in model.bodies:
@@ -88,7 +88,7 @@ def unknown_bodies(model: Model, values: Mapping[str, float]) -> dict[str, Unkno
     return found
 
 
-def _parts(model: Model, values: Mapping[str, float]) -> Iterator[tuple[str, Weight]]:
+def _parts(model: Model, values: Values) -> Iterator[tuple[str, Weight]]:
     """Yield what each body adds, and what is named but not there."""
     if model.base is None:
         yield "", Weight(0.0, 1, Unknown("there is no base"))
@@ -99,12 +99,12 @@ def _parts(model: Model, values: Mapping[str, float]) -> Iterator[tuple[str, Wei
         yield str(edge.child.link), edge_mass(edge)
 
 
-def body_mass(body: Link, values: Mapping[str, float]) -> Weight:
+def body_mass(body: Link, values: Values) -> Weight:
     """Return what a body adds to a total: a fixed base nothing, a negative mass a gap."""
     return NO_MASS if body.is_base and not body.is_floating else _whole_mass(body, values)
 
 
-def _whole_mass(body: Link, values: Mapping[str, float]) -> Weight:
+def _whole_mass(body: Link, values: Values) -> Weight:
     known = link_inertia(body, values)
     mass = own_mass(body, values) if isinstance(known, Unknown) else known.mass
     if isinstance(mass, Unknown):
@@ -114,7 +114,7 @@ def _whole_mass(body: Link, values: Mapping[str, float]) -> Weight:
     return Weight(mass)
 
 
-def fixed_base_mass(model: Model, values: Mapping[str, float]) -> float:
+def fixed_base_mass(model: Model, values: Values) -> float:
     """Return the mass that is written for a fixed base, which moves nothing; kg, zero if none."""
     base = model.base
     mass = 0.0 if base is None or base.is_floating else own_mass(base, values)
@@ -136,7 +136,7 @@ def added(a: Weight, b: Weight) -> Weight:
     return Weight(a.known + b.known, a.n_missing + b.n_missing, reason)
 
 
-def own_mass(body: Link, values: Mapping[str, float]) -> float | Unknown:
+def own_mass(body: Link, values: Values) -> float | Unknown:
     """Return the mass that is written for a body, kg, or why it is not known."""
     written = body.inertia.mass if body.inertia is not None else None
     if written is None or not written.text:

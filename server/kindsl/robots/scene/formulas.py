@@ -4,11 +4,11 @@ In this language a value is a number, or a number times a parameter. So each com
 translation or rotation is told as its value with all parameters zero, and a factor for each.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import Literal
 
 from kindsl.language.semantics.declarations import Link, Pose, Vector
-from kindsl.language.semantics.expressions import Expression, ParameterUse, symbols
+from kindsl.language.semantics.expressions import Expression, ParameterUse, Values, symbols
 from kindsl.language.semantics.model import Model
 from kindsl.robots.scene.messages import Affine, FormulaMessage, path_of
 
@@ -16,7 +16,7 @@ _COMPONENTS = 3
 _ELSEWHERE = 2.3
 
 
-def formula_messages(model: Model, values: Mapping[str, float]) -> Iterator[FormulaMessage]:
+def formula_messages(model: Model, values: Values) -> Iterator[FormulaMessage]:
     """Yield the formula of each joint and frame whose place has parameters in it.
 
     Args:
@@ -32,11 +32,7 @@ def formula_messages(model: Model, values: Mapping[str, float]) -> Iterator[Form
 
 
 def _formula(
-    group: Literal["joints", "frames"],
-    name: str,
-    carrier: Link,
-    pose: Pose,
-    values: Mapping[str, float],
+    group: Literal["joints", "frames"], name: str, carrier: Link, pose: Pose, values: Values
 ) -> Iterator[FormulaMessage]:
     translation, rotation = (
         affine_vector(pose.translation, values),
@@ -59,7 +55,7 @@ def _formula(
     )
 
 
-def affine_vector(vector: Vector | None, values: Mapping[str, float]) -> tuple[Affine, ...] | None:
+def affine_vector(vector: Vector | None, values: Values) -> tuple[Affine, ...] | None:
     """Return the components of a vector, None if one has another form or no value."""
     if vector is None:
         return None
@@ -68,7 +64,7 @@ def affine_vector(vector: Vector | None, values: Mapping[str, float]) -> tuple[A
     return known if len(known) == _COMPONENTS else None
 
 
-def affine_component(expression: Expression, values: Mapping[str, float]) -> Affine | None:
+def affine_component(expression: Expression, values: Values) -> Affine | None:
     """Return the value at zero and the factor of each parameter, None if it is not affine."""
     names = {str(use.name) for use in symbols(expression) if isinstance(use, ParameterUse)}
     at_zero = {**values, **dict.fromkeys(names, 0.0)}

@@ -6,7 +6,7 @@ from statistics import median
 from typing import NamedTuple
 
 from kindsl.language.semantics.declarations import Frame, Joint, ValueKind
-from kindsl.language.semantics.expressions import ParameterUse, symbols
+from kindsl.language.semantics.expressions import ParameterUse, Values, symbols
 from kindsl.language.semantics.model import Model
 
 USUAL_LENGTH = 0.3  # metres
@@ -24,12 +24,12 @@ class Guesses(NamedTuple):
         frames: Names of the optional frames whose place is a guess.
     """
 
-    values: Mapping[str, float]
+    values: Values
     left_out: tuple[str, ...]
     joints: frozenset[str]
     frames: frozenset[str]
 
-    def beside(self, known: Mapping[str, float]) -> dict[str, float]:
+    def beside(self, known: Values) -> dict[str, float]:
         """Return known values, and the guesses of those that lack."""
         return {**known, **self.values}
 
@@ -37,7 +37,7 @@ class Guesses(NamedTuple):
 NO_GUESSES = Guesses({}, (), frozenset(), frozenset())
 
 
-def guesses(model: Model, values: Mapping[str, float]) -> Guesses:
+def guesses(model: Model, values: Values) -> Guesses:
     """Return what to draw with in place of missing values.
 
     Args:
@@ -57,7 +57,7 @@ def guesses(model: Model, values: Mapping[str, float]) -> Guesses:
     return Guesses(found, left_out, frozenset(joints), frozenset(names))
 
 
-def _typical_length(model: Model, values: Mapping[str, float]) -> float:
+def _typical_length(model: Model, values: Values) -> float:
     """Return the median distance between a link's frame and its joints, metres."""
     lengths: list[float] = []
     for joint in model.joints:

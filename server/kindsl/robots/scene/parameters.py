@@ -5,16 +5,14 @@ from collections.abc import Mapping
 from typing import assert_never
 
 from kindsl.language.semantics.declarations import ValueKind
+from kindsl.language.semantics.expressions import Values
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.parameters import Binding, Parameter
 from kindsl.robots.scene.messages import ParameterMessage, path_of
 
 
 def parameter_messages(
-    model: Model,
-    bindings: Mapping[str, Binding],
-    typed: Mapping[str, float],
-    guessed: Mapping[str, float],
+    model: Model, bindings: Mapping[str, Binding], typed: Values, guessed: Values
 ) -> list[ParameterMessage]:
     """Return a row for each parameter, in the order of the document.
 

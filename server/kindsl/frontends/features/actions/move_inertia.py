@@ -5,7 +5,7 @@ their present values alone.
 """
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from math import ceil, log10
 from typing import NamedTuple
 
@@ -19,7 +19,7 @@ from kindsl.judgement.diagnosis.judgements import IMPOSSIBLE, Verdict, is_plain,
 from kindsl.judgement.rules.base import Severity
 from kindsl.judgement.rules.context import ROBCOGEN2
 from kindsl.language.semantics.declarations import Frame, Inertia, Link
-from kindsl.language.semantics.expressions import half_unit, symbols
+from kindsl.language.semantics.expressions import Values, half_unit, symbols
 from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.numbers import written_pose
 from kindsl.language.semantics.unknown import Unknown, pose_expressions
@@ -145,7 +145,7 @@ def _is_movable(inertia: Inertia) -> bool:
     return is_once and is_plain(inertia)
 
 
-def _literal_pose(frame: Frame, values: Mapping[str, float]) -> RigidPose | None:
+def _literal_pose(frame: Frame, values: Values) -> RigidPose | None:
     if any(True for expression in pose_expressions(frame.pose) for _ in symbols(expression)):
         return None
     return written_pose(frame.pose, values)

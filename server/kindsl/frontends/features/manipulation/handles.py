@@ -1,6 +1,6 @@
 """The numbers of a thing as its card and its handles in the picture show them."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from kindsl.frontends.features.manipulation.gesture import Refusal
 from kindsl.frontends.features.manipulation.things import (
@@ -12,15 +12,14 @@ from kindsl.frontends.features.manipulation.things import (
 )
 from kindsl.frontends.features.value_place import place_of_name
 from kindsl.judgement.analysis.analysis import Analysis
+from kindsl.language.semantics.expressions import Values
 from kindsl.language.semantics.model import Model
 from kindsl.robots.scene.messages import Handle
 
-_NO_VALUES: Mapping[str, float] = {}
+_NO_VALUES: Values = {}
 
 
-def handles(
-    analysis: Analysis, thing: Thing, typed: Mapping[str, float] = _NO_VALUES
-) -> Iterator[Handle]:
+def handles(analysis: Analysis, thing: Thing, typed: Values = _NO_VALUES) -> Iterator[Handle]:
     """Yield the components of a thing: three of a centre of mass, else six.
 
     Args:
@@ -35,7 +34,7 @@ def handles(
             yield _handle(analysis.model, name, found, values)
 
 
-def _handle(model: Model, name: str, own: Component, values: Mapping[str, float]) -> Handle:
+def _handle(model: Model, name: str, own: Component, values: Values) -> Handle:
     value, text, carrier = own.expression.value(values), own.expression.text, own.carrier
     if isinstance(carrier, Carrier):
         along = _places_moved_by(model, carrier, own)

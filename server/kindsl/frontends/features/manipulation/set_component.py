@@ -1,6 +1,6 @@
 """The edit of one drag: one number of one thing, or the parameter that carries it."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from math import inf, isclose, isfinite
 from typing import NamedTuple
 
@@ -14,11 +14,11 @@ from kindsl.frontends.features.manipulation.things import (
 )
 from kindsl.frontends.features.manipulation.value_text import ValueText, angle_text, number_text
 from kindsl.judgement.analysis.analysis import Analysis
-from kindsl.language.semantics.expressions import Expression, ParameterUse
+from kindsl.language.semantics.expressions import Expression, ParameterUse, Values
 from kindsl.language.semantics.parameters import Parameter
 from kindsl.language.text.edits import TextEdit
 
-_NO_VALUES: Mapping[str, float] = {}
+_NO_VALUES: Values = {}
 _UNCHANGED = 1e-12  # below the ten decimals that are written
 
 
@@ -48,7 +48,7 @@ def set_component(
     name: str,
     value: float,
     step: float | None = None,
-    typed: Mapping[str, float] = _NO_VALUES,
+    typed: Values = _NO_VALUES,
 ) -> ComponentChange | Refusal:
     """Return what to write so that a component has a value.
 
@@ -81,7 +81,7 @@ def set_component(
 
 
 def _of_symbol(
-    analysis: Analysis, label: str, carrier: Carrier, value: float, typed: Mapping[str, float]
+    analysis: Analysis, label: str, carrier: Carrier, value: float, typed: Values
 ) -> ComponentChange | Refusal:
     """Return the change of the symbol in a component, made where the symbol gets its value."""
     name, is_parameter = str(carrier.use.name), isinstance(carrier.use, ParameterUse)

@@ -7,7 +7,6 @@ that changes torques most first.
 
 import json
 import re
-from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
@@ -15,6 +14,7 @@ from kindsl.frontends.mcp.documents import BoundArguments, built, document
 from kindsl.frontends.mcp.folder import Folder, ToolError
 from kindsl.frontends.mcp.tool import Arguments, Content, Field, text
 from kindsl.judgement.analysis.compared_document import compared_document
+from kindsl.language.semantics.expressions import Values
 from kindsl.products.reports.mechanics import facts, lines, report_of
 from kindsl.robots.comparison.side import ComparedSide
 from kindsl.robots.interchange.descriptions import (
@@ -52,7 +52,7 @@ def run(arguments: DiffArguments, folder: Folder) -> list[Content]:
     return [text(found), text(json.dumps(facts(report), indent=1))]
 
 
-def _compared_robot(given: str, folder: Folder, parameters: Mapping[str, float]) -> ComparedSide:
+def _compared_robot(given: str, folder: Folder, parameters: Values) -> ComparedSide:
     arguments = BoundArguments(path=given, text=None, parameters=dict(parameters))
     path, analysis = document(arguments, folder)
     return compared_document(

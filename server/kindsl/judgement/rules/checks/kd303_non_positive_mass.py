@@ -17,13 +17,13 @@ mass = -1.5
 Writes the mass without its sign where the body is possible then. Unsafe: it is a guess.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from kindsl.judgement.diagnosis.judgements import Verdict, is_moving, verdict_of
 from kindsl.judgement.rules.base import Finding, Fix, Replacement, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.language.semantics.declarations import Declarations, Inertia
-from kindsl.language.semantics.expressions import Expression
+from kindsl.language.semantics.expressions import Expression, Values
 from kindsl.language.semantics.numbers import mass_distribution
 from kindsl.language.semantics.places import has_problem_within
 from kindsl.language.text.quantities import with_unit
@@ -47,7 +47,7 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
             yield Finding(mass, message, severity=Severity.WARNING)
 
 
-def _without_sign(inertia: Inertia, mass: Expression, values: Mapping[str, float]) -> Fix | None:
+def _without_sign(inertia: Inertia, mass: Expression, values: Values) -> Fix | None:
     """Return the fix that takes the sign away, None where the body would be impossible still."""
     # Imported for a mass below zero only, since it delays the linter's start.
     from kindsl.judgement.diagnosis.digits import likely_half_widths, numbers_written

@@ -12,12 +12,12 @@ rotation = (PI/0.0, 0.0, 0.0)
 ```
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
 from kindsl.language.semantics.declarations import Declarations
-from kindsl.language.semantics.expressions import Expression
+from kindsl.language.semantics.expressions import Expression, Values
 from kindsl.language.semantics.places import Place
 from kindsl.language.syntax.tree import Island, Node
 
@@ -28,7 +28,7 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
             yield from _divisions(value.node, value.island, context.values)
 
 
-def _divisions(node: Node, island: Island, values: Mapping[str, float]) -> Iterator[Finding]:
+def _divisions(node: Node, island: Island, values: Values) -> Iterator[Finding]:
     parts = [child for child in node.children if isinstance(child, Node)]
     if node.kind == "divide" and len(parts) == 2:
         divisor = Expression(parts[1], island)

@@ -1,6 +1,6 @@
 """Inertias of a left and a right part that are nearly mirror images."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from functools import partial
 from math import isclose
 
@@ -8,6 +8,7 @@ from kindsl.judgement.diagnosis.counterparts import images, is_turned_image
 from kindsl.judgement.diagnosis.judgements import TEN, keyword
 from kindsl.judgement.rules.base import Finding, Related
 from kindsl.language.semantics.declarations import Link
+from kindsl.language.semantics.expressions import Values
 from kindsl.language.semantics.model import Model, model_part
 from kindsl.language.syntax.document import Chunk
 from kindsl.language.syntax.vocabulary import MOMENTS
@@ -23,7 +24,6 @@ _MOST_DIFFERENCES = 2
 _OF_COM = [1, 2, 3]
 _ROUNDED = 1e-3
 
-Values = Mapping[str, float]
 _BodyOf = Callable[[Link, Values], object]
 
 
