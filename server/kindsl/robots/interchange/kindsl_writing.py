@@ -44,7 +44,8 @@ def described_kindsl(read: ReadRobot) -> WrittenRobot:
         for (kind, joint), name in named
         if kind == "joint" and joint in read.joints
     }
-    remarks = (*read.remarks, *_left_out(robot), *_renamed(robot))
+    renamed = (f"the {kind} '{old}' is now '{new}'" for (kind, old), new in named if new != old)
+    remarks = (*read.remarks, *_left_out(robot), *renamed)
     text, names = kindsl_text(robot, read.comments, read.unknown), dict(reversed(named))
     parts = ((part.name, body.name) for body in robot.bodies for part in body.frames)
     held = {("link", part): names["link", body] for part, body in parts}
@@ -95,15 +96,6 @@ def _left_out(robot: Linkage) -> Iterator[str]:
 
 def _comments(comments: Comments, kind: str, name: str) -> str:
     return "".join(f"// {line}\n" for line in comments.get((kind, name), ()))
-
-
-def _renamed(robot: Linkage) -> tuple[str, ...]:
-    things = _things(robot)
-    return tuple(
-        f"the {kind} '{original}' is now '{name}'"
-        for (kind, original), name in zip(things, valid_names(things), strict=True)
-        if name != original
-    )
 
 
 def _things(robot: Linkage) -> list[tuple[str, str]]:

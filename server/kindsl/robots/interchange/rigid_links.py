@@ -4,11 +4,11 @@ In a linkage joints turn about z or slide along it, and no joint is fixed: link 
 turned with their joints, and what is fixed to a link becomes a frame and a mass of it.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from kindsl.mechanics.rigid.body import MassDistribution, Symmetric, seen_from
+from kindsl.mechanics.rigid.body import MassDistribution, seen_from
 from kindsl.mechanics.rigid.joint_kind import JointKind
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3, rotation_from_z
 from kindsl.robots.interchange.format import FormatError
@@ -169,7 +169,9 @@ def _body_of(
     return body, joint_T_body.inverse().then(link.joint_T_link)
 
 
-def about_origin(mass: float, tensor: Symmetric, link_T_inertial: RigidPose) -> MassDistribution:
+def about_origin(
+    mass: float, tensor: Iterable[float], link_T_inertial: RigidPose
+) -> MassDistribution:
     """Return mass and inertia in the link's frame.
 
     Args:

@@ -270,14 +270,9 @@ def mass_of(link: Any) -> MassDistribution:
         what = "of an inertia is relative to another frame, which SDFormat refuses"
         raise defect(pose, what, "KD001")
     inertia = inertial.find("inertia")
-    tensor = _UNIT if inertia is None else _tensor(inertia)
-    return about_origin(number_of(inertial, "mass", 1.0), tensor, pose_of(inertial))
-
-
-def _tensor(inertia: Any) -> Symmetric:
     named = zip(TENSOR, _UNIT, strict=True)
-    xx, yy, zz, xy, xz, yz = (number_of(inertia, tag, default) for tag, default in named)
-    return xx, yy, zz, xy, xz, yz
+    tensor = [x if inertia is None else number_of(inertia, tag, x) for tag, x in named]
+    return about_origin(number_of(inertial, "mass", 1.0), tensor, pose_of(inertial))
 
 
 def _default_masses(model: Any, start: str, base: BaseKind) -> Iterator[str]:

@@ -7,7 +7,7 @@ from typing import Any
 
 from kindsl.language.semantics.parameters import JointProperties
 from kindsl.language.text.phrases import counted
-from kindsl.mechanics.rigid.body import MassDistribution, Symmetric
+from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import (
     IDENTITY,
     RigidPose,
@@ -142,17 +142,9 @@ def _body(link: Any) -> MassDistribution | None:
     inertial = link.find("inertial")
     if inertial is None:
         return None
-    mass = numbers_of(inertial.find("mass"), "value", 1)[0]
-    return about_origin(
-        mass, _tensor(inertial.find("inertia")), pose_of_origin(inertial.find("origin"))
-    )
-
-
-def _tensor(inertia: Any) -> Symmetric:
-    if inertia is None:
-        return (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-    xx, yy, zz, xy, xz, yz = (numbers_of(inertia, name, 1)[0] for name in TENSOR)
-    return xx, yy, zz, xy, xz, yz
+    mass, inertia = numbers_of(inertial.find("mass"), "value", 1)[0], inertial.find("inertia")
+    tensor = [0.0 if inertia is None else numbers_of(inertia, name, 1)[0] for name in TENSOR]
+    return about_origin(mass, tensor, pose_of_origin(inertial.find("origin")))
 
 
 def pose_of_origin(origin: Any) -> RigidPose:
