@@ -277,9 +277,15 @@ def _without_meaning(
             slips.append((Slip.PLACEHOLDER, (f"about {moments[0]:.3g}{where}",)))
             break
     for slip, names in slips:
-        h = Hypothesis((slip,), body, found.half, TABLE[slip].weight, names)
-        shape = MassShape(second_moments_about_com(body), body.moments, found.second_moments)
-        yield Cause(h, shape, (), log_weight, log_weight)
+        yield traceless(found, slip, names, log_weight)
+
+
+def traceless(found: Judgement, slip: Slip, names: tuple[str, ...], log_weight: float) -> Cause:
+    """Return a cause that leaves no trace of the numbers that were meant."""
+    body = found.body
+    h = Hypothesis((slip,), body, found.half, TABLE[slip].weight, names)
+    shape = MassShape(second_moments_about_com(body), body.moments, found.second_moments)
+    return Cause(h, shape, (), log_weight, log_weight)
 
 
 def ranked(causes: Sequence[Cause], others: Mapping[Kind, float], rest: float) -> list[Cause]:

@@ -9,16 +9,22 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from kindsl.judgement.diagnosis.counterparts import is_mirror_image
-from kindsl.judgement.diagnosis.evidence import MassShape
 from kindsl.judgement.diagnosis.fitted import AS_WRITTEN, EXPECTED, MIRRORED
-from kindsl.judgement.diagnosis.judge import Cause, merged, ranked, weighed, weighed_as_written
+from kindsl.judgement.diagnosis.judge import (
+    Cause,
+    merged,
+    ranked,
+    traceless,
+    weighed,
+    weighed_as_written,
+)
 from kindsl.judgement.diagnosis.judgements import Judgement, is_round, judgement_of
-from kindsl.judgement.diagnosis.slips import TABLE, Hypothesis, Slip, hypotheses
+from kindsl.judgement.diagnosis.slips import Slip, hypotheses
 from kindsl.judgement.diagnosis.surroundings import same_moments, surroundings
 from kindsl.judgement.diagnosis.unlike import APART, NEARLY, Unlike
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
-from kindsl.mechanics.rigid.body import MassDistribution, second_moments_about_com
+from kindsl.mechanics.rigid.body import MassDistribution
 
 # What arithmetic leaves of six digits.
 _AS_COMPUTED = 2e-6
@@ -80,16 +86,11 @@ def _tried(
         # By half of it: slips of either link, as common, then differ by what the two shapes do.
         likely = 0.5 * (cause.log_alone - written.log_alone)
         yield Misfit(found, peers, cause._replace(reasons=(), log_likelihood=likely))
-    # Where two others agree, their numbers are what was meant.
-    for h in _traceless(found, peers, model) if len(peers) == 1 else ():
-        shape = MassShape(second_moments_about_com(body), body.moments, found.second_moments)
-        yield Misfit(found, peers, Cause(h, shape, (), 0.0, 0.0))
-
-
-def _traceless(found: Judgement, peers: tuple[str, ...], model: Model) -> Iterator[Hypothesis]:
-    copy = next((name for name in same_moments(model, found.link) if name not in peers), None)
-    slips: list[tuple[Slip, tuple[str, ...]]] = [(Slip.COPY, (copy, "moments"))] if copy else []
-    if is_round(found.body.moments):
-        slips.append((Slip.PLACEHOLDER, (f"{found.body.moments[0]:.1g}",)))
-    for slip, named in slips:
-        yield Hypothesis((slip,), found.body, found.half, TABLE[slip].weight, named)
+    if len(peers) > 1:
+        return  # They agree, so their numbers are what was meant.
+    copy = next((name for name in same_moments(model, link) if name not in peers), None)
+    if copy:
+        yield Misfit(found, peers, traceless(found, Slip.COPY, (copy, "moments"), 0.0))
+    if is_round(body.moments):
+        names = (f"{body.moments[0]:.1g}",)
+        yield Misfit(found, peers, traceless(found, Slip.PLACEHOLDER, names, 0.0))

@@ -22,16 +22,16 @@ _Values = TypeVar("_Values", Symmetric, Vector3)
 Kind = tuple[object, ...]
 
 _PRODUCTS = (3, 4, 5)
-# What people write moments in: CAD programs in grams or kilograms, finite elements in tonnes.
+# What people write moments in: CAD programs in grams or kilograms, finite elements in tonnes,
+# nobody in any other power of ten.
 _UNITS = (
     (-9, "g·mm²", 1.0),
     (-6, "kg·mm²", 1.0),
     (-7, "g·cm²", 1.0),
     (-4, "kg·cm²", 1.0),
     (-3, "t·mm²", 0.25),
+    *((power, "", 2.5e-5) for power in (-1, 1, -2, 2, 3, 4, 6)),
 )
-_OTHER_POWERS = (-1, 1, -2, 2, 3, 4, 6)
-_ANY_POWER = 2.5e-5
 # A second slip is looked for beside the units of CAD programs only.
 _GREATEST_OF_PAIR = -4
 _MASSES = ((-3, "g", 1.0), (-1, "", 0.1), (1, "", 0.1))
@@ -202,18 +202,13 @@ def _other_signs_about_com(h: Hypothesis) -> Iterator[Hypothesis]:
         )
 
 
-def _about_origin(h: Hypothesis) -> Iterator[Hypothesis]:
+def _shifted(share: float, h: Hypothesis) -> Iterator[Hypothesis]:
     if any(h.body.com):
-        yield h._replace(body=shifted(h.body))
-
-
-def _shifted_once(h: Hypothesis) -> Iterator[Hypothesis]:
-    if any(h.body.com):
-        yield h._replace(body=shifted(h.body, -1.0))
+        yield h._replace(body=shifted(h.body, share))
 
 
 def _scaled(h: Hypothesis) -> Iterator[Hypothesis]:
-    for power, unit, share in (*_UNITS, *((power, "", _ANY_POWER) for power in _OTHER_POWERS)):
+    for power, unit, share in _UNITS:
         scaled = _changed(h, "moments", partial(_times, 10.0**power))
         yield scaled._replace(weight=share * h.weight, power=power, unit=unit)
 
@@ -302,7 +297,7 @@ class SlipRow(NamedTuple):
 _COMMON, _SELDOM, _RARE = 1.0, 0.3, 0.1
 
 TABLE = {
-    Slip.REFERENCE: SlipRow("KD306", _COMMON, _about_origin),
+    Slip.REFERENCE: SlipRow("KD306", _COMMON, partial(_shifted, 1.0)),
     Slip.SIGNS: SlipRow("KD307", _COMMON, _other_signs),
     Slip.SIGNS_THERE: SlipRow("KD307", _SELDOM, _other_signs_about_com),
     Slip.SCALE: SlipRow("KD308", _SELDOM, _scaled),
@@ -314,7 +309,7 @@ TABLE = {
     Slip.COM_SIGN: SlipRow("KD307", _SELDOM, _other_com_sign),
     Slip.SWAP: SlipRow("KD307", _RARE, _swapped),
     Slip.ROWS: SlipRow("KD307", _RARE, _by_rows),
-    Slip.TWICE: SlipRow("KD306", _RARE, _shifted_once),
+    Slip.TWICE: SlipRow("KD306", _RARE, partial(_shifted, -1.0)),
     Slip.COM_ORDER: SlipRow("KD307", _RARE, _other_com_order),
     Slip.AXES: SlipRow("KD307", _RARE, _about_other_axes),
     # Equal round moments are no body's by chance, nor are the same digits in two unlike links.
