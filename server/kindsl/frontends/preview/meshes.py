@@ -11,7 +11,7 @@ from kindsl.language.semantics.expressions import Values
 from kindsl.language.semantics.model import Model
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
 from kindsl.robots.comparison.document_side import described_document
-from kindsl.robots.comparison.features import AxisLine, lines_apart
+from kindsl.robots.comparison.features import axis_of, lines_apart
 from kindsl.robots.comparison.mechanical import MechanicalComparison, compared_mechanics
 from kindsl.robots.comparison.restated import body_frame, restated
 from kindsl.robots.comparison.twins import TwinFile
@@ -137,22 +137,17 @@ def _refused(
         if body is None:
             yield its, f"meshes of joint '{joint}' of {name} left out: it matches none here"
             continue
-        link, kind = ours.link_names[body - 1], theirs.joint_kinds[its - 1]
-        sine, distance = lines_apart(_axis(ours, body), _axis(other, its))
-        if kind != ours.joint_kinds[body - 1]:
+        link, own_kind = ours.link_names[body - 1], ours.joint_kinds[body - 1]
+        kind = theirs.joint_kinds[its - 1]
+        poses = ours.placements[body - 1], other.placements[its - 1]
+        sine, distance = lines_apart(*(axis_of(own_kind, pose) for pose in poses))
+        if kind != own_kind:
             yield its, f"meshes of '{link}' left out: its joint is {kind} in {name}"
         elif sine > _TURNED or distance > _FAR * (size or 1.0):
             turned = f"{degrees(asin(min(1.0, sine))):.3g}°" if sine > _DUST else ""
             gap = f"{1e3 * distance:.3g} mm" if distance > _DUST else ""
             away = f"{' and '.join(filter(None, (gap, turned)))} away in {name}"
             yield its, f"meshes of '{link}' left out: the axis of its joint is {away}"
-
-
-def _axis(skeleton: Linkage, body: int) -> AxisLine:
-    pose = skeleton.placements[body - 1]
-    x, y, z = (row[2] for row in pose.rotation)
-    is_free = skeleton.joint_kinds[body - 1] == "prismatic"
-    return AxisLine(pose.translation, (x, y, z), is_free)
 
 
 def _placed(

@@ -85,14 +85,13 @@ def _add_link(
     model: Element, skeleton: Linkage, names: dict[tuple[str, str], str], link: int, parent: str
 ) -> Element:
     """Add a link and its joint; return the joint's axis."""
-    i = link - 1
-    name = names["link", skeleton.link_names[i]]
-    joint_name = names["joint", skeleton.joint_names[i]]
+    body = skeleton.bodies[link]
+    name, joint_name = names["link", body.name], names["joint", body.joint]
     element = added(model, "link", name=name)
     added(element, "pose", relative_to=joint_name)
     _add_inertial(element, skeleton.masses[link])
-    joint = _add_joint(model, joint_name, skeleton.joint_kinds[i], parent, name)
-    _add_pose(joint, skeleton.placements[i], relative_to=parent)
+    joint = _add_joint(model, joint_name, body.kind, parent, name)
+    _add_pose(joint, body.placement, relative_to=parent)
     axis = added(joint, "axis")
     added(axis, "xyz").text = "0 0 1"
     return axis

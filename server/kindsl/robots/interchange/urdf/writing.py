@@ -35,18 +35,16 @@ def written_urdf(name: str, skeleton: Linkage, choices: WritingChoices = ORDINAR
             two coordinates; and what is told of joints.
     """
     robot = Element("robot", {"name": name})
-    for body_name, body in zip(skeleton.body_names, skeleton.masses, strict=True):
-        _add_inertial(added(robot, "link", name=body_name), body)
+    for body_name, mass in zip(skeleton.body_names, skeleton.masses, strict=True):
+        _add_inertial(added(robot, "link", name=body_name), mass)
     for frame in skeleton.frames:
         added(robot, "link", name=frame.name)
     for link, parent in skeleton.links():
-        i = link - 1
-        own = choices.joints.get(skeleton.joint_names[i], UNTOLD)
-        is_endless = _is_endless(skeleton.joint_kinds[i], own, choices)
-        kind = "continuous" if is_endless else skeleton.joint_kinds[i]
-        joint = added(robot, "joint", name=skeleton.joint_names[i], type=kind)
-        ends = skeleton.body_names[parent], skeleton.body_names[link]
-        _add_ends(joint, *ends, skeleton.placements[i])
+        body = skeleton.bodies[link]
+        own = choices.joints.get(body.joint, UNTOLD)
+        kind = "continuous" if _is_endless(body.kind, own, choices) else body.kind
+        joint = added(robot, "joint", name=body.joint, type=kind)
+        _add_ends(joint, skeleton.body_names[parent], body.name, body.placement)
         added(joint, "axis", xyz=_numbers(0.0, 0.0, 1.0))
         _add_numbers(joint, "limit", _limits(kind, own))
         _add_numbers(joint, "dynamics", {"damping": own.damping, "friction": own.friction})
