@@ -29,8 +29,5 @@ def run(_args: argparse.Namespace) -> int:
         needs = f"{error.name} is not installed: pip install 'kindsl[mcp]'"
         print(f"kindsl mcp: error: {needs}", file=sys.stderr)
         return 2
-    try:
-        asyncio.run(serve_stdio(Path.cwd()))
-    except KeyboardInterrupt:
-        return 130
+    asyncio.run(serve_stdio(Path.cwd()))
     return 0
