@@ -11,7 +11,7 @@ from kindsl.frontends.preview.access import ADDRESS, Access, new_token
 from kindsl.frontends.preview.assets import PreviewUnavailableError, assets
 from kindsl.frontends.preview.documents import DocumentPreviews, OnEdit, OnReveal, identifier
 from kindsl.frontends.preview.handlers import LiveHandler, Serving, application
-from kindsl.frontends.preview.session import PreviewSession, last_session, remember
+from kindsl.frontends.preview.session import last_session, remember
 
 GOING_AWAY = 1001
 PATIENCE = 1.0  # seconds, for tabs to say goodbye
@@ -74,10 +74,10 @@ class PreviewServer(DocumentPreviews):
         last = last_session(self._session) if self._session else None
         if last is not None and self._access.port in (0, last.port):
             with suppress(PreviewUnavailableError):
-                return self._listen(Access(last.token, last.port))
+                return self._listen(last)
         address = self._listen(self._access)
         if self._session:
-            remember(self._session, PreviewSession(self.port, self.token))
+            remember(self._session, self._access)
         return address
 
     async def stop(self) -> None:

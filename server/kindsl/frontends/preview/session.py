@@ -10,29 +10,23 @@ import stat
 import tempfile
 from contextlib import suppress
 from pathlib import Path
-from typing import NamedTuple
+
+from kindsl.frontends.preview.access import Access
 
 
-class PreviewSession(NamedTuple):
-    """The port and the token of a server."""
-
-    port: int
-    token: str
-
-
-def last_session(name: str) -> PreviewSession | None:
-    """Return the last server's session of a name, None if there is none to be trusted."""
+def last_session(name: str) -> Access | None:
+    """Return the access to the last server of a name, None if there is none to be trusted."""
     folder = _folder()
     if folder is None:
         return None
     with suppress(OSError, ValueError, KeyError, TypeError):
         data = json.loads(_file(folder, name).read_text(encoding="utf-8"))
-        return PreviewSession(int(data["port"]), str(data["token"]))
+        return Access(str(data["token"]), int(data["port"]))
     return None
 
 
-def remember(name: str, session: PreviewSession) -> None:
-    """Keep a session for the next server; without a safe folder it is not kept."""
+def remember(name: str, session: Access) -> None:
+    """Keep port and token for the next server; without a safe folder it is not kept."""
     folder = _folder()
     if folder is None:
         return
@@ -40,7 +34,7 @@ def remember(name: str, session: PreviewSession) -> None:
         file = _file(folder, name)
         descriptor = os.open(file, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
         with os.fdopen(descriptor, "w", encoding="utf-8") as stream:
-            json.dump(session._asdict(), stream)
+            json.dump({"port": session.port, "token": session.token}, stream)
 
 
 def _file(folder: Path, name: str) -> Path:
