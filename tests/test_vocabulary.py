@@ -31,7 +31,6 @@ EXCEPTIONS: dict[str, str] = {
     "language/semantics/expressions.py": _MEANING,
     "language/semantics/lowering.py": _MEANING,
     "language/semantics/ranges.py": _MEANING,
-    "robots/interchange/sdf/document.py": "names elements of SDF, some of which are called alike",
 }
 
 

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 from itertools import chain
 
-from kindsl.frontends.features.actions.action import CodeAction
+from kindsl.frontends.features.actions.action import REWRITE, CodeAction
 from kindsl.frontends.features.completion.completion import Completions
 from kindsl.frontends.features.completion.item import CompletionItem
 from kindsl.frontends.features.outline import is_match
@@ -40,7 +40,6 @@ _PAIR = "base=${1:frame}, target=${2:frame}"
 _IN_LIST = re.compile(r"\bFrames\s*\{[^}]*\Z")
 
 _QUICK = "quickfix"
-_REWRITE = "refactor.rewrite"
 
 
 def transforms_completions(text: str, offset: int, model: Model | None) -> Completions:
@@ -97,7 +96,7 @@ def transforms_actions(text: str, model: Model | None, start: int, end: int) -> 
         if model is None or not model.name or not model.bodies:
             return []
         edit = TextEdit(0, len(text), transforms_document(model))
-        return [CodeAction(f"Write the transforms of '{model.name}'", _REWRITE, (edit,))]
+        return [CodeAction(f"Write the transforms of '{model.name}'", REWRITE, (edit,))]
     found = [*_listings(text, document, start, end)]
     if model is not None:
         found += [*_replacements(text, document, model, start, end)]
@@ -134,7 +133,7 @@ def _all_frames(document: TransformsDocument, model: Model) -> Iterator[CodeActi
     missing = [name for name in frame_names(model) if name not in listed]
     edit = _listed(document, missing)
     if missing and edit is not None:
-        yield CodeAction(f"List every frame of '{model.name}'", _REWRITE, (edit,))
+        yield CodeAction(f"List every frame of '{model.name}'", REWRITE, (edit,))
 
 
 def _listed(document: TransformsDocument, names: list[str]) -> TextEdit | None:

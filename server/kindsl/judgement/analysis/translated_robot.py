@@ -78,9 +78,8 @@ class TranslatedRobot(Analysis):
         """Return the findings in the file."""
         return self._judged.check(checkpoint)
 
-    def check_without_twins(self, checkpoint: Checkpoint = go_on) -> Findings:
-        """Return the findings in the file, which is compared with nothing."""
-        return self._judged.check(checkpoint)
+    # It is compared with nothing.
+    check_without_twins = check
 
     def unsilenced(self) -> list[Diagnostic]:
         """Return all findings, including those that comments or a baseline suppress."""

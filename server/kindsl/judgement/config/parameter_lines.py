@@ -1,10 +1,9 @@
 """Values of parameters, and poses, as the lines of a `kindsl.toml`."""
 
 import json
-import re
 from collections.abc import Iterable, Mapping
 
-_BARE = re.compile(r"[A-Za-z0-9_-]+")
+from kindsl.judgement.config.toml_places import BARE_KEY
 
 
 def parameter_lines(values: Iterable[tuple[str, float]]) -> list[str]:
@@ -24,4 +23,4 @@ def pose_table(name: str, joints: Mapping[str, float]) -> str:
 
 def key(name: str) -> str:
     """Return a name as a key of TOML."""
-    return name if _BARE.fullmatch(name) else json.dumps(name, ensure_ascii=False)
+    return name if BARE_KEY.fullmatch(name) else json.dumps(name, ensure_ascii=False)

@@ -13,7 +13,7 @@ _BLANK = re.compile(r"(?:[ \t\r\n]|#[^\n]*)*")
 _STRING = re.compile(
     r'"""(?:\\.|[^\\])*?"{3,5}|\'\'\'.*?\'{3,5}|"(?:\\.|[^"\\])*"|\'[^\']*\'', re.DOTALL
 )
-_BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
+BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 _SCALAR = re.compile(r"[^,\]}#\r\n]+")
 
 
@@ -90,7 +90,7 @@ class _Scan:
         while True:
             start = self._skip_blank()
             quoted = _STRING.match(self.text, start)
-            match = quoted or _BARE_KEY.match(self.text, start)
+            match = quoted or BARE_KEY.match(self.text, start)
             if match is None:
                 raise ValueError(f"no key at offset {start}")
             self.position = match.end()

@@ -27,7 +27,7 @@ from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import mass_distribution, pose_of_com, written_pose
 from kindsl.language.text.facts import Fact, kept
 from kindsl.mechanics.rigid.body import MassDistribution
-from kindsl.mechanics.rigid.pose import Rotation, Vector3, dot, transposed, turned
+from kindsl.mechanics.rigid.pose import ORIGIN, Rotation, Vector3, dot, transposed, turned
 from kindsl.robots.limbs.names import label_of
 from kindsl.robots.limbs.peer_frames import peer_frames
 from kindsl.robots.limbs.weighing import seen_by
@@ -71,7 +71,7 @@ class LinkSurroundings(NamedTuple):
     peers: tuple[Peer, ...]
     mass: float = 0.0
     copies: tuple[tuple[str, str], ...] = ()
-    origin: Vector3 = (0.0, 0.0, 0.0)
+    origin: Vector3 = ORIGIN
 
     def placed(self, body: MassDistribution) -> MassDistribution:
         """Return a body with its CoM from the link's origin, its moments as they are."""
@@ -134,7 +134,7 @@ def _surroundings(
         peers,
         middle_mass(model),
         tuple(each for each in copies(model, values, link) if each[0] not in names),
-        turned(transposed(T.rotation), T.translation) if T is not None else (0.0, 0.0, 0.0),
+        turned(transposed(T.rotation), T.translation) if T is not None else ORIGIN,
     )
 
 

@@ -13,11 +13,10 @@ from kindsl.language.semantics.numbers import frame_of_com, pose_of_com
 from kindsl.language.semantics.unknown import Unknown
 from kindsl.language.text.facts import kept
 from kindsl.mechanics.rigid.body import MassDistribution, lumped, seen_from
-from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3, rotation_from_z
+from kindsl.mechanics.rigid.pose import IDENTITY, ORIGIN, RigidPose, Vector3, rotation_from_z
 from kindsl.robots.interchange.xml_document import Connection, xml_of
 from kindsl.robots.mechanism.link_inertia import link_inertia
 
-_AT_ORIGIN = (0.0, 0.0, 0.0)
 _WITHIN = 1e-9
 
 
@@ -75,7 +74,7 @@ class XmlBody(NamedTuple):
     def axis_pose(self) -> RigidPose:
         """The frame whose z is the joint's axis, in the body's."""
         axis = self.carrier.axis if self.carrier is not None else None
-        return IDENTITY if axis is None else RigidPose(rotation_from_z(axis), _AT_ORIGIN)
+        return IDENTITY if axis is None else RigidPose(rotation_from_z(axis), ORIGIN)
 
     def with_axis(self, axis: Vector3) -> "XmlBody":
         """Return the body with another axis of its joint, if it has one."""

@@ -17,7 +17,7 @@ from kindsl.mechanics.rigid.body import (
     second_moments_about_com,
     shifted,
 )
-from kindsl.mechanics.rigid.pose import Vector3
+from kindsl.mechanics.rigid.pose import ORIGIN, Vector3
 
 # Where m c² is a fifth of the moments or more, 6 % of 1240 published links stay possible without.
 _FAR = 0.2
@@ -98,7 +98,7 @@ def _seen(link: Link, factor: float) -> _Seen | None:
         return None
     to_com = pose.inverse().translation
     meant = shifted(MassDistribution(body.mass, to_com, body.moments), -1.0)
-    about_com = MassDistribution(body.mass, (0.0, 0.0, 0.0), meant.moments)
+    about_com = MassDistribution(body.mass, ORIGIN, meant.moments)
     possible = is_clearly_positive(second_moments_about_com(about_com))
     return _Seen(link, inertia, to_com, body, possible)
 

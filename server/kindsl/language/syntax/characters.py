@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from unicodedata import category, name
 
 from kindsl.language.syntax.comment_problems import UNDECODABLE, bytes_message, summary, undecodable
-from kindsl.language.syntax.lookalikes import is_ignorable
+from kindsl.language.syntax.lookalikes import STRANGE, is_ignorable
 from kindsl.language.syntax.scanner import BAD, COMMENT
 from kindsl.language.syntax.token_names import shown
 from kindsl.language.syntax.tree import Edit, Problem, Repair, Token
@@ -24,7 +24,6 @@ _SIGNS = frozenset("+-")
 _FACTORS = frozenset("*/")
 _CLOSED = OPERANDS | set(")]>")
 _OPERANDS_OR_SIGNS = OPERANDS | _SIGNS | _FACTORS
-_STRANGE = re.compile(r"[^\t\n\r -~]")
 _GAP = re.compile(rf"(?P<comment>{COMMENT.pattern})|(?P<blanks>\s+)|.", re.S)
 _MOST_NAMED = 2
 _NAMED = {
@@ -153,13 +152,13 @@ def _strange(text: str, group: Sequence[Token], start: int, end: int) -> list[st
         found += _gap_strange(text[start : token.start])
         written = text[token.start : token.end]
         if written != token.text:
-            found += [c for c in _STRANGE.findall(written) if c not in token.text]
+            found += [c for c in STRANGE.findall(written) if c not in token.text]
         start = token.end
     return list(dict.fromkeys([*found, *_gap_strange(text[start:end])]))
 
 
 def _gap_strange(gap: str) -> list[str]:
-    return [] if gap == _gap(gap) else [c for c in _STRANGE.findall(gap) if c not in _gap(gap)]
+    return [] if gap == _gap(gap) else [c for c in STRANGE.findall(gap) if c not in _gap(gap)]
 
 
 def _problem(

@@ -33,7 +33,7 @@ _NAMES = (
 )
 _MEANINGS = [(meaning, re.compile(pattern)) for meaning, pattern in _NAMES]
 _WORDS = re.compile(r"\w")
-_STRANGE = re.compile(r"[^\t\n\r -~]")
+STRANGE = re.compile(r"[^\t\n\r -~]")
 _BLANKS_BETWEEN_DIGITS = re.compile(r"(?<![0-9.])[0-9.]++(?:[^\S\t\n\r ][0-9.]++)++")
 _GROUPS_OF_DIGITS = re.compile(
     r"[0-9]{1,3}(?:\s[0-9]{3})+(?:\.[0-9]*)?|[0-9]*\.[0-9]{3}(?:\s[0-9]{1,3})+"
@@ -52,7 +52,7 @@ def as_meant(text: str, spans: Sequence[tuple[int, int]]) -> str:
     Args:
         spans: Its comments, which stay as they are.
     """
-    if not _STRANGE.search(text):
+    if not STRANGE.search(text):
         return text
     for kept in ("", "/*"):
         pieces = []
@@ -129,7 +129,7 @@ def _piece(text: str, kept: Iterable[str]) -> str:
             return match[0]
         return match[0] if meaning == " " and _is_between_digits(text, match.start()) else meaning
 
-    plain = _STRANGE.sub(replaced, text)
+    plain = STRANGE.sub(replaced, text)
     plain = _BLANKS_BETWEEN_DIGITS.sub(_groups_or_blanks, plain)
     return re.sub(_DOT, lambda dot: _dot(plain, dot.start()) or text[dot.start()], plain)
 

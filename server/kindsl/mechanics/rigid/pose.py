@@ -14,7 +14,8 @@ _ROUND = pi / 12.0
 Vector3 = tuple[float, float, float]
 Rotation = tuple[Vector3, Vector3, Vector3]
 
-_IDENTITY: Rotation = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+ORIGIN: Vector3 = (0.0, 0.0, 0.0)
+Z_AXIS: Vector3 = (0.0, 0.0, 1.0)
 
 
 class RigidPose(NamedTuple):
@@ -54,7 +55,7 @@ class RigidPose(NamedTuple):
         return RigidPose(rotation, (-dot(x, r), -dot(y, r), -dot(z, r)))
 
 
-IDENTITY = RigidPose(_IDENTITY, (0.0, 0.0, 0.0))
+IDENTITY = RigidPose(((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), Z_AXIS), ORIGIN)
 
 
 def pose_from(translation: Vector3, angles: Vector3) -> RigidPose:

@@ -7,9 +7,18 @@ from kindsl.mechanics.dynamics.generation.function import Function
 from kindsl.mechanics.dynamics.generation.terms import Scalar
 from kindsl.mechanics.dynamics.quantities import KEYWORDS, STANDARD_GRAVITY
 from kindsl.products.codegen.filling import template
+from kindsl.products.codegen.language import Language
 from kindsl.products.codegen.library import Library
 
 EXTERNAL = "external_forces"
+
+
+def python_language(how: str, own: tuple[str, ...]) -> Language:
+    """Return a language whose library is one module; the arguments are those of `module_text`."""
+    return Language(
+        lambda library, _: {f"{library.prefix}.py": module_text(library, how, own)},
+        renamed=lambda library: library.renamed_in_python,
+    )
 
 
 def module_text(

@@ -27,8 +27,7 @@ from kindsl.robots.mechanism.linkage import Linkage, motion
 # Nobody chooses to have a joint's zero so little elsewhere: it is a number that differs.
 DRIFT = 0.05
 _GRADES = ((1e-10, 1.0), (1e-6, 0.8), (3e-4, 0.5))
-_ORIGIN = (0.0, 0.0, 0.0)
-_VERTICAL = AxisLine(_ORIGIN, (0.0, 0.0, 1.0), is_free=True)
+_VERTICAL = AxisLine(IDENTITY.translation, (0.0, 0.0, 1.0), is_free=True)
 _TURNED_ONLY = 0.4
 _AXES_OF_ROOT = 4
 _MOST_ROOTS = 6
@@ -122,7 +121,7 @@ def aligned(
 
 def size_of(skeleton: Linkage) -> float:
     """Return the greatest distance of a joint from the base's origin at zero, metres."""
-    return max(dist(pose.translation, _ORIGIN) for pose in skeleton.zero_poses) or 1.0
+    return max(dist(pose.translation, IDENTITY.translation) for pose in skeleton.zero_poses) or 1.0
 
 
 def _unlike_each_other(

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from math import atan2, hypot
 
-from kindsl.mechanics.rigid.pose import RigidPose, Vector3, rotation_from_z
+from kindsl.mechanics.rigid.pose import ORIGIN, Z_AXIS, RigidPose, Vector3, rotation_from_z
 from kindsl.robots.comparison.number_differences import NumberDifference
 from kindsl.robots.comparison.quantities import AXIS
 from kindsl.robots.comparison.side import ComparedSide, Pair
@@ -16,8 +16,6 @@ from kindsl.robots.comparison.written import WrittenInertia, WrittenPose
 from kindsl.robots.mechanism.linkage import Linkage
 
 _APART = 1e-6
-_ORIGIN = (0.0, 0.0, 0.0)
-_Z = (0.0, 0.0, 1.0)
 
 
 def axis_differences(pair: Pair, body: int) -> Iterator[tuple[NumberDifference, RigidPose]]:
@@ -41,8 +39,8 @@ def _axis_difference(
     ours, theirs, its = pair.ours, pair.theirs, pair.matching.theirs[body]
     mine = ours.skeleton.placements[body - 1]
     other = parent.then(theirs.skeleton.placements[its - 1])
-    its_axis = mine.inverse().turn(other.turn(_Z))
-    our_axis = other.inverse().turn(mine.turn(_Z))
+    its_axis = mine.inverse().turn(other.turn(Z_AXIS))
+    our_axis = other.inverse().turn(mine.turn(Z_AXIS))
     angle = atan2(hypot(our_axis[0], our_axis[1]), abs(our_axis[2]))
     if angle < _APART:
         return None
@@ -103,4 +101,4 @@ def _part(part: WrittenInertia, back: RigidPose) -> WrittenInertia:
 def _turn(axis: Vector3) -> RigidPose:
     """Return the frame whose z is along an axis, either way: a sign is a convention."""
     x, y, z = axis
-    return RigidPose(rotation_from_z((x, y, z) if z >= 0.0 else (-x, -y, -z)), _ORIGIN)
+    return RigidPose(rotation_from_z((x, y, z) if z >= 0.0 else (-x, -y, -z)), ORIGIN)

@@ -13,6 +13,7 @@ from kindsl.language.semantics.places import Located
 from kindsl.mechanics.rigid.body import MassDistribution, seen_from, shifted
 from kindsl.mechanics.rigid.pose import (
     IDENTITY,
+    ORIGIN,
     RigidPose,
     Rotation,
     Vector3,
@@ -24,7 +25,6 @@ from kindsl.mechanics.rigid.pose import (
     transposed,
 )
 
-_ORIGIN = (0.0, 0.0, 0.0)
 _GIMBAL = 1e-9
 # No number is taken to be less exact than this, however few its digits, nor more exact than a
 # float, in which some programs write.
@@ -106,7 +106,7 @@ class WrittenInertia:
         """Return the mass distribution in the moving body's frame, of these or other values."""
         mass, x, y, z, xx, yy, zz, *products = self.values if values is None else values
         xy, xz, yz = (self.sign * each for each in products)
-        moments = MassDistribution(mass, _ORIGIN, (xx, yy, zz, xy, xz, yz))
+        moments = MassDistribution(mass, ORIGIN, (xx, yy, zz, xy, xz, yz))
         if not self.is_about_com:
             return seen_from(moments._replace(com=(x, y, z)), self.body_T_frame)
         about_com = seen_from(moments, RigidPose(self.turn, (x, y, z)))
@@ -117,8 +117,8 @@ class WrittenInertia:
         own = seen_from(body, self.body_T_frame.inverse())
         written = own
         if self.is_about_com:
-            about_com = shifted(own, -1.0)._replace(com=_ORIGIN)
-            written = seen_from(about_com, RigidPose(transposed(self.turn), _ORIGIN))
+            about_com = shifted(own, -1.0)._replace(com=ORIGIN)
+            written = seen_from(about_com, RigidPose(transposed(self.turn), ORIGIN))
         xx, yy, zz, *products = written.moments
         return (own.mass, *own.com, xx, yy, zz, *(self.sign * each + 0.0 for each in products))
 
@@ -193,10 +193,10 @@ def _options(rotation: Rotation, written: Vector3) -> list[Vector3]:
     """
     x, y, z = angles(rotation, _GIMBAL)
     options = [(x, y, z), (x + pi, pi - y, z + pi)]
-    a = product(rotation, pose_from(_ORIGIN, (0.0, 0.0, -written[2])).rotation)
+    a = product(rotation, pose_from(ORIGIN, (0.0, 0.0, -written[2])).rotation)
     if abs(a[0][1]) < _GIMBAL:
         options.append((atan2(a[2][1], a[1][1]), atan2(a[0][2], a[0][0]), written[2]))
-    b = product(pose_from(_ORIGIN, (-written[0], 0.0, 0.0)).rotation, rotation)
+    b = product(pose_from(ORIGIN, (-written[0], 0.0, 0.0)).rotation, rotation)
     if abs(b[1][2]) < _GIMBAL:
         options.append((written[0], atan2(b[0][2], b[2][2]), atan2(b[1][0], b[1][1])))
     return options

@@ -10,14 +10,13 @@ from typing import Literal
 
 from kindsl.mechanics.rigid.body import MassDistribution, seen_from
 from kindsl.mechanics.rigid.joint_kind import JointKind
-from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3, rotation_from_z
+from kindsl.mechanics.rigid.pose import IDENTITY, ORIGIN, RigidPose, Vector3, rotation_from_z
 from kindsl.robots.interchange.format import FormatError
 from kindsl.robots.interchange.xml_reading import LinkJoint
 from kindsl.robots.mechanism.linkage import BodyPart, Linkage, RigidBody
 
 BaseKind = Literal["fixed", "floating"]
 _GREATEST = 1e60
-_AT_ORIGIN = (0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -161,7 +160,7 @@ def _body_of(
     if link.parent is None:
         return RigidBody(()), link.parent_T_joint if base == "fixed" else IDENTITY
     parent, body_T_parent = placed[link.parent]
-    joint_T_body = RigidPose(rotation_from_z(link.axis), _AT_ORIGIN)
+    joint_T_body = RigidPose(rotation_from_z(link.axis), ORIGIN)
     pose = body_T_parent.then(link.parent_T_joint).then(joint_T_body)
     origin, written = body_T_parent.then(link.parent_T_origin), link.written_T_joint
     kind: JointKind = "prismatic" if link.joint_kind == "prismatic" else "revolute"
@@ -182,4 +181,4 @@ def about_origin(
     """
     xx, yy, zz, xy, xz, yz = tensor
     moments = (xx, yy, zz, 0.0 - xy, 0.0 - xz, 0.0 - yz)
-    return seen_from(MassDistribution(mass, _AT_ORIGIN, moments), link_T_inertial)
+    return seen_from(MassDistribution(mass, ORIGIN, moments), link_T_inertial)

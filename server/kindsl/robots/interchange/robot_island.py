@@ -27,7 +27,7 @@ from kindsl.robots.interchange.xml_reading import TAG, XmlElement, finite_number
 
 _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _ATTRIBUTE = r"""[\s"']{name}\s*=\s*(["'])(.*?)\1"""
-_WORD = re.compile(r"\S+")
+WORD = re.compile(r"\S+")
 # URDF's and SDF's word, and MuJoCo's.
 _SLIDES = ("prismatic", "slide")
 
@@ -271,7 +271,7 @@ class RobotIsland(OtherIsland):
         words = content.split()
         if any(finite_number(word) is None for word in words):
             return []
-        spans = [word.span() for word in _WORD.finditer(self.text, start, end)]
+        spans = [word.span() for word in WORD.finditer(self.text, start, end)]
         if [self.text[a:b] for a, b in spans] != words:
             spans = [(start, end)] * len(words)
         if sign < 0:

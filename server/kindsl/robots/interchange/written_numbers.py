@@ -1,6 +1,5 @@
 """The numbers of another format's file: what they are of, and where they stand."""
 
-import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -8,10 +7,9 @@ from kindsl.language.semantics.expressions import half_unit
 from kindsl.language.text.encodings import decoded
 from kindsl.language.text.lines import LineIndex
 from kindsl.robots.comparison.written import TextPlace, WrittenNumber
-from kindsl.robots.interchange.robot_island import RobotIsland
+from kindsl.robots.interchange.robot_island import WORD, RobotIsland
 from kindsl.robots.interchange.xml_reading import DECIMAL, XmlElement, XmlError, parsed_xml
 
-_WORD = re.compile(r"\S+")
 # By `"link"`, `"joint"` or `"frame"`, its name, and one of `INERTIA`, `POSE` or `AXIS`; of a link,
 # `TURNS` are those of the moments' axes.
 FileNumbers = Mapping[tuple[str, str, str], WrittenNumber]
@@ -67,7 +65,7 @@ class XmlNumbers:
 
     def _numbers(self, start: int, end: int) -> list[WrittenNumber]:
         text, line = self._whole.text, self._lines.position
-        spans = (word.span() for word in _WORD.finditer(text, start, end))
+        spans = (word.span() for word in WORD.finditer(text, start, end))
         return [written_number(text[a:b], TextPlace(line(a)[0] + 1, a, b)) for a, b in spans]
 
 

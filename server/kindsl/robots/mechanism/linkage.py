@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from kindsl.mechanics.rigid.body import NO_BODY, MassDistribution, lumped, seen_from
 from kindsl.mechanics.rigid.joint_kind import JointKind
-from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
+from kindsl.mechanics.rigid.pose import IDENTITY, ORIGIN, Z_AXIS, RigidPose
 from kindsl.mechanics.rigid.topology import Topology, check_topology
 
 _ROUNDING = 1e-14
@@ -269,4 +269,4 @@ def motion(kind: JointKind, value: float) -> RigidPose:
     if kind == "prismatic":
         return RigidPose(IDENTITY.rotation, (0.0, 0.0, value))
     c, s = cos(value), sin(value)
-    return RigidPose(((c, -s, 0.0), (s, c, 0.0), (0.0, 0.0, 1.0)), (0.0, 0.0, 0.0))
+    return RigidPose(((c, -s, 0.0), (s, c, 0.0), Z_AXIS), ORIGIN)

@@ -5,6 +5,8 @@ from typing import NamedTuple
 from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.language.text.edits import TextEdit
 
+REWRITE = "refactor.rewrite"
+
 
 class OtherEdit(NamedTuple):
     """A change of another file: the old text from `start` to `end`, and the new text."""

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from kindsl.frontends.features.actions.action import CodeAction
+from kindsl.frontends.features.actions.action import REWRITE, CodeAction
 from kindsl.frontends.features.completion import snippets
 from kindsl.frontends.features.completion.item import without_placeholders
 from kindsl.frontends.features.completion.names import next_id
@@ -18,7 +18,6 @@ from kindsl.language.syntax.vocabulary import words_of
 from kindsl.language.text.edits import TextEdit
 from kindsl.language.text.phrases import listed
 
-_KIND = "refactor.rewrite"
 _BLOCKS = ORDER.keys() - {"document"}
 _TITLES = {"inertia": "Add an inertia section", "frames": "Add a frames section"}
 
@@ -92,7 +91,7 @@ def _action(
         known = edits.get(at)
         new = edit.text if known is None else known.text.rstrip(" ") + edit.text
         edits[at] = TextEdit(at, at, new)
-    yield CodeAction(title, _KIND, tuple(edits.values()))
+    yield CodeAction(title, REWRITE, tuple(edits.values()))
 
 
 def _section_before(block: Node, kind: str) -> Node | None:

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from math import ceil, log10
 from typing import NamedTuple
 
-from kindsl.frontends.features.actions.action import CodeAction
+from kindsl.frontends.features.actions.action import REWRITE, CodeAction
 from kindsl.frontends.features.manipulation.new_blocks import new_frame
 from kindsl.frontends.features.names_taken import names_taken
 from kindsl.frontends.features.tree_path import path_at
@@ -36,7 +36,6 @@ from kindsl.mechanics.rigid.body import MassDistribution, seen_from
 from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose
 from kindsl.robots.mechanism.link_inertia import link_inertia
 
-_KIND = "refactor.rewrite"
 _BY_DIGITS = IMPOSSIBLE | {Verdict.WITHIN_ROUNDING}
 _SOUND = Fact[tuple[object, tuple[CodeAction, ...]]]("moves of an inertia that add no error")
 _BLANKS_BEFORE = re.compile(r"(?:\r\n?|\n)?[ \t]*\Z")
@@ -130,7 +129,7 @@ def _action(
     by = moving.origin
     moved = [TextEdit(by + e.start, by + e.end, e.text) for e in edits if e is not None]
     if len(moved) == len(edits):
-        yield CodeAction(title, _KIND, tuple(sorted(moved)))
+        yield CodeAction(title, REWRITE, tuple(sorted(moved)))
 
 
 def _n_errors(findings: Sequence[Diagnostic]) -> int:

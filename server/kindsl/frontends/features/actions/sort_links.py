@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from kindsl.frontends.features.actions.action import CodeAction
+from kindsl.frontends.features.actions.action import REWRITE, CodeAction
 from kindsl.frontends.features.tree_path import token_at
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.judgement.rules.renumbering import regular_order, renumbering
@@ -13,7 +13,6 @@ from kindsl.language.syntax.vocabulary import BODIES
 from kindsl.language.text.edits import TextEdit
 from kindsl.language.text.lines import newline_of
 
-_KIND = "refactor.rewrite"
 _WHERE = frozenset(("head", *BODIES))
 _REST_OF_LINE = re.compile(r"(?:[ \t]*(?://[^\r\n]*|/\*(?:[^*\r\n]|\*(?!/))*\*/))*")
 
@@ -40,7 +39,7 @@ def sort_links(analysis: Analysis, start: int, _end: int) -> Iterator[CodeAction
     end = pieces[-1][1]
     if text[end : end + 1] not in ("\r", "\n"):
         edits.append(TextEdit(end, end, newline))
-    yield CodeAction("Sort the links, parents first", _KIND, tuple(edits))
+    yield CodeAction("Sort the links, parents first", REWRITE, tuple(edits))
 
 
 def _are_neighbours(analysis: Analysis, links: Sequence[Link]) -> bool:
@@ -74,4 +73,4 @@ def renumber_links(analysis: Analysis, start: int, _end: int) -> Iterator[CodeAc
         return
     fix = renumbering(analysis.model)
     if fix is not None:
-        yield CodeAction(fix.title, _KIND, analysis.resolver.edits(fix))
+        yield CodeAction(fix.title, REWRITE, analysis.resolver.edits(fix))

@@ -28,7 +28,7 @@ from kindsl.robots.interchange.sdf.elements import (
 )
 from kindsl.robots.interchange.sdf.frame_graph import WORLD, FrameGraph
 from kindsl.robots.interchange.sdf.joint_properties import joint_properties
-from kindsl.robots.interchange.sdf.nesting import flatten
+from kindsl.robots.interchange.sdf.nesting import NAMED, flatten
 from kindsl.robots.interchange.sdf.sdf_reading import carried, mass_of
 from kindsl.robots.interchange.xml_document import (
     Connection,
@@ -39,7 +39,6 @@ from kindsl.robots.interchange.xml_document import (
 )
 from kindsl.robots.interchange.xml_reading import JOINT_KINDS, TENSOR, XmlElement, parsed_xml
 
-_NAMED = ("link", "joint", "frame")
 _DEFAULT = "1.0"
 _TYPES = (*JOINT_KINDS, "ball", "gearbox", "revolute2", "screw", "universal")
 
@@ -155,7 +154,7 @@ def _elements(model: Any, prefix: str) -> Iterator[tuple[Any, str]]:
     for child in model:
         if child.tag == "model":
             yield from _elements(child, f"{prefix}{child.get('name') or ''}::")
-        elif child.tag in _NAMED:
+        elif child.tag in NAMED:
             yield child, prefix
 
 

@@ -6,7 +6,7 @@ from kindsl.robots.interchange.sdf.elements import defect, name_of
 from kindsl.robots.interchange.sdf.frame_graph import MODEL, WORLD
 from kindsl.robots.interchange.xml_reading import XmlElement
 
-_NAMED = ("link", "joint", "frame")
+NAMED = ("link", "joint", "frame")
 # Where an element names a frame, by attribute and by text.
 _ATTRIBUTES = ("relative_to", "attached_to", "expressed_in")
 _TEXTS = ("parent", "child")
@@ -25,7 +25,7 @@ def flatten(model: Any) -> None:
         if inner.get("placement_frame"):
             raise defect(inner, "has a placement_frame within a model, which is not supported")
         own = name_of(inner)
-        parts = [part for part in inner if part.tag in _NAMED]
+        parts = [part for part in inner if part.tag in NAMED]
         for part in parts:
             _rename(part, own)
         frame = _frame_of(inner, own)

@@ -8,7 +8,7 @@ from typing import Any
 
 from kindsl.language.text.phrases import listed
 from kindsl.mechanics.rigid.body import MassDistribution, Symmetric
-from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3
+from kindsl.mechanics.rigid.pose import IDENTITY, Z_AXIS, RigidPose, Vector3
 from kindsl.robots.interchange.format import (
     AS_WRITTEN,
     FormatError,
@@ -35,7 +35,6 @@ from kindsl.robots.interchange.sdf.nesting import flatten
 from kindsl.robots.interchange.sdf.numbers import numbers_of_sdf
 from kindsl.robots.interchange.xml_reading import JOINT_KINDS, TENSOR, XmlElement
 
-_Z = (0.0, 0.0, 1.0)
 _UNIT: Symmetric = (1.0, 1.0, 1.0, 0.0, 0.0, 0.0)
 
 
@@ -217,7 +216,7 @@ def carried(joint: Any, index: int, parent: str, child: str, graph: FrameGraph) 
     model_T_written = graph.model_T(name_of(placing), joint)
     model_T_origin = graph.model_T(reference_of(placing), joint)
     kind = JOINT_KINDS.get(joint.get("type"), "fixed")
-    axis = _Z
+    axis = Z_AXIS
     if kind != "fixed":
         axis = model_T_joint.inverse().turn(_axis_in_model(joint, graph))
     return RigidLink(
@@ -236,7 +235,7 @@ def carried(joint: Any, index: int, parent: str, child: str, graph: FrameGraph) 
 def _axis_in_model(joint: Any, graph: FrameGraph) -> Vector3:
     axis = joint.find("axis")
     xyz = None if axis is None else axis.find("xyz")
-    x, y, z = _Z if xyz is None else numbers_in(xyz, 3)
+    x, y, z = Z_AXIS if xyz is None else numbers_in(xyz, 3)
     if not (x or y or z):
         raise defect(xyz, f"of joint '{name_of(joint)}' has no length", "KD005")
     frame = name_of(joint) if xyz is None else xyz.get("expressed_in")
