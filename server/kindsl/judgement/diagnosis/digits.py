@@ -33,7 +33,6 @@ class WrittenDigits(NamedTuple):
     """A number as written.
 
     Attributes:
-        text: The text.
         literal: Its value if it is a plain decimal number, else None.
         rounding: Half a unit of its last digit, or how far the value of anything else may be from
             what is written.

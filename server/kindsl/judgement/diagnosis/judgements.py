@@ -74,8 +74,6 @@ class Judgement(NamedTuple):
     """A link whose inertia deserves a remark.
 
     Attributes:
-        link: The link.
-        inertia: Its inertia.
         body: The numbers.
         half: How far each is likely to be from what is written.
         second_moments: Eigenvalues and axes of the second moments about the CoM, ascending.

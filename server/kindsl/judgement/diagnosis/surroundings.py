@@ -45,7 +45,6 @@ class Peer(NamedTuple):
     """A link of the same part whose inertia is possible.
 
     Attributes:
-        name: Its name.
         body: Its inertia.
         expected: The inertia that the link should have for its sake, None if that is not known.
     """

@@ -36,7 +36,6 @@ class Unlike(NamedTuple):
     """A link that no other one of its part is the image of.
 
     Attributes:
-        link: The link.
         body: Its numbers.
         peers: Links that are images of one another, and nearly of it, with their numbers.
         within: How near they are, as a share of the greatest number of a kind.

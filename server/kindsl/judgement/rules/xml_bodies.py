@@ -24,7 +24,6 @@ class XmlPart(NamedTuple):
     """A link as a part of a body.
 
     Attributes:
-        link: The link.
         pose: Its frame in the body's.
         mass: In its own frame, None where it has none that is known.
     """

@@ -84,7 +84,6 @@ class CounterpartFix(NamedTuple):
     """What makes an odd part as its counterpart.
 
     Attributes:
-        fix: The fix.
         peer: The counterpart.
     """
 

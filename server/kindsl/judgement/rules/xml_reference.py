@@ -33,8 +33,6 @@ class _Seen(NamedTuple):
     """A link whose CoM is far from its origin.
 
     Attributes:
-        link: The link.
-        inertia: Its inertia.
         com: Its CoM as seen from the link's origin, in the axes of the moments, m.
         about_com: The body about its CoM, as written.
         is_possible: Whether its moments may be about the link's origin.

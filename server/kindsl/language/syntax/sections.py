@@ -40,9 +40,7 @@ def section_problems(text: str, block: Node, touched: frozenset[int]) -> Iterato
     for node in _blocks(block):
         names = tuple(_name(child) for child in node.children if isinstance(child, Node))
         key = (node.kind, *names)
-        if key in _fine:
-            continue
-        if id(node) in touched:
+        if key in _fine or id(node) in touched:
             continue
         problems = _problems(text, node)
         if problems:

@@ -48,8 +48,6 @@ def parameters(library: Library, function: Function, qualifier: str = "") -> dic
     """Return the declarations of a function's parameters, by their names.
 
     Args:
-        library: The library.
-        function: The function.
         qualifier: `restrict ` in definitions.
     """
     number = real(library)
@@ -87,7 +85,6 @@ def cmake_lists(library: Library, language: str, header: str, sources: Sequence[
     """Return the CMakeLists.txt: a library to build, test, install and find.
 
     Args:
-        library: The library.
         language: As CMake calls it, C or CXX.
         header: The name of the file that programs include.
         sources: The names of those that are compiled.

@@ -152,10 +152,7 @@ def _norm_of_errors(tensor: Tensor) -> float:
 
 
 def _sum(terms: Iterator[Rounded]) -> Rounded:
-    total = Rounded(Fraction(0), Fraction(0))
-    for term in terms:
-        total = total + term
-    return total
+    return sum(terms, Rounded(Fraction(0), Fraction(0)))
 
 
 def _text(value: Fraction) -> str:

@@ -13,7 +13,6 @@ class ReportError(ValueError):
 
     Attributes:
         reasons: A sentence each.
-        program: Its program.
     """
 
     def __init__(self, program: str, *reasons: str) -> None:
@@ -31,7 +30,6 @@ class Report:
     """Numbers as they are printed.
 
     Attributes:
-        program: Its program.
         masses: Each mass in it; one is usual.
         center: Centre of mass by axis.
         about_com: Entries of the tensor about the centre of mass, each as often as it is printed.
@@ -40,7 +38,6 @@ class Report:
         axes: Principal axes by the index of their moment.
         density: If it is printed.
         volume: If it is printed.
-        system: The output coordinate system, if it is named and is not the default one.
         systems: All that are named, as printed.
         bodies: Names of the bodies whose properties these are.
         notation: The report's own words on the sign of products.

@@ -52,7 +52,6 @@ def shape_properties(
     more than what is given.
 
     Args:
-        kind: Its kind.
         sizes: As `kind.sizes` says, metres.
         mass: kg; either this or a density.
         density: kg/m³.

@@ -29,7 +29,6 @@ def described_document(label: str, model: Model, values: Values, skeleton: Linka
 
     Args:
         label: Name of the document.
-        model: Its model.
         values: Of parameters by name, and of constants by `<name>`.
         skeleton: Its bodies at these values.
     """

@@ -42,7 +42,6 @@ class ReadDescription(NamedTuple):
     """A robot to compare.
 
     Attributes:
-        robot: The robot.
         notes: On how it was read.
         tells_base: Whether the file says that the root floats, or that it is fixed.
     """

@@ -50,7 +50,6 @@ class WrittenRobot(NamedTuple):
     """A text in another format.
 
     Attributes:
-        text: The text.
         remarks: Notes on what is more or less in it.
         joints: Properties to write into a configuration, by the document's joint names.
         names: What links, joints and frames of a document are called in it, by `"link"`, `"joint"`

@@ -36,7 +36,6 @@ class XmlPiece(NamedTuple):
     """A piece of a file that is to be an island.
 
     Attributes:
-        text: Its text.
         start: Where it begins.
         element: The element in it, None of the tags around elements.
         prefix: What stands before its name in the document.

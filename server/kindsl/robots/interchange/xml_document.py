@@ -28,7 +28,6 @@ class Connection(NamedTuple):
     """A joint and the links that it connects.
 
     Attributes:
-        joint: The joint.
         parent: The name of one link, empty where none is named.
         child: The name of the other.
         is_fixed: Whether it moves nothing.

@@ -19,7 +19,6 @@ class BodyPart(NamedTuple):
     """A link, or a frame, that is fixed to a body.
 
     Attributes:
-        name: Its name.
         pose: Its frame in the body's.
         mass: Its mass distribution in the body's frame, None where nothing is known.
         is_link: Whether it is a link of its file, else a frame.

@@ -52,7 +52,6 @@ class Checked(NamedTuple):
     """The result of a task: a linted file, a failure, or both if a fixed file is not writable.
 
     Attributes:
-        file: The file.
         failure: Why it could not be linted, or not be written.
         others: Files that it is made of, in which something was found.
     """

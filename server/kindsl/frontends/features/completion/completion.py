@@ -33,7 +33,6 @@ class Completions(NamedTuple):
     Attributes:
         items: The best first.
         start: Start of the word that they replace; of its line, where blocks stand unindented.
-        end: Its end.
     """
 
     items: tuple[CompletionItem, ...]

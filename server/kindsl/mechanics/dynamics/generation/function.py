@@ -20,7 +20,6 @@ class Result(NamedTuple):
     """An array that a function fills.
 
     Attributes:
-        name: Its name.
         shape: Its dimensions.
         entries: By rows.
     """
@@ -34,7 +33,6 @@ class Function(NamedTuple):
     """A computation with named arguments and results.
 
     Attributes:
-        name: Its name.
         summary: A line on its result, for people.
         arguments: In order; parameters besides.
         results: In order.

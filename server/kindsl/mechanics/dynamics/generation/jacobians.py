@@ -84,7 +84,6 @@ def joint_columns(
     Args:
         tree: The mechanism.
         poses: Its bodies' poses.
-        body: The body.
         lever: From the body's origin to the point, in base coordinates.
 
     Returns:
@@ -110,7 +109,6 @@ def jacobian(robot: Robot, poses: BodyPoses, frame: PlacedFrame, seen_from: Matr
     Args:
         robot: The mechanism.
         poses: Its bodies' poses.
-        frame: The frame.
         seen_from: Rotation to the base from the coordinates that velocities are wanted in.
     """
     E = transpose(seen_from)

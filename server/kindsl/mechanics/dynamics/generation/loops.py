@@ -36,7 +36,6 @@ def functions_of(
 
     Args:
         robot: The mechanism.
-        inputs: Its inputs.
         name: The quantity.
         has_loops: Whether what is too long is to be loops.
 

@@ -37,7 +37,6 @@ class SdfError(FormatError):
     """Something is wrong with an element.
 
     Attributes:
-        element: The element.
         sentence: What is wrong, without the line.
         code: The rule that it is reported under, empty for what is only not supported.
         missing: The name that the element gives of what is not there, if that is wrong.

@@ -37,9 +37,7 @@ class Kernel(NamedTuple):
     """One function of the extension.
 
     Attributes:
-        name: Its name.
         arguments: Its arguments; the first is joint positions.
-        results: Its results.
         accelerates: Whether a result that is not finite means that nothing resists a motion.
         is_wide: Whether batches are computed in lanes.
         documentation: What `help` shows, as CPython reads it.
