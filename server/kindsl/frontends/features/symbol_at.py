@@ -17,6 +17,7 @@ from kindsl.language.semantics.places import Name
 from kindsl.language.syntax.tables import DECLARES, REFERS
 from kindsl.language.syntax.tree import Island
 from kindsl.language.text.facts import kept
+from kindsl.language.text.groups import grouped
 
 
 class EntityKind(StrEnum):
@@ -107,9 +108,7 @@ def named_places(island: Island) -> NamedPlaces:
 
 
 def _by_entity(symbols: list[Symbol]) -> dict[Entity, tuple[Symbol, ...]]:
-    found: dict[Entity, list[Symbol]] = {}
-    for symbol in symbols:
-        found.setdefault(symbol.entity, []).append(symbol)
+    found = grouped((symbol.entity, symbol) for symbol in symbols)
     return {entity: tuple(places) for entity, places in found.items()}
 
 

@@ -13,6 +13,7 @@ from kindsl.language.semantics.parameters import Symbols
 from kindsl.language.syntax.document import Chunk
 from kindsl.language.syntax.tree import Island
 from kindsl.language.text.facts import Fact
+from kindsl.language.text.groups import grouped
 
 _RuleFinding: TypeAlias = tuple[Rule, Finding]
 Found: TypeAlias = list[_RuleFinding]
@@ -59,10 +60,8 @@ class RunningRules(NamedTuple):
 def by_sight(rules: Iterable[Rule]) -> RunningRules:
     """Return rules by what they see."""
     chosen = tuple(rules)
-    readers: dict[tuple[Aspect, bool], list[Rule]] = {}
-    for rule in chosen:
-        if rule.check_document is not None:
-            readers.setdefault((rule.reads | Aspect.STRUCTURE, rule.reads_twins), []).append(rule)
+    of_documents = (rule for rule in chosen if rule.check_document is not None)
+    readers = grouped(((r.reads | Aspect.STRUCTURE, r.reads_twins), r) for r in of_documents)
     return RunningRules(
         tuple(rule for rule in chosen if rule.check_island is not None),
         tuple(rule for rule in chosen if rule.check_body is not None),

@@ -11,6 +11,7 @@ from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
 from kindsl.language.text.decimals import significant_digits
 from kindsl.language.text.facts import Fact, kept
+from kindsl.language.text.groups import grouped
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.robots.limbs.mounts import REFLECTIONS
 from kindsl.robots.limbs.names import label_of
@@ -102,11 +103,8 @@ def bodies_with(model: Model, telling: TellingNumbers) -> list[Link]:
 
 @kept
 def _bodies_by_size(model: Model) -> dict[tuple[str, int], list[tuple[Link, TellingNumbers]]]:
-    found: dict[tuple[str, int], list[tuple[Link, TellingNumbers]]] = {}
-    for body in model.bodies:
-        for telling in telling_numbers(body):
-            found.setdefault((telling.what, telling.size), []).append((body, telling))
-    return found
+    found = ((body, telling) for body in model.bodies for telling in telling_numbers(body))
+    return grouped(((telling.what, telling.size), (body, telling)) for body, telling in found)
 
 
 @kept

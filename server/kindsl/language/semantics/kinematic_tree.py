@@ -2,11 +2,10 @@
 
 from collections.abc import Iterable, Mapping
 from functools import cached_property
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple
 
 from kindsl.language.semantics.declarations import Child, Joint, Link
-
-_End = TypeVar("_End", Link, Joint)
+from kindsl.language.text.groups import grouped
 
 
 class Edge(NamedTuple):
@@ -42,12 +41,12 @@ class KinematicTree:
     @cached_property
     def above(self) -> dict[Link, list[Edge]]:
         """The edges that lead to a body; more than one is a defect."""
-        return _grouped((edge.link, edge) for edge in self.edges)
+        return grouped((edge.link, edge) for edge in self.edges)
 
     @cached_property
     def joint_uses(self) -> dict[Joint, list[Edge]]:
         """The edges that name a joint; more than one is a defect."""
-        return _grouped((edge.joint, edge) for edge in self.edges)
+        return grouped((edge.joint, edge) for edge in self.edges)
 
     @cached_property
     def reachable(self) -> set[Link]:
@@ -118,11 +117,3 @@ class KinematicTree:
                 depth[edge.link] = len(bodies)
                 bodies.append(edge.link)
                 stack.append(iter(self.below.get(edge.link, ())))
-
-
-def _grouped(pairs: Iterable[tuple[_End | None, Edge]]) -> dict[_End, list[Edge]]:
-    found: dict[_End, list[Edge]] = {}
-    for end, edge in pairs:
-        if end is not None:
-            found.setdefault(end, []).append(edge)
-    return found

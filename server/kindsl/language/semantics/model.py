@@ -21,6 +21,7 @@ from kindsl.language.semantics.parameters import (
 from kindsl.language.syntax.document import Chunk, SyntaxDocument
 from kindsl.language.syntax.tree import Island
 from kindsl.language.text.facts import Facts, kept
+from kindsl.language.text.groups import grouped
 
 _Named = TypeVar("_Named", Link, Joint)
 
@@ -163,11 +164,11 @@ class Model:
 
     @cached_property
     def _islands_of_broken_words(self) -> dict[str, list[Island]]:
-        found: dict[str, list[Island]] = {}
-        for island in self.broken_islands:
-            for word in {token.text.removeprefix("^") for token in island.tokens}:
-                found.setdefault(word, []).append(island)
-        return found
+        return grouped(
+            (word, island)
+            for island in self.broken_islands
+            for word in {token.text.removeprefix("^") for token in island.tokens}
+        )
 
 
 def _by_name(things: Iterable[_Named]) -> dict[str, _Named]:

@@ -11,6 +11,7 @@ from kindsl.language.syntax.tables import ValueKind
 from kindsl.language.syntax.tree import Island
 from kindsl.language.syntax.value_forms import formed_values
 from kindsl.language.text.facts import kept
+from kindsl.language.text.groups import grouped
 
 
 class Use(NamedTuple):
@@ -131,10 +132,7 @@ def constants_of(uses: Iterable[ConstantUse]) -> tuple[Constant, ...]:
 
 
 def _by_name(uses: Iterable[_Use]) -> Iterator[tuple[_Use, ...]]:
-    groups: dict[str, list[_Use]] = {}
-    for use in uses:
-        groups.setdefault(str(use.name), []).append(use)
-    return map(tuple, groups.values())
+    return map(tuple, grouped((str(use.name), use) for use in uses).values())
 
 
 def values_of(

@@ -22,6 +22,7 @@ from kindsl.language.syntax.tree import Island
 from kindsl.language.syntax.vocabulary import LETTERS
 from kindsl.language.text.edits import TextEdit, apply_edits
 from kindsl.language.text.facts import Facts
+from kindsl.language.text.groups import grouped
 
 if TYPE_CHECKING:
     from kindsl.language.syntax.block_order import PlacedProblem
@@ -188,9 +189,7 @@ def _reparsed(text: str, known: Iterable[Island], versions: Facts) -> SyntaxDocu
 
 
 def _islands(text: str, starts: list[int], known: Iterable[Island]) -> list[Island]:
-    pool: dict[str, list[Island]] = {}
-    for island in known:
-        pool.setdefault(island.text, []).append(island)
+    pool = grouped((island.text, island) for island in known)
     islands = []
     with paused_collector():
         for start, end in zip(starts, [*starts[1:], len(text)], strict=True):

@@ -14,6 +14,7 @@ from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.parameters import Parameter
 from kindsl.language.semantics.places import Located
 from kindsl.language.semantics.unknown import Unknown
+from kindsl.language.text.groups import grouped
 from kindsl.language.text.lines import LineIndex
 from kindsl.products.reports.columns import number
 from kindsl.products.reports.finding_objects import position_object
@@ -106,9 +107,7 @@ def branches(facts: Mapping[str, Any]) -> Iterator[tuple[tuple[bool, ...], dict[
 
     With each comes, for itself and its ancestors below the root, whether it is the last child.
     """
-    children: dict[str | None, list[dict[str, Any]]] = {}
-    for link in facts["links"]:
-        children.setdefault(link["parent"], []).append(link)
+    children = grouped((link["parent"], link) for link in facts["links"])
     seen: set[int] = set()
     for start in [facts["base"], *facts["links"]] if facts["base"] else facts["links"]:
         pending: list[tuple[tuple[bool, ...], dict[str, Any]]] = [((), start)]

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+from kindsl.language.text.groups import grouped
 from kindsl.mechanics.rigid.body import MassDistribution, seen_from
 from kindsl.mechanics.rigid.joint_kind import JointKind
 from kindsl.mechanics.rigid.pose import IDENTITY, ORIGIN, RigidPose, Vector3, rotation_from_z
@@ -142,10 +143,7 @@ def _check_finite(link: RigidLink) -> None:
 
 
 def _depth_first(links: Sequence[RigidLink]) -> Iterator[int]:
-    below: dict[int, list[int]] = {}
-    for index, link in enumerate(links):
-        if link.parent is not None:
-            below.setdefault(link.parent, []).append(index)
+    below = grouped((link.parent, index) for index, link in enumerate(links))
     pending = [0]
     while pending:
         index = pending.pop()

@@ -22,6 +22,7 @@ from kindsl.language.semantics.sections import JointFrame
 from kindsl.language.syntax.document import SyntaxDocument
 from kindsl.language.syntax.tree import Node, Token
 from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.language.text.groups import grouped
 from kindsl.mechanics.rigid.pose import Rotation, fixed_axis_angles
 from kindsl.robots.interchange.xml_reading import TAG, XmlElement, finite_number
 
@@ -85,11 +86,9 @@ class RobotIsland(OtherIsland):
     @classmethod
     def made_of(cls, pieces: Iterable[XmlPiece], former: SyntaxDocument | None) -> list[Self]:
         """Return an island of each piece, those of an earlier version where equal."""
-        known: dict[tuple[str, bool, str], list[Self]] = {}
-        for island in former.islands if former is not None else ():
-            if isinstance(island, cls):
-                key = island.text, island.element is not None, island.prefix
-                known.setdefault(key, []).append(island)
+        islands_then = former.islands if former is not None else ()
+        made = [island for island in islands_then if isinstance(island, cls)]
+        known = grouped(((each.text, each.element is not None, each.prefix), each) for each in made)
         islands = []
         for piece in pieces:
             same = known.get((piece.text, piece.element is not None, piece.prefix))

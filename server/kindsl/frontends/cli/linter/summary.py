@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from kindsl.frontends.cli.outcome import LintedFile, RunOutcome
-from kindsl.judgement.analysis.diagnostics import Diagnostic
 from kindsl.judgement.rules.base import Severity
+from kindsl.language.text.groups import grouped
 from kindsl.language.text.phrases import counted
 from kindsl.language.text.printable import printable
 
@@ -50,10 +50,7 @@ def rule_counts(outcome: RunOutcome) -> list[dict[str, Any]]:
 
     Of the findings `count` are told and `fixable` have a safe fix.
     """
-    by_rule: dict[str, list[Diagnostic]] = {}
-    for file in outcome.files:
-        for finding in file.findings:
-            by_rule.setdefault(finding.code, []).append(finding)
+    by_rule = grouped((found.code, found) for file in outcome.files for found in file.findings)
     rows = [
         {
             "code": code,

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterable
 
+from kindsl.language.text.groups import grouped
 from kindsl.language.text.phrases import listed
 from kindsl.language.text.printable import printable
 
@@ -22,9 +23,7 @@ def rendered_notes(path: str, remarks: Iterable[str], *, is_verbose: bool) -> st
 
 def folded(remarks: Iterable[str]) -> list[str]:
     """Return one remark for all that differ in their names only, with the names of the others."""
-    kinds: dict[str, list[str]] = {}
-    for remark in remarks:
-        kinds.setdefault(_NAME.sub("''", remark), []).append(remark)
+    kinds = grouped((_NAME.sub("''", remark), remark) for remark in remarks)
     return [_folded(alike) for alike in kinds.values()]
 
 

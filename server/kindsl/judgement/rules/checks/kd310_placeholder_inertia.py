@@ -53,6 +53,7 @@ from kindsl.language.semantics.numbers import mass_distribution
 from kindsl.language.syntax.document import Chunk
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.language.text.facts import kept
+from kindsl.language.text.groups import grouped
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.robots.limbs.names import LimbLabel, label_of
 
@@ -90,11 +91,9 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
 
 @kept
 def _moving(chunk: Chunk) -> dict[Numbers, list[tuple[Link, Inertia]]]:
-    part, found = model_part(chunk), dict[Numbers, list[tuple[Link, Inertia]]]()
-    for body in (*part.bases, *part.links):
-        if body.inertia is not None and is_moving(body):
-            found.setdefault(_numbers(body), []).append((body, body.inertia))
-    return found
+    part = model_part(chunk)
+    moving = [body for body in (*part.bases, *part.links) if is_moving(body)]
+    return grouped((_numbers(b), (b, b.inertia)) for b in moving if b.inertia is not None)
 
 
 def _is_one_part(model: Model, bodies: Sequence[Link]) -> bool:

@@ -6,6 +6,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from kindsl.language.text.groups import grouped
 from kindsl.language.text.phrases import listed
 from kindsl.mechanics.rigid.body import MassDistribution, Symmetric
 from kindsl.mechanics.rigid.pose import IDENTITY, Z_AXIS, RigidPose, Vector3
@@ -176,9 +177,7 @@ def _links(
 ) -> list[RigidLink]:
     elements = {n: link for link in model.iterfind("link") if (n := name_of(link)) != WORLD}
     frames = _frames(model, graph, start if base == "fixed" else WORLD)
-    below: dict[str, list[str]] = {}
-    for child, joint in joints.items():
-        below.setdefault(_parent(joint, graph), []).append(child)
+    below = grouped((_parent(joint, graph), child) for child, joint in joints.items())
     world_T_start = IDENTITY if start == WORLD else graph.world_T(start, model)
     links = [RigidLink(start, parent_T_joint=world_T_start)]
     for name, element in elements.items() if start == WORLD else ():

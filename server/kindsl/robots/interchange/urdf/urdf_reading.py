@@ -6,6 +6,7 @@ from functools import partial
 from typing import Any
 
 from kindsl.language.semantics.parameters import JointProperties
+from kindsl.language.text.groups import grouped
 from kindsl.language.text.phrases import counted
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import (
@@ -61,9 +62,7 @@ def robot_of_urdf(text: bytes | str, name: str, choices: ReadingChoices = AS_WRI
     """
     (robot, refused), floating = checked(text), choices.floating
     links, joints = robot.findall("link"), robot.findall("joint")
-    children: dict[str, list[Any]] = {}
-    for joint in joints:
-        children.setdefault(end_of(joint, "parent"), []).append(joint)
+    children = grouped((end_of(joint, "parent"), joint) for joint in joints)
     unknown = frozenset(str(link.get("name")) for link in links if any(of_inertia(link)))
     known = (None if link.get("name") in unknown else _body(link) for link in links)
     bodies = dict(zip((str(link.get("name")) for link in links), known, strict=True))
