@@ -459,6 +459,31 @@ def test_a_number_of_the_other_side_has_the_sign_of_the_nearest_image() -> None:
     assert "consistent if ixy were 0.000363" in cause
 
 
+def test_the_com_tells_which_image_a_number_is_of() -> None:
+    """With its own sign the product would be nearer, but then z of the CoM would be another."""
+    thigh = 'ixx="0.00228" ixy="-0.000182" ixz="{}" iyy="0.029" iyz="{}" izz="0.02901"'
+    text = robot(
+        link("left_thigh", "0.0654 0.00194 0.0148", thigh.format("-0.00786", "7.78e-05"), "2.7"),
+        link("right_thigh", "0.0654 0.00194 -0.0148", thigh.format("-0.00262", "-7.78e-05"), "2.7"),
+        joint("left", "base", "left_thigh", "0 0.2 0"),
+        joint("right", "base", "right_thigh", "0 -0.2 0"),
+    )
+    (cause,) = [each for each in messages(text) if "would" in each]
+    assert "ixz were 0.00262 (" in cause and "mirror image of 'right_thigh'" in cause
+
+
+def test_wheels_with_another_com_are_not_one_part() -> None:
+    wheel = 'ixx="{}" ixy="0" ixz="0" iyy="{}" iyz="0" izz="{}"'
+    front, rear = (wheel.format(*t) for t in ((0.0752, 0.1486, 0.0752), (0.0764, 0.1494, 0.0764)))
+    text = robot(
+        link("front_wheel", "0 0 0", front, "2.434"),
+        link("rear_wheel", "0 -0.0081 0", rear, "0.3051"),
+        joint("front", "base", "front_wheel", "0.5 0 0", "continuous"),
+        joint("rear", "base", "rear_wheel", "-0.5 0 0", "continuous"),
+    )
+    assert not any("front_wheel" in told for told in messages(text))
+
+
 @pytest.mark.parametrize(
     ("origin", "shape", "severities"),
     [

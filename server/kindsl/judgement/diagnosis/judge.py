@@ -67,7 +67,7 @@ _OF_SIZE = frozenset((Slip.SCALE, Slip.MASS, Slip.TWICE, Slip.MOMENT, Slip.COM_U
 # Of these, what is told of a body of which nothing else is odd.
 _OF_POSSIBLE = frozenset((Slip.TWICE,))
 # Of ten numbers those that are compared with each other: the mass, the CoM, the moments.
-_LEAST = 1e-12
+_LEAST, _DIGITS = 1e-12, 9
 _KINDS = (slice(1), slice(1, 4), slice(4, 10))
 # Of the CoM a counterpart tells signs, order and unit.
 _TYPED = frozenset(("mass", *MOMENTS))
@@ -194,20 +194,21 @@ def candidates(found: Judgement, around: LinkSurroundings) -> list[Cause]:
 def _typed_anew(found: Judgement, around: LinkSurroundings) -> Iterator[Hypothesis]:
     """Yield the numbers with the mass or the moment in which alone a counterpart differs.
 
-    Of its images the nearest tells the sign.
+    Of its images the one whose other numbers are nearest tells the sign, else the nearest number.
     """
-    written = found.body.numbers
+    own, written = found.body.numbers, around.placed(found.body).numbers
     for peer in around.peers:
-        ways: list[tuple[float, int, float]] = []
-        for image in images(peer.body):
+        ways: list[tuple[float, float, int, float]] = []
+        for image in images(peer.placed):
             meant = image.numbers
             sizes = (max([_LEAST, *map(abs, meant[kind])]) for kind in _KINDS for _ in meant[kind])
             apart = [abs(a - b) / c for a, b, c in zip(written, meant, sizes, strict=True)]
             odd = [i for i, share in enumerate(apart) if share > SAME]
             if len(odd) == 1 and TEN[odd[0]] in _TYPED:
-                ways.append((sum(apart), odd[0], meant[odd[0]]))
-        for _, n, number in sorted(ways)[:1]:
-            body = MassDistribution.of((*written[:n], number, *written[n + 1 :]))
+                n, off = odd[0], apart[odd[0]]
+                ways.append((round(sum(apart) - off, _DIGITS), off, n, meant[n]))
+        for _, _, n, number in sorted(ways)[:1]:
+            body = MassDistribution.of((*own[:n], number, *own[n + 1 :]))
             weight = TABLE[Slip.NUMBER].weight * exp(WEIGHTS.get(Slip.NUMBER, 0.0))
             names = TEN[n], f"{_in_file(number, TEN[n], found.link):.4g}"
             yield Hypothesis((Slip.NUMBER,), body, found.half, weight, names)

@@ -47,11 +47,18 @@ class Peer(NamedTuple):
     Attributes:
         body: Its inertia.
         expected: The inertia that the link should have for its sake, None if that is not known.
+        origin: Where the frame of its inertia is, from the link's origin and along its own axes.
     """
 
     name: str
     body: MassDistribution
     expected: MassDistribution | None
+    origin: Vector3 = ORIGIN
+
+    @property
+    def placed(self) -> MassDistribution:
+        """Its body with the CoM from the link's origin, the moments as they are."""
+        return _placed(self.body, self.origin)
 
 
 class LinkSurroundings(NamedTuple):
@@ -74,13 +81,17 @@ class LinkSurroundings(NamedTuple):
 
     def placed(self, body: MassDistribution) -> MassDistribution:
         """Return a body with its CoM from the link's origin, its moments as they are."""
-        x, y, z = map(add, body.com, self.origin)
-        return body._replace(com=(x, y, z))
+        return _placed(body, self.origin)
 
     @property
     def end(self) -> Vector3 | None:
         """The farthest of its points, None where none is known."""
         return max(self.points, key=lambda point: hypot(*point), default=None)
+
+
+def _placed(body: MassDistribution, origin: Vector3) -> MassDistribution:
+    x, y, z = map(add, body.com, origin)
+    return body._replace(com=(x, y, z))
 
 
 _SURROUNDINGS = Fact[tuple[object, LinkSurroundings]]("surroundings")
@@ -133,8 +144,14 @@ def _surroundings(
         peers,
         middle_mass(model),
         tuple(each for each in copies(model, values, link) if each[0] not in names),
-        turned(transposed(T.rotation), T.translation) if T is not None else ORIGIN,
+        _origin(link, values),
     )
+
+
+def _origin(link: Link, values: Mapping[str, float]) -> Vector3:
+    """Return where the frame of an inertia is, from the link's origin and along its own axes."""
+    T = pose_of_com(link, values)
+    return turned(transposed(T.rotation), T.translation) if T is not None else ORIGIN
 
 
 def _points(model: Model, values: Mapping[str, float], link: Link) -> tuple[Vector3, ...]:
@@ -184,13 +201,13 @@ def reasons_of_end(h: Hypothesis, shape: MassShape, end: Vector3 | None) -> Iter
 def of_counterparts(body: MassDistribution, around: LinkSurroundings) -> Evidence:
     """Return what the counterpart that says most says of a body."""
     images = [peer for peer in around.peers if is_mirror_image(body, peer.body)]
-    said = [_of_image(body, peer) for peer in images]
+    said = [_of_image(body, peer, around) for peer in images]
     return max(said, key=lambda each: each.log_weight, default=Evidence(0.0))
 
 
-def _of_image(body: MassDistribution, peer: Peer) -> Evidence:
+def _of_image(body: MassDistribution, peer: Peer, around: LinkSurroundings) -> Evidence:
     """Return what a mirror image says: most where the body is as it expects it."""
-    is_equal = is_same_body(body, peer.body)
+    is_equal = is_same_body(around.placed(body), peer.placed)
     is_expected = peer.expected is not None and is_same_body(body, peer.expected)
     return Evidence(
         EXPECTED if is_expected else MIRRORED,
@@ -265,7 +282,7 @@ def _peers(
     peers = [each for each in possible if may_be_image(found.body, each[1])]
     named = [each for each in possible if each[0] in namesakes] if peers else ()
     expected = _expected(model, values, found.link, named)
-    return tuple(Peer(str(other.name), body, expected) for other, body in peers)
+    return tuple(Peer(str(o.name), body, expected, _origin(o, values)) for o, body in peers)
 
 
 def _expected(
