@@ -73,6 +73,16 @@ def test_of_a_left_and_a_right_link_either_may_be_misplaced(
     assert misplaced(*legs(change, names=("LF", "RF")), extra) == (elsewhere, [])
 
 
+def test_wheels_on_the_front_and_the_rear_of_one_chain() -> None:
+    """Three of four are on the rear: the one that is called front is wrong, not the fourth."""
+    chain = [Attachment("front_frame", "rear_frame", "hinge")]
+    rows = [f"{row}_{side}" for row in ("front", "rear") for side in ("left", "right")]
+    wheels = [Attachment(f"{n}_wheel", f"{n.split('_')[0]}_frame", f"{n}_axle") for n in rows]
+    assert misplaced(*chain, *wheels) == ([], [])
+    wheels[1] = wheels[1]._replace(parent="rear_frame")
+    assert misplaced(*chain, *wheels) == ([("front_right_wheel", "front_frame")], [])
+
+
 @pytest.mark.parametrize("carrier", ["head", "front_mast"])
 def test_a_front_and_a_rear_part_need_not_be_alike(carrier: str) -> None:
     names = ("front", "rear")

@@ -109,7 +109,7 @@ class LimbNames:
             accused = crossed or [a for a, view in views.items() if count[view] == 1]
             apart = frozenset(accused)
             others = tuple(a for a in views if a not in apart)
-            found = [self._judged(a, views, others, sided) for a in accused]
+            found = [_of_row(self._judged(a, views, others, sided)) for a in accused]
             if crossed:
                 across += found
             elif len(count) > 1:
@@ -208,6 +208,15 @@ class LimbNames:
         pairs = zip(mine, label, strict=True)
         is_same = all(x == y or not x or not y or x.isdigit() != y.isdigit() for x, y in pairs)
         return _View(self._read(name)[1], "same" if is_same else "other")
+
+
+def _of_row(told: Misplaced) -> Misplaced:
+    """Return the one peer that hangs on a body of another row, where the accused is in its own."""
+    (link, parent, _), meant, peers = told
+    row = label_of(link).row
+    wrong = [each for each in peers if label_of(each.link).row == row]
+    is_own = row and label_of(parent).row == row and label_of(meant or "").row not in ("", row)
+    return Misplaced(wrong[0], parent, (told.attachment,)) if is_own and len(wrong) == 1 else told
 
 
 def _above(name: str, parents: Mapping[str, str]) -> set[str]:
