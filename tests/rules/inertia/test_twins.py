@@ -1,6 +1,7 @@
 """What twins are called, and which of their differences and signs are told (KD312)."""
 
 import pytest
+from tests.support.examples import link, robot
 from tests.support.one_rule import MOMENTS, found, row, section, told
 
 from kindsl.judgement.analysis.analysis import analyse
@@ -358,3 +359,17 @@ def test_where_more_pairs_differ_than_agree_they_are_meant_to() -> None:
     assert len(told("KD312", row(*sides, names="left_arm right_arm"))) == 1
     pairs = found("KD312", row(*sides, *other, names="left_arm right_arm left_leg right_leg"))
     assert [each.probability for each in pairs] == [None, None]
+
+
+def test_a_part_is_not_accused_for_a_counterpart_whose_unit_is_told() -> None:
+    """Of three equal fins one is in g·cm²; the other two do not have each other's moments."""
+    fin = "mass=1.4352 CoM=(-0.04, 0.0, 0.16) Ix={} Iy={} Iz={} Ixy=0.0 Ixz={} Iyz=0.0"
+    right = fin.format("0.04755296", "0.0528632", "0.00540592", "-0.00918528")
+    wrong = fin.format("475529.6", "528632.0", "54059.2", "-91852.8")
+    names = ("fin_port", right), ("fin_starboard", wrong), ("fin_top", right)
+    links = [
+        link(n, k, inertia=f"inertia_params {{ {text} }}") for k, (n, text) in enumerate(names, 1)
+    ]
+    carried = "fin_port via one fin_starboard via other fin_top via third"
+    text = robot(*links, base=carried, joints="one other third")
+    assert [f.code for f in analyse(text).findings if f.code in ("KD308", "KD312")] == ["KD308"]

@@ -5,10 +5,11 @@ from functools import partial
 from math import isclose
 
 from kindsl.judgement.diagnosis.counterparts import images, is_turned_image
-from kindsl.judgement.diagnosis.judgements import TEN, keyword
+from kindsl.judgement.diagnosis.judgements import TEN, judgements, keyword
 from kindsl.judgement.rules.base import Finding, Related
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.expressions import Values
+from kindsl.language.semantics.lowering import declarations
 from kindsl.language.semantics.model import Model, model_part
 from kindsl.language.syntax.document import Chunk
 from kindsl.language.syntax.vocabulary import MOMENTS
@@ -47,13 +48,23 @@ def unlike_pairs(
         from kindsl.judgement.rules.inertia.unlike_peers import copied_from
 
         pair = (left, right), (right, left)
-        found = [(own, peer, copy) for own, peer in pair if (copy := copied_from(model, own, ()))]
+        found = [
+            (own, peer, copy)
+            for own, peer in pair
+            if not _is_odd(peer, values) and (copy := copied_from(model, own, ()))
+        ]
         if len(found) == 1:
             own, peer, copy = found[0]
             message = f"'{own.name}' is not the mirror image of '{peer.name}': {copy}"
             yield _finding(own, peer, message)
         elif numbers:
             yield _finding(right, left, numbers)
+
+
+def _is_odd(body: Link, values: Values) -> bool:
+    """Return whether a part's own numbers are impossible, or of no material."""
+    odd = judgements(declarations(body.island), values)
+    return any(found.link is body for found in odd)
 
 
 def _difference(left: Link, right: Link, values: Values, body_of: _BodyOf) -> tuple[str, bool]:
