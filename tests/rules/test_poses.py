@@ -48,6 +48,15 @@ def test_a_vector_in_millimetres_is_told_once(translation: str, fixed: str | Non
         assert apply_edits(text, finding.fix.edits) == document_of(at(fixed))
 
 
+@pytest.mark.parametrize(("y", "is_unit"), [("1.0", False), ("2.0", True)])
+def test_a_vector_with_a_number_of_others_is_not_in_millimetres(y: str, is_unit: bool) -> None:
+    """The drums of a cable robot stand at the corners of a square; one has a digit too many."""
+    corners = ("1.0, 1.0, 0.5", "-1.0, 1.0, 0.5", f"-1000.0, {y}, 0.0")
+    drums = "".join(at(corner, name=f"drum{n}") for n, corner in enumerate(corners))
+    (finding,) = found("KD502", document_of(drums))
+    assert ("millimetres" in finding.message, finding.fix is not None) == (is_unit, is_unit)
+
+
 @pytest.mark.parametrize(
     ("angle", "written"),
     [

@@ -18,7 +18,7 @@ from kindsl.judgement.diagnosis.counterparts import (
 from kindsl.judgement.diagnosis.unlike import APART, EXACTLY, unlike_among
 from kindsl.judgement.rules.base import Finding, Related, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.geometry import converted
+from kindsl.judgement.rules.geometry import converted, is_partly_in_metres
 from kindsl.judgement.rules.inertia.mirror_images import sided_pairs, unlike_pairs
 from kindsl.judgement.rules.inertia.told_causes import told_causes
 from kindsl.judgement.rules.limb_places import numbers_at
@@ -62,9 +62,9 @@ def body_findings(model: Model, bodies: Sequence[XmlBody], context: Context) -> 
     Args:
         context: Without values, since XML has no parameters.
     """
-    far = [_in_another_unit(com, is_com=True) for _, com in far_coms(bodies)]
+    far = [_in_another_unit(model, com, is_com=True) for _, com in far_coms(bodies)]
     joints = filter(None, (far_joint(body, bodies) for body in bodies))
-    far += (_in_another_unit(joint, is_com=False) for joint in joints)
+    far += (_in_another_unit(model, joint, is_com=False) for joint in joints)
     odd = odd_links(model, bodies)
     far += _far_slides(model, bodies)
     yield from (("KD502", finding) for finding in far)
@@ -143,14 +143,17 @@ def _greatest(vector: Vector) -> float:
     return max(abs(component.literal or 0.0) for component in vector.components)
 
 
-def _in_another_unit(vector: Vector, is_com: bool) -> Finding:
+def _in_another_unit(model: Model, vector: Vector, is_com: bool) -> Finding:
     # Imported for these only, since it delays the linter's start.
     from kindsl.judgement.diagnosis.slips import likely_lengths
 
     likely = likely_lengths(_greatest(vector))
     units, probability = [LENGTH_UNITS[unit] for unit, _ in likely], likely[0][1]
     farthest = max(vector.components, key=lambda each: abs(each.literal or 0.0))
-    told = f"length {farthest.text} m is implausible; is it in {alternatives(n for n, _ in units)}?"
+    told = f"length {farthest.text} m is implausible"
+    if not is_com and is_partly_in_metres(model, vector):
+        return Finding(farthest, told)
+    told += f"; is it in {alternatives(n for n, _ in units)}?"
     fixes = [converted(vector, factor, is_com=is_com) for _, factor in units]
     if probability >= LIKELY:
         return Finding(farthest, told, fix=fixes[0], probability=probability)

@@ -19,8 +19,8 @@ translation = (0.0, 0.0, 425.0)
 
 ## Fix
 Converts the vector to metres, of a translation without what would be less than 0.05 mm, and not at
-all where it has lengths between that and 1 mm. Unsafe: the unit is a guess, of a translation
-millimetres.
+all where it has lengths between that and 1 mm, or one that other vectors have, which are in metres.
+Unsafe: the unit is a guess, of a translation millimetres.
 """
 
 from collections.abc import Iterator
@@ -29,7 +29,7 @@ from kindsl.judgement.diagnosis.body_verdicts import DOUBTFUL_LENGTH, GREATEST_L
 from kindsl.judgement.diagnosis.judgements import keyword
 from kindsl.judgement.rules.base import Finding, Rule, Severity
 from kindsl.judgement.rules.context import Context
-from kindsl.judgement.rules.geometry import converted, lengths
+from kindsl.judgement.rules.geometry import converted, is_partly_in_metres, lengths
 from kindsl.judgement.rules.inertia.told_causes import SuspectCom, explained, suspect_coms
 from kindsl.judgement.rules.units import LENGTH_UNITS
 from kindsl.language.semantics.aspects import Aspect
@@ -59,8 +59,11 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
             if suspect is not None or not _is_of_crane(model, vector, abs(value.literal)):
                 unit, is_sure = suspect or _ANY
                 name, factor = LENGTH_UNITS[unit]
-                message = f"length {value.text} m is implausible; is it in {name}?"
-                fix = converted(vector, factor, is_com=vector in coms) if is_sure else None
+                message = f"length {value.text} m is implausible"
+                fix = None
+                if vector in coms or not is_partly_in_metres(model, vector):
+                    message += f"; is it in {name}?"
+                    fix = converted(vector, factor, is_com=vector in coms) if is_sure else None
                 yield Finding(value, message, fix=fix)
                 told.add(vector)
             break
