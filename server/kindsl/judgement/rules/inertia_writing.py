@@ -5,7 +5,6 @@ from kindsl.language.semantics.declarations import Inertia, Link
 from kindsl.language.semantics.places import Place
 from kindsl.language.semantics.unknown import inertia_expressions
 from kindsl.language.syntax.insertions import section_indent
-from kindsl.language.syntax.tree import Node
 from kindsl.language.syntax.vocabulary import words_of
 from kindsl.language.text.lines import line_start, newline_of
 from kindsl.mechanics.rigid.body import NO_BODY
@@ -22,7 +21,7 @@ def inertia_changes(body: Link, found: MassProperties, at: Place) -> tuple[Repla
 
     An inertia that is whole keeps its layout and its comments.
     """
-    inertia, sections = body.inertia, _sections(body)
+    inertia, sections = body.inertia, body.node.parts
     ids = [section for section in sections if section.kind == "id"]
     if inertia is None and all(
         section.end <= at.start if section in ids else at.end <= section.start
@@ -43,7 +42,7 @@ def new_inertia(body: Link, found: MassProperties) -> tuple[Replacement, ...]:
     """Return the changes that give a body other mass properties, wherever they come from."""
     inertia = body.inertia
     if inertia is None:
-        ids = [section for section in _sections(body) if section.kind == "id"]
+        ids = list(body.node.nodes("id"))
         behind = ids[0] if ids else next(c for c in body.node.children if c.kind == "{")
         new = f"{newline_of(body.island.text)}{_block(body, found)}"
         return (Replacement(Place(body.island, behind.end, behind.end), new),)
@@ -52,10 +51,6 @@ def new_inertia(body: Link, found: MassProperties) -> tuple[Replacement, ...]:
         return tuple(map(Replacement, inertia_expressions(inertia), texts))
     block = _block(body, found).lstrip()
     return (Replacement(Place(body.island, inertia.start, inertia.end), block),)
-
-
-def _sections(body: Link) -> list[Node]:
-    return [child for child in body.node.children if isinstance(child, Node)]
 
 
 def _block(body: Link, found: MassProperties) -> str:

@@ -177,7 +177,7 @@ def _converted(node: Node) -> float | int | None:
         ZeroDivisionError: It is divided by zero.
         OverflowError: A factor is too large.
     """
-    parts = [child for child in node.children if isinstance(child, Node)]
+    parts = node.parts
     if node.kind not in ("divide", "multiply", "negate"):
         return _scaled(node)
     if node.kind == "negate":

@@ -131,7 +131,7 @@ def _blocks(island: Island) -> Iterator[Node]:
     row: Sequence[Node] = island.nodes
     while row:
         yield from (node for node in row if node.kind in _BLOCKS)
-        row = [child for node in row for child in node.children if isinstance(child, Node)]
+        row = [part for node in row for part in node.parts]
 
 
 def _line_end(text: str, offset: int) -> int:

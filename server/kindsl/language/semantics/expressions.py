@@ -85,18 +85,18 @@ def half_unit(text: str) -> float:
 
 def symbols(expression: Expression) -> Iterator[ParameterUse | ConstantUse]:
     """Yield the parameters and constants of a value, in the order of the text."""
-    yield from _symbols(expression.node, expression.island)
+    island = expression.island
+    for node in expression.node.walk():
+        token = name_token(node) if node.kind in _USES else None
+        if token is not None and token.text:
+            name = Name.at(token.text.lstrip("^"), island, token.start, token.end)
+            default = Expression(node.parts[0], island) if node.parts else None
+            yield _USES[node.kind](name, default)
 
 
 def is_undecided(expression: Expression) -> bool:
     """Return whether the generators read a value differently and no target decides."""
-    pending = [expression.node]
-    while pending:
-        node = pending.pop()
-        if node.kind == "undecided":
-            return True
-        pending += (child for child in node.children if isinstance(child, Node))
-    return False
+    return any(node.kind == "undecided" for node in expression.node.walk())
 
 
 _USES: dict[str, type[ParameterUse | ConstantUse]] = {
@@ -108,22 +108,12 @@ _USES: dict[str, type[ParameterUse | ConstantUse]] = {
 }
 
 
-def _symbols(node: Node, island: Island) -> Iterator[ParameterUse | ConstantUse]:
-    parts = [child for child in node.children if isinstance(child, Node)]
-    token = name_token(node) if node.kind in _USES else None
-    if token is not None and token.text:
-        name = Name.at(token.text.lstrip("^"), island, token.start, token.end)
-        yield _USES[node.kind](name, Expression(parts[0], island) if parts else None)
-    for part in parts:
-        yield from _symbols(part, island)
-
-
 def _rounding(node: Node, bindings: Values) -> float:
     if node.kind in _SYMBOLS_BEHIND_NUMBERS:
         token, symbol = node.children[0], _SYMBOLS_BEHIND_NUMBERS[node.kind]
         factor = bindings.get(name_of(node), 0.0) if symbol is None else symbol
         return abs(factor) * half_unit(cast(Token, token).text) if number_of(token) else 0.0
-    parts = [child for child in node.children if isinstance(child, Node)]
+    parts = node.parts
     if is_signed_product(node):
         factor = evaluate(parts[1], bindings, FLOATS) or 0.0
         return abs(factor) * _rounding(parts[0], bindings)

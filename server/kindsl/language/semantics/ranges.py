@@ -85,13 +85,10 @@ def _degrees(node: Node, names: frozenset[str]) -> Degrees | None:
         return {name: 1} if name in names else {}
     if node.kind == "unsupported":
         return None
-    parts: list[Degrees] = []
-    for child in node.children:
-        if isinstance(child, Node):
-            degrees = _degrees(child, names)
-            if degrees is None:
-                return None
-            parts.append(degrees)
+    found = [_degrees(part, names) for part in node.parts]
+    parts = [degrees for degrees in found if degrees is not None]
+    if len(parts) < len(found):
+        return None
     if node.kind == "multiply":
         return product_degrees(*parts)
     if node.kind == "divide":

@@ -72,7 +72,7 @@ def _value(node: Node, names: Mapping[str, T], by: Arithmetic[T]) -> T | None:
     known = names.get(name_of(node)) if kind in ("parameter", "defaulted") else None
     if known is not None or kind == "undecided":
         return known
-    parts = [_value(part, names, by) for part in node.children if isinstance(part, Node)]
+    parts = [_value(part, names, by) for part in node.parts]
     if kind in by.operations and len(parts) == 2:
         return _applied(by.operations[kind], *parts)
     if kind == "negate" and parts[0] is not None:

@@ -39,7 +39,7 @@ def inserted_section(
 
 def last_section(block: Node) -> Node | None:
     """Return the last section of a block, entry of a section, or None."""
-    return next((child for child in reversed(block.children) if isinstance(child, Node)), None)
+    return next(reversed(block.parts), None)
 
 
 def section_indent(text: str, block: Node) -> str:

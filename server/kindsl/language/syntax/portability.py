@@ -83,7 +83,7 @@ def _notes_within(island: Island, blocks: Sequence[Node]) -> Iterator[Portabilit
 
 
 def _section_notes(text: str, block: Node) -> Iterator[PortabilityNote]:
-    for node in (child for child in block.children if isinstance(child, Node)):
+    for node in block.parts:
         if node.kind in _SECTIONS_OF_ONE:
             word = next(node.tokens())
             for target in TARGETS_OF_ALL - targets_of(node.kind):

@@ -72,7 +72,7 @@ def _number(node: Node | Token) -> Decimal | None:
         return _number(node.children[0])
     if node.kind not in ("negate", "multiply"):
         return None
-    values = [_number(child) for child in node.children if isinstance(child, Node)]
+    values = [_number(part) for part in node.parts]
     known = [value for value in values if value is not None]
     if not known or len(known) != len(values):
         return None

@@ -38,7 +38,7 @@ def section_problems(text: str, block: Node, touched: frozenset[int]) -> Iterato
     """
     yield from _empty_frames(block, touched)
     for node in _blocks(block):
-        names = tuple(_name(child) for child in node.children if isinstance(child, Node))
+        names = tuple(map(_name, node.parts))
         key = (node.kind, *names)
         if key in _fine or id(node) in touched:
             continue
@@ -115,7 +115,7 @@ def _name(section: Node) -> str:
 
 
 def _problems(text: str, node: Node) -> list[Problem]:
-    sections = [child for child in node.children if isinstance(child, Node)]
+    sections = node.parts
     known = [child for child in sections if child.kind in ORDER[node.kind]]
     problems = [_foreign(text, node, child) for child in sections if child not in known]
     problems += [_refused(text, child) for child in known if child.kind in NEITHER]

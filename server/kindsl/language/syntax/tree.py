@@ -87,6 +87,19 @@ class Node:
             if child.kind == kind and isinstance(child, Node):
                 yield child
 
+    @property
+    def parts(self) -> "list[Node]":
+        """The children that are nodes."""
+        return [child for child in self.children if isinstance(child, Node)]
+
+    def walk(self) -> "Iterator[Node]":
+        """Yield the node and all nodes below, each before its own, in order."""
+        pending = [self]
+        while pending:
+            node = pending.pop()
+            yield node
+            pending += node.parts[::-1]
+
     def tokens(self) -> Iterator[Token]:
         """Yield all tokens below, in order."""
         pending = self.children[::-1]

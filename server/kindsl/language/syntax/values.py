@@ -38,7 +38,7 @@ def value_problems(text: str, block: Node, touched: frozenset[int]) -> Iterator[
         elif node.kind == "id":
             yield from _id_problems(node, block.kind)
         else:
-            pending += [child for child in node.children if isinstance(child, Node)]
+            pending += node.parts
 
 
 def _expression_problems(text: str, parent: Node, node: Node) -> Iterator[Problem]:

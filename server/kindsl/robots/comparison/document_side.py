@@ -89,5 +89,4 @@ def _number(expression: Expression, values: Values) -> WrittenNumber:
 
 def _is_decimal(node: Node) -> bool:
     """Return whether a value is made of decimal numbers alone: PI and parameters are exact."""
-    parts = [child for child in node.children if isinstance(child, Node)]
-    return node.kind == "number" or (bool(parts) and all(map(_is_decimal, parts)))
+    return node.kind == "number" or (bool(node.parts) and all(map(_is_decimal, node.parts)))

@@ -26,7 +26,6 @@ from kindsl.language.semantics.unknown import Unknown, pose_expressions
 from kindsl.language.syntax.insertions import inserted_section
 from kindsl.language.syntax.sections import ORDER
 from kindsl.language.syntax.tables import WORDS
-from kindsl.language.syntax.tree import Node
 from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.language.text.decimals import fixed_decimal, rounded_decimal
 from kindsl.language.text.distinct import free_name
@@ -169,9 +168,8 @@ def _numbers(moving: _Moving, pose: RigidPose) -> Iterator[TextEdit]:
 def _with_frame(inertia: Inertia, name: str) -> TextEdit | None:
     if inertia.frame is not None:
         return TextEdit(inertia.frame.start, inertia.frame.end, name)
-    sections = [child for child in inertia.node.children if isinstance(child, Node)]
-    text = inertia.island.text
-    return inserted_section(text, inertia.node, sections[-1], (f"ref_frame = {name}",))
+    node, text = inertia.node, inertia.island.text
+    return inserted_section(text, node, node.parts[-1], (f"ref_frame = {name}",))
 
 
 def _without_frame(inertia: Inertia) -> TextEdit:

@@ -91,7 +91,7 @@ def carrier_of(expression: Expression) -> Carrier | Refusal | None:
 
 def _factor(node: Node) -> float:
     """Return the number that the name in a value is multiplied by, zero in other expressions."""
-    operands = [child for child in node.children if isinstance(child, Node)]
+    operands = node.parts
     if node.kind == "juxtaposed_parameter":
         return number_of(node.children[0]) or 0.0
     if node.kind == "negate":

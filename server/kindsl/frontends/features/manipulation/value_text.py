@@ -4,7 +4,6 @@ from math import isclose, pi
 from typing import NamedTuple
 
 from kindsl.language.semantics.expressions import Expression
-from kindsl.language.syntax.tree import Node
 from kindsl.language.text.decimals import significant_decimal
 
 MOST_DECIMALS = 10
@@ -23,7 +22,7 @@ class ValueText(NamedTuple):
 
 def angle_text(value: float, old: Expression) -> ValueText:
     """Return an angle in radians: a fraction of PI where the old one was one or zero."""
-    if old.literal == 0.0 or _has_pi(old.node):
+    if old.literal == 0.0 or any(part.kind in _PI_KINDS for part in old.node.walk()):
         return fraction_of_pi(value) or number_text(value, "")
     return number_text(value, old.text)
 
@@ -57,9 +56,3 @@ def number_text(value: float, old: str) -> ValueText:
     least = min(len(written) if written.isdecimal() else 1, MOST_DECIMALS)
     text = f"{whole}.{decimals.rstrip('0').ljust(least, '0')}"
     return ValueText(text, float(text))
-
-
-def _has_pi(node: Node) -> bool:
-    if node.kind in _PI_KINDS:
-        return True
-    return any(_has_pi(child) for child in node.children if isinstance(child, Node))

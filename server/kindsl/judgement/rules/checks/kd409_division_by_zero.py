@@ -25,19 +25,17 @@ from kindsl.language.syntax.tree import Island, Node
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
     for value in declared.values():
         if value.literal is None:
-            yield from _divisions(value.node, value.island, context.values)
+            for node in value.node.walk():
+                yield from _division(node, value.island, context.values)
 
 
-def _divisions(node: Node, island: Island, values: Values) -> Iterator[Finding]:
-    parts = [child for child in node.children if isinstance(child, Node)]
-    if node.kind == "divide" and len(parts) == 2:
-        divisor = Expression(parts[1], island)
+def _division(node: Node, island: Island, values: Values) -> Iterator[Finding]:
+    if node.kind == "divide" and len(node.parts) == 2:
+        divisor = Expression(node.parts[1], island)
         if divisor.value(values) == 0.0:
             place = Place(island, node.start, node.end)
             what = "zero" if divisor.literal == 0.0 else f"'{divisor.text}', which is zero"
             yield Finding(place, f"'{island.text[place.start : place.end]}' divides by {what}")
-    for part in parts:
-        yield from _divisions(part, island, values)
 
 
 RULE = Rule(__name__, Severity.ERROR, check_island=check_island)
