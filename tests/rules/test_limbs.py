@@ -9,7 +9,7 @@ from typing import Any, cast
 import pytest
 from tests.support.examples import STEEL_BALL, four_legs, link, placed_joint, robot, two_arms
 from tests.support.one_rule import found, section, told
-from tests.support.published import CORPUS, published
+from tests.support.published import CORPUS, published, published_model
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.judgement.diagnosis.body_verdicts import BodyVerdict
@@ -23,6 +23,7 @@ from kindsl.judgement.rules.limb_attachments import crossed_findings, elsewhere_
 from kindsl.judgement.rules.limb_writing import retyped
 from kindsl.language.semantics.declarations import Link
 from kindsl.language.semantics.model import Model
+from kindsl.language.semantics.numbers import mass_distribution
 from kindsl.language.semantics.places import Located
 from kindsl.language.text.edits import TextEdit, apply_edits
 from kindsl.robots.limbs.attachments import Attachment, Misplaced
@@ -31,6 +32,7 @@ from kindsl.robots.limbs.verdicts import ComparedLimbs, verdicts
 from kindsl.robots.limbs.weighing import LimbVerdict, Masses
 
 CODES = ("KD208", "KD209", "KD210", "KD509", "KD510")
+ZERO = "0.0, 0.0, 0.0"
 THIGH = "0.08, 0.0, 0.0"
 
 
@@ -366,6 +368,27 @@ def test_a_copied_inertia_is_that_of_its_twins_instead() -> None:
     assert finding.message == COPIED
     assert finding.fix is not None
     assert told("KD509", apply_edits(text, finding.fix.edits)) == []
+
+
+@published
+@pytest.mark.parametrize("leg", ["LF", "RF", "LH", "RH"])
+def test_signs_of_small_numbers_are_those_of_another_pair(leg: str) -> None:
+    text = published_model("robcogen2__hyq").read_text()
+
+    def inertia_of(link: str) -> tuple[int, int]:
+        start = text.index("inertia_properties", text.index(f"link {link}"))
+        return start, text.index("}", start) + 1
+
+    (start, end), (other, its_end) = inertia_of(f"{leg}_upperleg"), inertia_of("LF_lowerleg")
+    copied = text[:start] + text[other:its_end] + text[end:]
+    finding = next(f for f in found("KD509", copied) if f"'{leg}_upperleg'" in f.message)
+    assert finding.fix is not None
+    here, there = analyse(text), analyse(apply_edits(copied, finding.fix.edits))
+    bodies = [
+        mass_distribution(each.model.body_named[f"{leg}_upperleg"].inertia, {})
+        for each in (here, there)
+    ]
+    assert bodies[0] == bodies[1]
 
 
 def test_of_a_copied_mass_the_link_is_told_that_it_was_copied_from() -> None:
@@ -746,6 +769,48 @@ def test_fingers_are_offered_the_place_that_they_had(kind: str, left: str, right
     assert codes(meant) == []
     (finding,) = found("KD510", wrong)
     assert meant in [apply_edits(wrong, fix.edits) for fix in finding.choices]
+
+
+def test_a_rotation_of_one_slip_is_meant_rather_than_the_moments_of_twins() -> None:
+    """Products are the same in fingers that are mirrored, as those of the Allegro hand."""
+
+    def hand(turn: str) -> str:
+        moments = (8.09e-5, 7.97e-5, 2.86e-5, 4.2e-6, -1.48e-5, 2.14e-5)
+        blocks = []
+        for n, (place, tilt) in enumerate(
+            (("0.0435, -0.0015", "-0.0873"), ("0.0, 0.0007", "0.0"), ("-0.0435, -0.0015", "0.0873"))
+        ):
+            blocks += [
+                link(f"finger{n}", 3 * n + 1, f"middle{n} via bend{n}"),
+                link(f"middle{n}", 3 * n + 2, f"tip{n} via end{n}", section(0.065, ZERO, *moments)),
+                link(f"tip{n}", 3 * n + 3),
+                placed_joint(f"spread{n}", f"0.0, {place}", f"{tilt}, 0.0, 0.0"),
+                placed_joint(
+                    f"bend{n}", "0.0, 0.0, 0.0164", turn if n == 2 else "-PI/2.0, 0.0, 0.0"
+                ),
+                placed_joint(f"end{n}", "0.0, -0.054, 0.0", "0.0, 0.0, 0.0"),
+            ]
+        return robot(*blocks, base=" ".join(f"finger{n} via spread{n}" for n in range(3)))
+
+    assert codes(hand("-PI/2.0, 0.0, 0.0")) == []
+    (finding,) = found("KD509", hand("0.0, 0.0, 0.0"))
+    assert finding.fix is not None
+    meant = apply_edits(hand("0.0, 0.0, 0.0"), finding.fix.edits)
+    assert meant == hand("-PI/2.0, 0.0, 0.0")
+
+
+@pytest.mark.parametrize("wrong", ["-0.15, -0.017, 0.08", "-0.015, 0.08, -0.017"])
+def test_fingers_half_a_turn_apart_are_offered_a_place_of_one_slip(wrong: str) -> None:
+    """Were they mirrored, a sign would be wrong as well."""
+
+    def hand(left: str) -> str:
+        places = {"left_finger": left, "right_finger": "0.015, 0.017, 0.08"}
+        return with_wheels(places, dict.fromkeys(places, "0.0, PI/2.0, 0.0"), "p")
+
+    assert codes(hand("-0.015, -0.017, 0.08")) == []
+    (finding,) = found("KD510", hand(wrong))
+    fixed = [apply_edits(hand(wrong), fix.edits) for fix in finding.choices]
+    assert hand("-0.015, -0.017, 0.08") in fixed
 
 
 _FIVE, _THREE = tuple(range(0, 360, 72)), (10, 130, 250)

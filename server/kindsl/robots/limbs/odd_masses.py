@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
-from math import inf
+from math import dist, inf
 from operator import sub
 
 from kindsl.mechanics.rigid.body import MassDistribution
@@ -172,10 +172,21 @@ def _odd_mass(
     """Return the verdict on numbers of a body, and the first peer's in their place."""
     mine = [pair for pair in pairs if label in pair]
     rows = [pairs[pair].limbs.rows[index][1:][:: 1 if pair[0] == label else -1] for pair in mine]
-    (body, peer), C = rows[0], way[mine[0]]
+    (body, peer), C = rows[0], _as_in_another(mine[0], label, index, pairs) or way[mine[0]]
     what = words[0] if len(words) == 1 else "inertia"
     meant = seen_by(pairs[mine[0]].masses[peer.name], C if mine[0][1] == label else transposed(C))
     numbers = {"mass": (meant.mass,), "com": meant.com, "moments": meant.moments}
     place = Suspect(body.name, body.joint, what)
     repair = MeantNumbers(place, (numbers.get(what, meant.numbers),))
     return LimbVerdict((place,), (repair,), tuple(peer.name for _, peer in rows), True)
+
+
+def _as_in_another(own: Pair, label: Side, index: int, pairs: Weighed) -> Rotation | None:
+    """Return how bodies of another pair lie that is like this one; signs of small numbers too."""
+    for pair, c in pairs.items():
+        here, there = (c.masses.get(body.name) for body in c.limbs.rows[index][1:])
+        is_alike = label not in pair and c.limbs.how == pairs[own].limbs.how != "TURN"
+        if is_alike and here is not None and there is not None:
+            ways = {C: dist(seen_by(here, C).numbers, there.numbers) for C in REFLECTIONS}
+            return min(ways, key=lambda C: ways[C])
+    return None

@@ -42,7 +42,11 @@ def n_slips(written: Vector3, meant: Vector3, *, are_angles: bool) -> int:
     odd = [(x, y) for x, y in zip(written, meant, strict=True) if not _is_near(x, y)]
     if are_angles and _are_turned(odd):
         return len(odd)
-    return len(odd) + n_retyped(written, meant, are_angles=are_angles)
+    n_new = n_retyped(written, meant, are_angles=are_angles)
+    # A sign beside another unit; what is typed anew, or in another order, is so with its sign.
+    sizes = [abs(y) for y in meant]
+    n_with_sign = sum(x * y < 0.0 and not any(_is_near(abs(x), z) for z in sizes) for x, y in odd)
+    return len(odd) + (n_new or n_with_sign)
 
 
 def angles_near(rotation: Rotation, own: Vector3, peer: Vector3) -> Vector3:

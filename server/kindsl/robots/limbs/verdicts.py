@@ -187,7 +187,7 @@ def _agreed(by_peer: _ByPeer) -> Accusation | None:
     ranked = []
     for order, each in enumerate(said for options in by_peer for said in options):
         n_agreeing = sum(any(_agree(each, other) for other in options) for options in by_peer)
-        likelihood = each.free_axis is not None, round(each.cost, 3), each.n_retyped, each.change
+        likelihood = each.free_axis is not None, each.n_slips, round(each.cost, 3), each.change
         ranked.append(((-n_agreeing, *likelihood, order), each))
     (n_agreeing, *_), meant = min(ranked)
     return meant if -n_agreeing > 1 else None
@@ -235,8 +235,10 @@ def _of_pair(c: WeighedComparison) -> Iterator[LimbVerdict]:
         at = {body.name: body.translation for _, *both in limbs.rows for body in both}
         repairs = []
         for i, first in enumerate(tied[0]):
-            own = (both[i] for both in tied if both[i].place == first.place)
-            meant = min(own, key=lambda said: (said.n_slips, said.meant == at[said.peer]))
+            own = (both[i] for both in c.accusations if both[i].place == first.place)
+            meant = min(
+                own, key=lambda said: (said.n_slips, said.cost, said.meant == at[said.peer])
+            )
             repairs.append(MeantNumbers(meant.place, (meant.meant,)))
         is_zero = any(_is_of_other_zero(limbs, said) for both in tied for said in both)
         yield LimbVerdict(tuple(places), tuple(repairs[::-1]), (), False, is_zero)

@@ -94,7 +94,7 @@ class WeighedComparison:
     Attributes:
         limbs: The limbs.
         masses: Of their links.
-        ranked: The readings with their costs, for each mount and slip the cheapest one.
+        ranked: The readings with their costs, for each mount, slip and convention the cheapest one.
         n_slips: The number of triples and kinds that differ: 0, 1, or 2 for more.
     """
 
@@ -113,7 +113,8 @@ class WeighedComparison:
                 break
             n_differing = len(self.differing(reading.conventions))
             cost = reading.mount.extra + _OF_MASS * n_differing
-            key = reading.mount, reading.slip
+            C = reading.conventions[reading.slip[0]] if reading.slip is not None else None
+            key = reading.mount, reading.slip, C
             if key not in ranked or cost < ranked[key][0]:
                 ranked[key] = cost, reading
         self.ranked = sorted(ranked.values(), key=lambda each: each[0])
@@ -153,7 +154,10 @@ class WeighedComparison:
 
     @cached_property
     def accusations(self) -> list[tuple[Accusation, Accusation]]:
-        """The single places that explain the difference, as of either limb."""
+        """The places that alone explain the difference at the least cost, as of either limb.
+
+        Each is given with all numbers that it may have been meant to have, at any cost.
+        """
         if self.n_slips != 1:
             return []
         for _, one, other in (self.limbs.rows[index] for index in self.limbs.other_kinds):
@@ -162,8 +166,9 @@ class WeighedComparison:
                 Suspect(other.name, other.joint, "kind"),
             )
             return [(Accusation(here, other.name), Accusation(there, one.name))]
-        best = [each for each in self.ranked if each[0] == self.best[0]]
-        return [self._accused(*each) for each in sorted(best, key=lambda each: each[1].slip or ())]
+        cheapest = {reading.slip or () for cost, reading in self.ranked if cost == self.best[0]}
+        ranked = sorted(self.ranked, key=lambda each: each[1].slip or ())
+        return [self._accused(*each) for each in ranked if each[1].slip in cheapest]
 
     def _accused(self, cost: float, reading: Reading) -> tuple[Accusation, Accusation]:
         mount, conventions, slip = reading
