@@ -101,6 +101,33 @@ def test_numbered_limbs() -> None:
     assert misplaced(*changed) == ([("leg2_shank", "leg2_thigh")], [])
 
 
+@pytest.mark.parametrize("finger", ["1", "2", "3"])
+def test_the_middle_link_of_a_finger_is_no_row_of_its_own(finger: str) -> None:
+    def hand(tip: str) -> list[Attachment]:
+        names = [(f"upper_link_{n}", f"middle_link_{n}", f"lower_link_{n}") for n in "123"]
+        made = []
+        for upper, middle, lower in names:
+            made += [
+                Attachment(upper, "palm", f"a_{upper}"),
+                Attachment(middle, upper, f"a_{middle}"),
+            ]
+            on = tip if lower.endswith(finger) else middle
+            made.append(Attachment(lower, on, f"a_{lower}"))
+        return made
+
+    assert misplaced(*hand(f"middle_link_{finger}")) == ([], [])
+    other = "middle_link_1" if finger == "3" else "middle_link_3"
+    assert misplaced(*hand(other))[0] == [(f"lower_link_{finger}", f"middle_link_{finger}")]
+
+
+def test_of_two_links_the_one_numbered_before_its_carrier_is_misplaced() -> None:
+    wheels = [Attachment("left_wheel", "base", "a"), Attachment("right_wheel", "mast", "b")]
+    wheels.append(Attachment("mast", "base", "c"))
+    assert LimbNames(wheels).elsewhere == []
+    (found,) = LimbNames(wheels, {"right_wheel"}).elsewhere
+    assert (found.attachment.link, found.meant) == ("right_wheel", "base")
+
+
 @pytest.mark.parametrize(
     "feet", ["LF_foot RF_foot LH_foot RH_foot", "part_5 part_8 part_11 part_14"]
 )

@@ -720,6 +720,20 @@ def with_turned_mount(text: str, place: str, rotation: str) -> str:
     return text.replace(old, f"({place})\n        rotation = ({rotation})")
 
 
+def test_a_number_before_its_carrier_s_tells_the_parent_of_a_wheel() -> None:
+    """Renumbering would hide that the parent is wrong."""
+    places = {"left_wheel": "0.0, 0.2, 0.0", "right_wheel": "0.0, -0.2, 0.0", "mast": ZERO}
+    text = with_wheels(places)
+    wheel = " right_wheel via to_right_wheel"
+    at = text.index("children", text.index("link mast"))
+    wrong = text[:at] + text[at:].replace("{  }", f"{{{wheel} }}", 1)
+    wrong = wrong.replace(f"{wheel} mast", " mast")
+    (finding,) = found("KD208", wrong)
+    assert finding.message == "link 'right_wheel' is a child of 'mast', by its twin of 'ground'"
+    assert finding.fix is not None and found("KD110", wrong)[0].fix is None
+    assert [f.code for f in analyse(apply_edits(wrong, finding.fix.edits)).findings] == []
+
+
 def test_a_like_arm_on_a_turned_mount_is_meant() -> None:
     arm = "0.02, 0.3, -0.05; 0.0, 0.25, -0.02"
     text = walker(arm).replace("(0.1, 0.05, -0.2)", "(0.02, 0.3, -0.05)")

@@ -28,7 +28,8 @@ def elsewhere_findings(names: LimbNames, place_of: _PlaceOf) -> _Found:
         return
     for each in found:
         (name, parent, _), meant, peers = each
-        by_peers = f"by its twins of '{meant}'" if meant else "unlike its twin"
+        twins = "twins" if len(peers) > 1 else "twin"
+        by_peers = f"by its {twins} of '{meant}'" if meant else "unlike its twin"
         others = [other.attachment for other in found if other is not each]
         related = _carried((*others, *peers), place_of)
         message = f"link '{name}' is a child of '{parent}', {by_peers}"

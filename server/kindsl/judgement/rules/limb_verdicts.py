@@ -67,9 +67,14 @@ def limb_names(model: Model) -> LimbNames:
 
 
 def _names(model: Model) -> LimbNames:
-    edges = (e for e in model.tree.edges if e.link is not None and e.joint is not None)
+    edges = [e for e in model.tree.edges if e.link is not None and e.joint is not None]
     return LimbNames(
-        [Attachment(str(e.child.link), str(e.predecessor.name), str(e.child.joint)) for e in edges]
+        [Attachment(str(e.child.link), str(e.predecessor.name), str(e.child.joint)) for e in edges],
+        {
+            str(e.child.link)
+            for e in edges
+            if e.link and 0 < (e.link.id or 0) < (e.predecessor.id or 0)
+        },
     )
 
 

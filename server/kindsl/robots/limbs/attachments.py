@@ -1,9 +1,9 @@
 """Names that tell who carries whom: limbs on another limb's body, exchanged joints."""
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
-from itertools import combinations, pairwise
+from itertools import chain, combinations, pairwise
 from typing import NamedTuple
 
 from kindsl.robots.limbs.names import label_of, tokens
@@ -49,9 +49,21 @@ class _View(NamedTuple):
 class LimbNames:
     """The names of a robot's links and joints, and what they tell."""
 
-    def __init__(self, attachments: Sequence[Attachment]) -> None:
-        self._attachments = attachments
+    def __init__(self, attachments: Sequence[Attachment], early: Container[str] = ()) -> None:
+        """Compare names.
+
+        Args:
+            attachments: Of all links but the base.
+            early: The links that are numbered before what carries them.
+        """
+        self._attachments, self._early = attachments, early
         self._limb_words = _words_of_numbered(attachments)
+        rows: dict[_Words, set[_Side]] = {}
+        for name in chain.from_iterable(attachments):
+            side, row, words, _ = label_of(name)
+            rows.setdefault(words, set()).add((side, row))
+        # `middle` is the part of a finger where there is neither a front nor a rear one.
+        self._of_one_row = {words for words, labels in rows.items() if len(labels) == 1}
         serial = self._serial()
         # Of the names on one chain a side or a row says where on it, not of which limb.
         apart = [a for a in attachments if a.link not in serial]
@@ -107,13 +119,16 @@ class LimbNames:
             count = Counter(views.values())
             crossed = [a for a, view in views.items() if view.side == "other"]
             accused = crossed or [a for a, view in views.items() if count[view] == 1]
+            early = [a for a in accused if what == "parent" and a.link in self._early]
+            if len(accused) == len(peers) == 2 and len(early) == 1:
+                accused = early
             apart = frozenset(accused)
             others = tuple(a for a in views if a not in apart)
             found = [_of_row(self._judged(a, views, others, sided)) for a in accused]
             if crossed:
                 across += found
             elif len(count) > 1:
-                is_told = len(found) == 1 if len(peers) > 2 else _is_sided(peers, what, sided)
+                is_told = len(found) == 1 or (len(peers) == 2 and _is_sided(peers, what, sided))
                 if len(count) > 2 or not is_told:
                     return []
                 odd.append((set(count), found))
@@ -186,6 +201,8 @@ class LimbNames:
     def _read(self, name: str) -> tuple[_Side, _Words]:
         """Return side and row, or for them the number of a limb, and the other words."""
         side, row, words, _ = label_of(name)
+        if row and not side and words in self._of_one_row:
+            row, words = "", tokens(name)
         for index, word in enumerate(words[1:] if not (side or row) else (), 1):
             if word.isdigit() and words[index - 1] in self._limb_words:
                 return (word, ""), words[:index] + words[index + 1 :]

@@ -16,7 +16,7 @@ link lower { id = 1 children {} }
 
 ## Fix
 Renumbers the links: parents before children, otherwise in the present order. Unsafe: programs that
-use the generated code identify joints by these ids.
+use the generated code identify joints by these ids. None where the parent is what is wrong (KD208).
 """
 
 from collections.abc import Iterator
@@ -34,15 +34,19 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     pairs = _reversed_pairs(model)
     if not pairs:
         return
-    # Imported where ids are wrong only, since it delays the linter's start.
+    # Imported where ids are wrong only, since they delay the linter's start.
+    from kindsl.judgement.rules.limb_verdicts import limb_names
     from kindsl.judgement.rules.renumbering import renumbering
 
+    elsewhere = {each.attachment.link for each in limb_names(model).elsewhere}
     taken = {again.id for _, again in repeats(model.links, lambda link: link.id)}
     severity = Severity.ERROR if ROBCOGEN2 in context.targets else Severity.WARNING
     for parent, child in pairs:
         is_in_tree = len(model.tree.above[child]) == 1
         if is_in_tree and not {parent.id, child.id} & taken:
-            yield _finding(parent, child, severity, renumbering(model, len(pairs)))
+            # Its parent is wrong, not its number, and what tells so must not be lost.
+            fix = None if child.name in elsewhere else renumbering(model, len(pairs))
+            yield _finding(parent, child, severity, fix)
 
 
 def _reversed_pairs(model: Model) -> list[tuple[Link, Link]]:

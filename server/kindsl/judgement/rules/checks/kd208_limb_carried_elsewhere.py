@@ -8,7 +8,7 @@ sides, rows or the numbers of limbs (`leg3_tibia`).
 ## Why is this bad?
 Blocks are copied from limb to limb, and one name is forgotten. The robot has a limb with two ends
 and one with none, and every number of them may be right. Of a left and a right link alone either
-may be the wrong one: both moves are offered.
+may be the wrong one: both moves are offered, but for one that is numbered before its parent.
 
 Names that tell nothing of the parent, and robots in which many links are attached so, are left in
 peace.
