@@ -7,6 +7,8 @@ limbs may lie in other ways; what counts is whether some mirroring or turning of
 numbers those of its twins. Where all limbs agree but one, and one translation or rotation of it,
 or the axis of one joint in XML, would make it agree too, that one is reported; where all joints
 agree, the mass, the centre of mass and the moments that one limb only has so.
+Bodies whose numbers are not copied but measured each by itself may differ by 5 %, and by five times
+what the others do among themselves.
 
 Links that two others or more are images of but for one mistake, such as a sign, a unit or two
 moments swapped, count as twins whatever their names: equal digits tell that parts are equal. The
