@@ -1,6 +1,6 @@
 """Documents in which KD310 finds nothing, and in which it finds something."""
 
-from tests.support.examples import link, robot
+from tests.support.examples import link, placed_joint, robot
 
 _INERTIA = """inertia_params {
         mass = 1.0
@@ -20,6 +20,8 @@ def _arm(third: str) -> str:
     return robot(*links, base="upper via shoulder", joints="shoulder elbow wrist")
 
 
+_OF_AN_ARM = """inertia_params { mass = 1.214 CoM = (0.0, 0.1313, 0.0)
+        Ix=0.03217 Iy=0.00062 Iz=0.03196 Ixy=0.0 Ixz=0.0 Iyz=0.0 }"""
 _OF_A_CHAIN = _INERTIA.replace("0.0, 0.0, 0.0", "0.0, 0.0, 0.054") % (
     "0.005217",
     "0.00629",
@@ -43,7 +45,22 @@ def _branches(*names: str) -> str:
     return robot(*links, base=carried, joints=" ".join(f"{name}_joint" for name in names))
 
 
+def _arms(one: str, other: str) -> str:
+    """Return two arms of one design, on either side, which is told by no word that is known."""
+    links = [
+        link(name, i, f"hand{i} via wrist{i}", _OF_AN_ARM) for i, name in ((1, one), (2, other))
+    ]
+    hands = link("hand1", 3), link("hand2", 4)
+    wrists = placed_joint("wrist1", "0.0, 0.3, 0.0", "0.0, 0.0, 0.0") + placed_joint(
+        "wrist2", "0.0, -0.3, 0.0", "0.0, 0.0, 0.0"
+    )
+    carried = f"{one} via shoulder1 {other} via shoulder2"
+    text = robot(*links, *hands, base=carried, joints="shoulder1 shoulder2")
+    return text[: text.rindex("}")] + wrists + "}\n"
+
+
 GOOD = (
+    _arms("hidari_arm", "migi_arm"),
     _arm(_INERTIA % ("0.02", "0.02", "0.02")),
     _chain("seg_a1", "seg_b1"),
     _branches("index_knuckle", "middle_knuckle", "ring_knuckle"),
@@ -53,5 +70,6 @@ BAD = (
     _arm(_SAME),
     _branches("camera_link", "lidar_link", "imu_link"),
     _chain("upper", "lower"),
+    _arms("boom", "tail"),
     link("upper", 1, inertia=_INERTIA % ("1.0", "1.0", "1.0")),
 )

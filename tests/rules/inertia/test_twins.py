@@ -373,3 +373,11 @@ def test_a_part_is_not_accused_for_a_counterpart_whose_unit_is_told() -> None:
     carried = "fin_port via one fin_starboard via other fin_top via third"
     text = robot(*links, base=carried, joints="one other third")
     assert [f.code for f in analyse(text).findings if f.code in ("KD308", "KD312")] == ["KD308"]
+
+
+def test_a_part_of_the_next_limb_is_no_other_part() -> None:
+    """The right legs are alike, and the left ones have cables besides."""
+    right = section("0.5213", "0.0213, 0.0, 0.0", "0.000312", "0.000517", "0.000498")
+    left = section("0.5702", "0.0248, 0.0, 0.0", "0.000371", "0.000622", "0.000603")
+    names = "L1_coxa R1_coxa L2_coxa R2_coxa"
+    assert told("KD312", row(left, right, left.replace("371", "372"), right, names=names)) == []

@@ -28,7 +28,8 @@ from kindsl.language.semantics.numbers import mass_distribution, pose_of_com, wr
 from kindsl.language.text.facts import Fact, kept
 from kindsl.mechanics.rigid.body import MassDistribution
 from kindsl.mechanics.rigid.pose import ORIGIN, Rotation, Vector3, dot, transposed, turned
-from kindsl.robots.limbs.names import label_of
+from kindsl.robots.limbs.attachments import links_above
+from kindsl.robots.limbs.names import are_named_alike, label_of
 from kindsl.robots.limbs.peer_frames import peer_frames
 from kindsl.robots.limbs.weighing import seen_by
 
@@ -243,14 +244,27 @@ def copies(model: Model, values: Mapping[str, float], link: Link) -> Iterator[tu
 def same_moments(model: Model, link: Link) -> Iterator[str]:
     """Yield the names of links that a link may have its moments from, not its peers by name.
 
-    Of two that share them, the one that is less like its own peers has those of the other.
+    Links that are called alike and are as far from the base may be one part as well. Of two that
+    share them, the one that is less like its own peers has those of the other.
     """
     words = label_of(str(link.name)).words
     for telling in telling_numbers(link)[:1]:
         for other in bodies_with(model, telling) if telling.what == "moments" else ():
-            is_other = label_of(str(other.name)).words != words
+            names = str(link.name), str(other.name)
+            is_other = label_of(names[1]).words != words and not (
+                are_named_alike(names) and len({*map(_depths(model).get, names)}) == 1
+            )
             if is_other and _unlikeness(model, other) <= _unlikeness(model, link):
                 yield str(other.name)
+
+
+@kept
+def _depths(model: Model) -> dict[str, int]:
+    """Return how many joints are between the base and each link."""
+    parents = {str(e.child.link): str(e.predecessor.name) for e in model.tree.edges}
+    if model.document.is_xml:
+        parents = {e.child: e.parent for e in getattr(model.document, "connections", ())}
+    return {link: len(links_above(link, parents)) for link in parents}
 
 
 def _unlikeness(model: Model, link: Link) -> float:

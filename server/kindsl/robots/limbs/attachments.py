@@ -95,7 +95,7 @@ class LimbNames:
                 by_part.setdefault(words, []).append(name)
         serial: set[str] = set()
         for names in by_part.values():
-            hanging = [name for name in names if not _above(name, parents).isdisjoint(names)]
+            hanging = [name for name in names if not links_above(name, parents).isdisjoint(names)]
             if len(hanging) > 1 or (hanging and len(names) < _FEWEST_REPLICAS):
                 serial.update(names)
         return serial
@@ -236,7 +236,7 @@ def _of_row(told: Misplaced) -> Misplaced:
     return Misplaced(wrong[0], parent, (told.attachment,)) if is_own and len(wrong) == 1 else told
 
 
-def _above(name: str, parents: Mapping[str, str]) -> set[str]:
+def links_above(name: str, parents: Mapping[str, str]) -> set[str]:
     """Return the names of the links between a link and the base."""
     found: set[str] = set()
     while (name := parents.get(name, "")) and name not in found:

@@ -1,7 +1,7 @@
 """Sides and rows in names: `LF_upper_leg`, `rightArm`, `leg3_coxa`."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from itertools import chain, product
 from typing import NamedTuple
@@ -45,6 +45,8 @@ _BONES = frozenset((
     "prox", "proximal", "medial", "dist", "distal", "meta", "metacarpal", "phalanx", "mcp", "pip",
     "dip",
 ))  # fmt: skip
+# What anything may be called.
+_SAYING_NOTHING = frozenset(("link", "body", "part", "frame", "mount"))
 
 
 class LimbLabel(NamedTuple):
@@ -95,6 +97,19 @@ def tokens(name: str) -> tuple[str, ...]:
 def is_held(*names: str) -> bool:
     """Return whether names are those of something that a limb holds: a hand, a tool."""
     return any(token in _HELD for name in names for token in tokens(name))
+
+
+def are_named_alike(names: Sequence[str]) -> bool:
+    """Return whether names share what they end with, but for a letter, and differ by one word.
+
+    `index_knuckle` and `ring_knuckle` do, and `wheel_x` and `wheel_y`.
+    """
+    words = [[w for w in label_of(name).part if w not in _SAYING_NOTHING] for name in names]
+    shared = set(words[0]).intersection(*words[1:])
+    own = [[word for word in each if word not in shared] for each in words]
+    are_letters = all(len(word) == 1 for word in chain.from_iterable(own))
+    is_thing = bool(shared) and all(each[-1] in shared or are_letters for each in words)
+    return is_thing and all(len(each) <= 1 for each in own)
 
 
 def other_side(name: str) -> str | None:

@@ -55,7 +55,7 @@ from kindsl.language.syntax.vocabulary import MOMENTS
 from kindsl.language.text.facts import kept
 from kindsl.language.text.groups import grouped
 from kindsl.mechanics.rigid.body import MassDistribution
-from kindsl.robots.limbs.names import LimbLabel, label_of
+from kindsl.robots.limbs.names import LimbLabel, are_named_alike, label_of
 
 # As many parts as one inertia cannot be of.
 _FEWEST_PARTS = 3
@@ -63,8 +63,8 @@ _MOST_RELATED = 20
 # Of logarithms of likelihoods. 53 pairs of links that share a body in published robots are 0.2
 # apart at most; of 47 planted copies 28 are more than this, 29 than half of it, 23 than twice.
 _APART = 1.0
-# What anything may be called, and letters that number parts; `r`, `p` and `y` are of joints.
-_SAYING_NOTHING, _LETTERS = frozenset(("link", "body", "part", "frame", "mount")), frozenset("abcd")
+# They number parts; `r`, `p` and `y` are of joints.
+_LETTERS = frozenset("abcd")
 Numbers = tuple[float | None, ...]
 
 
@@ -101,23 +101,13 @@ def _is_one_part(model: Model, bodies: Sequence[Link]) -> bool:
     carried = [model.tree.in_topological_order(body) for body in bodies]
     if not set(chain.from_iterable(carried)).isdisjoint(bodies):
         return False
-    if _telling_moments(bodies[0]) or _are_named_alike(bodies):
+    if _telling_moments(bodies[0]) or are_named_alike([str(body.name) for body in bodies]):
         return True
     inertia, n_carried = bodies[0].inertia, {len(links) for links in carried}
     moments = [inertia.moments[name].literal for name in MOMENTS[:3]] if inertia else []
     if n_carried == {0}:
         return _are_ends_of_one_part(model, bodies)
     return len(n_carried) == 1 and len(set(moments)) > 1
-
-
-def _are_named_alike(bodies: Sequence[Link]) -> bool:
-    """Return whether names share what they end with, but for a letter, and differ by one word."""
-    names = [[w for w in _label(body).part if w not in _SAYING_NOTHING] for body in bodies]
-    shared = set(names[0]).intersection(*names[1:])
-    own = [[word for word in name if word not in shared] for name in names]
-    are_letters = all(len(word) == 1 for word in chain.from_iterable(own))
-    is_thing = bool(shared) and all(name[-1] in shared or are_letters for name in names)
-    return is_thing and all(len(words) <= 1 for words in own)
 
 
 def _are_ends_of_one_part(model: Model, bodies: Sequence[Link]) -> bool:
@@ -144,10 +134,14 @@ def _label(body: Link) -> LimbLabel:
     return label_of(str(body.name))
 
 
-def _are_parts_of_a_chain(model: Model, pair: Sequence[Link]) -> bool:
+def _are_on_a_chain(model: Model, pair: Sequence[Link]) -> bool:
     carried = chain.from_iterable(map(model.tree.in_topological_order, pair))
-    parts = {tuple(w for w in _label(body).part if w not in _LETTERS) for body in pair}
-    return len(parts) == 2 and not set(pair).isdisjoint(carried)
+    return not set(pair).isdisjoint(carried)
+
+
+def _are_numbered(pair: Sequence[Link]) -> bool:
+    """Return whether names differ by a number, or a letter, alone."""
+    return len({tuple(w for w in _label(body).part if w not in _LETTERS) for body in pair}) == 1
 
 
 def _copied(model: Model, pair: Sequence[Link], values: Mapping[str, float]) -> Finding | None:
@@ -177,7 +171,11 @@ def _copied(model: Model, pair: Sequence[Link], values: Mapping[str, float]) -> 
     (less, copy, inertia), (more, meant, own) = sorted(weighed, key=itemgetter(0))
     # Where one link's end is not known, less is known of whether the body fits it.
     is_misplaced = len(have_ends) == 1 and more - less > _APART
-    if not is_misplaced and not _are_parts_of_a_chain(model, pair):
+    if not _are_on_a_chain(model, pair):
+        is_misplaced = is_misplaced and not are_named_alike([str(body.name) for body in pair])
+    elif not _are_numbered(pair):
+        is_misplaced = True
+    if not is_misplaced:
         return None
     message = f"'{copy.name}' has the mass, CoM and moments of '{meant.name}', another part"
     return Finding(
