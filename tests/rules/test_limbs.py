@@ -725,6 +725,29 @@ def test_both_moves_are_offered_where_either_of_two_links_may_be_wrong() -> None
     ]
 
 
+def test_a_link_is_moved_with_its_line() -> None:
+    text = four_legs().replace("{ RF_shank via RF_KFE }", "{\n        RF_shank via RF_KFE\n    }")
+    wheel = "\n        RF_wheel via RF_axle"
+    text = text.replace("RF_shank via RF_KFE\n", f"RF_shank via RF_KFE{wheel}\n")
+    moved = text.replace("\n        RF_shank via RF_KFE", "")
+    moved = moved.replace("{ LF_shank via LF_KFE }", "{ LF_shank via LF_KFE RF_shank via RF_KFE }")
+    back = text.replace("\n        RF_shank via RF_KFE", "").replace(
+        wheel, f"{wheel}\n        RF_shank via RF_KFE"
+    )
+    (finding,) = found("KD208", moved)
+    assert finding.fix is not None and apply_edits(moved, finding.fix.edits) == back
+
+
+def test_of_a_link_alone_on_its_line_no_line_is_left() -> None:
+    lines = "{\n        LF_shank via LF_KFE\n        RF_shank via RF_KFE\n    }"
+    moved = four_legs().replace("{ RF_shank via RF_KFE }", "{}")
+    moved = moved.replace("{ LF_shank via LF_KFE }", lines)
+    (finding,) = found("KD208", moved)
+    assert finding.fix is not None
+    fixed = four_legs().replace("{ LF_shank via LF_KFE }", "{\n        LF_shank via LF_KFE\n    }")
+    assert apply_edits(moved, finding.fix.edits) == fixed
+
+
 def with_turned_mount(text: str, place: str, rotation: str) -> str:
     old = f"({place})\n        rotation = (0.0, 0.0, 0.0)"
     assert old in text
