@@ -151,6 +151,8 @@ TURNED = "-0.00051", "-0.00079", "0.0003"
         ("0.101, -0.0203, -0.0102", MIRRORED, True),
         ("0.101, 0.0203, 0.0102", MIRRORED, True),
         ("0.101, 0.0203, 0.0102", ("0.00051", "0.00079", "0.0003"), False),
+        ("0.101, 0.0203, 0.0102", ("0.0005", "-0.0005", "-0.0002"), False),
+        ("0.1015, 0.0205, 0.0102", ("0.0005", "-0.0005", "-0.0002"), False),
         ("0.101, -0.0203, -0.0102", TURNED, False),
         ("0.101, -0.0257, -0.0102", MIRRORED, False),
     ],
@@ -158,7 +160,7 @@ TURNED = "-0.00051", "-0.00079", "0.0003"
 def test_a_sign_of_a_com_is_told_of_parts_with_drawings_of_their_own(
     com: str, products: tuple[str, ...], is_told: bool
 ) -> None:
-    """Not where the products show that the whole body was turned, or copied."""
+    """Not where the products show that the whole body was turned, or may have been copied."""
     text = two_arms("0.3, -0.1, 0.02")
     left = section(2.0, "0.1, 0.02, 0.01", 0.01, 0.04, 0.041, 0.0005, 0.0008, 0.0003)
     right = section(2.02, com, 0.0101, 0.0402, 0.0409, *products)

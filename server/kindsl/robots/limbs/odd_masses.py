@@ -24,8 +24,9 @@ SMALLEST = {"LR": 3, "HELD": 2}
 # share of the greatest moment, and of what a sign of the CoM changes. Of 609 published robots none
 # has such a sign off but in bodies that were copied.
 _AS_DRAWN = 0.1
-# So many times nearer as mirror images than as copies moments are of bodies that were mirrored.
-_NEARER = 3.0
+# So many times nearer as mirror images than as copies moments are of bodies that were mirrored,
+# not of copies with cables besides.
+_NEARER = 5.0
 # Bodies that are the same in all ten numbers to the second share, or in some to the first, were
 # copied, and one that is not was typed otherwise. Where each has numbers of its own, one that is
 # hardly farther away has so too: no difference is told that would be none between a left and a
@@ -166,7 +167,7 @@ def _meant_coms(c: WeighedComparison, index: int) -> tuple[Vector3, ...]:
     as_copies = c.differing({index: IDENTITY.rotation})
     if here is None or there is None or any((index, "com") not in each for each in differ):
         return ()
-    if (index, "com") not in as_copies:
+    if _apart(here.com, there.com) <= _AS_DRAWN * max(map(abs, there.com)):
         off = min(_apart(seen_by(here, C).moments, there.moments) for C in ways)
         if _apart(here.moments, there.moments) <= _NEARER * off:
             return ()
