@@ -183,7 +183,21 @@ def _is_at_another(pairs: Weighed, label: Side, said: Accusation) -> bool:
 
 
 def _agreed(by_peer: _ByPeer) -> Accusation | None:
-    """Return that on which the most peers agree, two at least; None where they do not."""
+    """Return that on which the most peers agree, two at least; None where they do not.
+
+    They must agree at the least cost; what else they agree on is meant if it takes fewer slips.
+    """
+    cheapest = [[said for said in each if said.cost == each[0].cost] for each in _by_cost(by_peer)]
+    if _likeliest(cheapest) is None:
+        return None
+    return _likeliest(by_peer)
+
+
+def _by_cost(by_peer: _ByPeer) -> Iterator[list[Accusation]]:
+    return (sorted(each, key=lambda said: said.cost) for each in by_peer)
+
+
+def _likeliest(by_peer: _ByPeer) -> Accusation | None:
     ranked = []
     for order, each in enumerate(said for options in by_peer for said in options):
         n_agreeing = sum(any(_agree(each, other) for other in options) for options in by_peer)
