@@ -785,6 +785,33 @@ def test_a_like_arm_on_a_turned_mount_is_meant() -> None:
     assert codes(with_turned_mount(text, "0.0, -0.2, 0.4", "0.0, 0.0, PI")) == []
 
 
+@pytest.mark.parametrize("elbow", ["0.3, 0.0, 0.0", "0.0, %s0.1, -0.17", "0.0, 0.0, -0.2"])
+def test_two_arms_at_one_place_are_told_though_a_map_explains_them(elbow: str) -> None:
+    """As mirror images in a plane through both, but then their CoMs are not."""
+
+    def arms(right: str) -> str:
+        blocks = []
+        for n, (side, place, sign) in enumerate(
+            (("left", "0.0, 0.2, 0.5", ""), ("right", right, "-"))
+        ):
+            bar = section(2.0, f"0.02, {sign}0.03, 0.1", 0.06, 0.06, 0.01, 0.0, 0.0, f"{sign}0.006")
+            at = elbow % sign if "%" in elbow else elbow
+            blocks += [
+                link(f"{side}_arm", 3 * n + 1, f"{side}_forearm via {side}_elbow", bar),
+                link(f"{side}_forearm", 3 * n + 2, f"{side}_wrist via {side}_roll"),
+                link(f"{side}_wrist", 3 * n + 3),
+                placed_joint(f"{side}_shoulder", place, ZERO),
+                placed_joint(f"{side}_elbow", at, "PI/2.0, 0.0, 0.0"),
+                placed_joint(f"{side}_roll", "0.25, 0.0, 0.0", ZERO),
+            ]
+        return robot(*blocks, base="left_arm via left_shoulder right_arm via right_shoulder")
+
+    assert codes(arms("0.0, -0.2, 0.5")) == []
+    (finding,) = found("KD510", arms("0.0, 0.2, 0.5"))
+    fixed = [apply_edits(arms("0.0, 0.2, 0.5"), fix.edits) for fix in finding.choices]
+    assert arms("0.0, -0.2, 0.5") in fixed
+
+
 def test_a_copy_on_a_mirrored_mount_is_reported() -> None:
     text = with_turned_mount(walker(COPIED_ARM), "0.0, 0.2, 0.4", "0.3, 0.0, 0.0")
     (finding,) = found("KD510", with_turned_mount(text, "0.0, -0.2, 0.4", "-0.3, 0.0, 0.0"))

@@ -16,6 +16,7 @@ from kindsl.mechanics.rigid.pose import (
     turned,
 )
 from kindsl.robots.limbs.limb import AT_ORIGIN, Body
+from kindsl.robots.limbs.names import is_held
 
 # Points that are nearer are at the same place, m: designs are written in millimetres. With half of
 # it two slips of 111 that were planted are not found, with twice of it as many as with it.
@@ -91,6 +92,8 @@ def mounts(how: str, one: Body, other: Body, base: Vector3 = AT_ORIGIN) -> Itera
         yield Mount(product(other.rotation, transposed(one.rotation)), there, 0.0)
     is_sliding = one.kind == other.kind == "prismatic"
     apart = [abs(x - y) > SAME_PLACE for x, y in zip(here, there, strict=True)]
+    # Limbs of two sides that begin at one place lie in each other, but for what moves away.
+    is_within = how == "LR" and not (any(apart) or is_sliding or is_held(one.name, other.name))
     for axis, mirror in enumerate(MIRRORS):
         j, k = (axis + 1) % 3, (axis + 2) % 3
         place, along = turned(mirror, here), moved(here, there, axis)
@@ -101,7 +104,7 @@ def mounts(how: str, one: Body, other: Body, base: Vector3 = AT_ORIGIN) -> Itera
             if apart[axis] or not any(apart):
                 yield from (Mount(matrix, along, 0.0, axis) for matrix in (mirror, _SAME))
             continue
-        yield Mount(mirror, place, 0.0)
+        yield Mount(mirror, place, _LIKE if is_within and dist(place, there) < SAME_PLACE else 0.0)
         if how == "LR" and (is_sliding or here == there):
             # The fingers of a gripper begin at one place, and open away from each other.
             yield Mount(_HALF_TURNS[axis], here, 0.0 if is_sliding else _TURNED)

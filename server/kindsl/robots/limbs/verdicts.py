@@ -7,11 +7,11 @@ agree, each mass, CoM and moments that one limb only has so is convicted.
 
 from collections.abc import Iterator, Sequence
 from itertools import chain, combinations
-from math import dist
+from math import dist, inf
 
 from kindsl.mechanics.rigid.pose import IDENTITY, Rotation, pose_from, product, transposed, turned
 from kindsl.robots.limbs.comparison import LimbComparison, Reading
-from kindsl.robots.limbs.limb import Body, Limbs, Side, held_by, matched
+from kindsl.robots.limbs.limb import Body, Limbs, Match, Side, held_by, matched
 from kindsl.robots.limbs.mounts import ALONG, MIRRORS, SAME_PLACE
 from kindsl.robots.limbs.names import is_held
 from kindsl.robots.limbs.odd_masses import SMALLEST, Pair, Weighed, odd_masses
@@ -264,17 +264,34 @@ def _within_each_other(c: WeighedComparison) -> Iterator[LimbVerdict]:
     What slides begins where its peer does, and so may what is held. In a robot that moves in a
     plane one leg lies in the other, and the axes of their joints are across it.
     """
-    heads = c.limbs.rows[0][1:]
+    rows, heads = c.limbs.rows, c.limbs.rows[0][1:]
     is_moved = any(head.kind == "prismatic" or is_held(head.name) for head in heads)
-    if c.limbs.how != "LR" or is_moved or not c.is_of_one_place:
+    place = heads[0].translation
+    if c.limbs.how != "LR" or is_moved or dist(place, heads[1].translation) >= SAME_PLACE:
         return
-    rows = range(len(c.limbs.rows))
-    if any(not c.differing(dict.fromkeys(rows, C)) for C in _SIDES):
-        places = tuple(Suspect(head.name, head.joint, "translation") for head in heads[::-1])
-        for axis, (_, _, along) in enumerate(heads[0].rotation):
-            if abs(along) > ALONG and abs(heads[0].translation[axis]) > SAME_PLACE:
-                meant = (turned(MIRRORS[axis], heads[0].translation),)
-                yield LimbVerdict(places, tuple(MeantNumbers(p, meant) for p in places), (), False)
+    ways = [dict.fromkeys(range(len(rows)), C) for C in _SIDES]
+    is_copy = c.is_of_one_place and any(not c.differing(way) for way in ways)
+    apart = [axis for axis in range(3) if abs(place[axis]) > SAME_PLACE]
+    found = [axis for axis in apart if is_copy and abs(heads[0].rotation[axis][2]) > ALONG]
+    if not found:
+        differing = {axis: _n_differing(c, axis) for axis in apart}
+        fewest = min(differing.values(), default=inf)
+        is_better = fewest < len(c.differing(c.best[1].conventions))
+        found = [axis for axis, n in differing.items() if is_better and n == fewest]
+    places = tuple(Suspect(head.name, head.joint, "translation") for head in heads[::-1])
+    for axis in found:
+        meant = (turned(MIRRORS[axis], place),)
+        yield LimbVerdict(places, tuple(MeantNumbers(p, meant) for p in places), (), False)
+
+
+def _n_differing(c: WeighedComparison, axis: int) -> float:
+    """Return how many numbers of bodies would differ if limbs were on both sides of a plane."""
+    up, one, other = c.limbs.rows[0]
+    moved = other._replace(translation=turned(MIRRORS[axis], one.translation))
+    limbs = LimbComparison([Match(up, one, moved), *c.limbs.rows[1:]], "LR")
+    apart = WeighedComparison(limbs, c.masses, (MIRRORS[axis], False))
+    is_whole = apart.n_slips == 0 and apart.best[1].mount.map == MIRRORS[axis]
+    return len(apart.differing(apart.best[1].conventions)) if is_whole else inf
 
 
 def _turns_axis(limbs: LimbComparison, said: Accusation) -> bool:
