@@ -367,6 +367,26 @@ def test_of_two_hips_that_may_both_be_wrong_none_is_to_be_mended(leg: str) -> No
     assert finding.fix is None
 
 
+@pytest.mark.parametrize("wrong", ["leg1", "leg2", "leg3", "leg4"])
+def test_numbered_legs_may_be_mirrored_at_one_plane_alone(wrong: str) -> None:
+    """Of a CoM with another sign either side may be the odd one, and none is to be mended."""
+
+    def thighs(text: str, wrong: str) -> str:
+        for leg, sign in (("leg1", "-"), ("leg2", ""), ("leg3", "-"), ("leg4", "")):
+            at = text.index("inertia_params", text.index(f"link {leg}_thigh"))
+            z = sign if leg != wrong else "" if sign else "-"
+            bar = section(2.0, f"0.02, 0.03, {z}0.02", 0.01, 0.011, 0.012)
+            text = text[:at] + bar + text[text.index("}", at) + 1 :]
+        return text
+
+    legs = four_legs()
+    for n, leg in enumerate(("LF", "RF", "LH", "RH"), 1):
+        legs = legs.replace(f"{leg}_", f"leg{n}_")
+    assert told("KD509", thighs(legs, "")) == []
+    (finding,) = found("KD509", thighs(legs, wrong))
+    assert f"'{wrong}_thigh'" in finding.message and finding.fix is None
+
+
 COPIED = (
     "inertia of 'RH_hip' differs from its twins: its moments are those of 'LF_shank', "
     "which is another part"

@@ -120,13 +120,21 @@ def _ways(pairs: Weighed, mirrored: _Way, index: int) -> Iterator[_Way]:
     """
     yield mirrored
     yield dict.fromkeys(pairs, IDENTITY.rotation)
-    rows = {pair: C for pair, C in mirrored.items() if pairs[pair].limbs.how == "ROW"}
-    places = [r.one.translation for p in rows for r in pairs[p].limbs.rows if r.up == index]
-    for signs in REFLECTIONS[1:] if rows else ():
-        if all(
-            abs(x) < SAME_PLACE for place in places for x in map(sub, turned(signs, place), place)
-        ):
-            yield {**mirrored, **{pair: product(signs, C) for pair, C in rows.items()}}
+    for across in _across(pairs):
+        rows = {pair: mirrored[pair] for pair in across}
+        places = [r.one.translation for p in rows for r in pairs[p].limbs.rows if r.up == index]
+        for signs in REFLECTIONS[1:] if rows else ():
+            offs = (x for at in places for x in map(sub, turned(signs, at), at))
+            if all(abs(off) < SAME_PLACE for off in offs):
+                yield {**mirrored, **{pair: product(signs, C) for pair, C in rows.items()}}
+
+
+def _across(pairs: Weighed) -> Iterator[list[Pair]]:
+    """Yield the pairs of limbs of two rows; of numbered ones those on both sides of a plane."""
+    yield [pair for pair, c in pairs.items() if c.limbs.how == "ROW"]
+    numbered = {pair: c.best[1].mount.map for pair, c in pairs.items() if c.limbs.how == "TURN"}
+    for axis in range(3):
+        yield [pair for pair, matrix in numbered.items() if matrix[axis][axis] < 0.0]
 
 
 def _differing(pairs: Weighed, index: int, way: _Way) -> dict[Pair, set[str]]:
