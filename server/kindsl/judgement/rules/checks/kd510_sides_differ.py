@@ -5,9 +5,9 @@ Compares a left and a right limb, when there are no more that could outvote one 
 single translation or rotation keeps them from being mirror images, or copies, and a sign, an order,
 a unit or a quarter turn explains it, or in limbs of three links and more one number that was typed
 otherwise, both are reported in one finding; so are two limbs that are at one place, away from the
-plane in which they turn. In XML the axis of one joint may differ as well, in limbs of three links
-and more. Where all joints agree, it is one CoM that a sign or an order of its coordinates keeps
-from that of the other side.
+plane in which they turn, or with bodies that would be alike on both sides of one. In XML the axis
+of one joint may differ as well, in limbs of three links and more. Where all joints agree, it is one
+CoM that a sign or an order of its coordinates keeps from that of the other side.
 
 A right limb that is a copy of the left one is reported where the robot's other limbs are mirrored,
 unless the limb is flat. A base that lies at one of the two limbs is left in peace: no plane is
