@@ -187,14 +187,10 @@ def _agreed(by_peer: _ByPeer) -> Accusation | None:
 
     They must agree at the least cost; what else they agree on is meant if it takes fewer slips.
     """
-    cheapest = [[said for said in each if said.cost == each[0].cost] for each in _by_cost(by_peer)]
-    if _likeliest(cheapest) is None:
-        return None
-    return _likeliest(by_peer)
-
-
-def _by_cost(by_peer: _ByPeer) -> Iterator[list[Accusation]]:
-    return (sorted(each, key=lambda said: said.cost) for each in by_peer)
+    least = [min(said.cost for said in each) for each in by_peer]
+    both = zip(by_peer, least, strict=True)
+    cheapest = [[said for said in each if said.cost == cost] for each, cost in both]
+    return _likeliest(by_peer) if _likeliest(cheapest) is not None else None
 
 
 def _likeliest(by_peer: _ByPeer) -> Accusation | None:
@@ -261,8 +257,9 @@ def _of_pair(c: WeighedComparison) -> Iterator[LimbVerdict]:
 def _within_each_other(c: WeighedComparison) -> Iterator[LimbVerdict]:
     """Yield a left and a right limb that are at one place, off the plane in which they turn.
 
-    What slides begins where its peer does, and so may what is held. In a robot that moves in a
-    plane one leg lies in the other, and the axes of their joints are across it.
+    So are those of which more bodies would be alike on both sides of a plane. What slides begins
+    where its peer does, and so may what is held. In a robot that moves in a plane one leg lies in
+    the other, and the axes of their joints are across it.
     """
     rows, heads = c.limbs.rows, c.limbs.rows[0][1:]
     is_moved = any(head.kind == "prismatic" or is_held(head.name) for head in heads)
