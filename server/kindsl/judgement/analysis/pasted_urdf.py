@@ -4,15 +4,10 @@ import re
 from collections.abc import Iterator
 
 from kindsl.judgement.rules.base import Finding, Fix, Replacement
-from kindsl.judgement.rules.inertia_writing import (
-    body_around,
-    inertia_changes,
-    new_inertia,
-    without_lines,
-)
+from kindsl.judgement.rules.inertia_writing import body_around, inertia_changes, new_inertia
 from kindsl.language.semantics.declarations import Joint, Link
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.places import Located, Place
+from kindsl.language.semantics.places import Located, Place, with_lines
 from kindsl.language.syntax.indentation import indentation
 from kindsl.language.text.phrases import listed
 from kindsl.mechanics.rigid.body import MassDistribution
@@ -60,7 +55,7 @@ def _changes(model: Model, fragment: Fragment, at: Place) -> tuple[Replacement, 
         return _of_inertial(fragment.inertial, at)
     _check(model, fragment)
     new = [link for link in fragment.links if _name(link) not in model.body_named]
-    changes = [without_lines(at)]
+    changes = [Replacement(with_lines(at), "")]
     for link in fragment.links:
         known = model.body_named.get(_name(link))
         if known is not None and link.mass is not None:

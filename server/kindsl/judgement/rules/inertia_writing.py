@@ -2,7 +2,7 @@
 
 from kindsl.judgement.rules.base import Replacement
 from kindsl.language.semantics.declarations import Inertia, Link
-from kindsl.language.semantics.places import Place
+from kindsl.language.semantics.places import Place, with_lines
 from kindsl.language.semantics.unknown import inertia_expressions
 from kindsl.language.syntax.insertions import section_indent
 from kindsl.language.syntax.vocabulary import words_of
@@ -35,7 +35,7 @@ def inertia_changes(body: Link, found: MassProperties, at: Place) -> tuple[Repla
     changes = new_inertia(body, found)
     if inertia is not None and len(changes) == 1 and inertia.start <= at.start <= inertia.end:
         return changes
-    return (without_lines(at), *changes)
+    return (Replacement(with_lines(at), ""), *changes)
 
 
 def new_inertia(body: Link, found: MassProperties) -> tuple[Replacement, ...]:
@@ -59,17 +59,6 @@ def _block(body: Link, found: MassProperties) -> str:
     keyword = next(inertia.node.tokens()).text if inertia is not None else words_of("inertia")[0]
     block = found.block(keyword, indent, _frame(body, found))
     return indent + block.replace("\n", newline_of(text))
-
-
-def without_lines(at: Place) -> Replacement:
-    """Return the change that removes a passage, and its lines if nothing else is in them."""
-    text = at.island.text
-    start, end = line_start(text, at.start), at.end
-    while end < len(text) and text[end] in " \t\r":
-        end += 1
-    if text[start : at.start].strip() or text[end : end + 1] not in ("", "\n"):
-        return Replacement(at, "")
-    return Replacement(Place(at.island, start, min(end + 1, len(text))), "")
 
 
 def _frame(body: Link, found: MassProperties) -> str:

@@ -4,6 +4,8 @@ from typing import NamedTuple, Protocol
 
 from kindsl.language.syntax.tree import Island, Node
 
+_BREAKS = ("\r", "\n")
+
 
 class Located(Protocol):
     """Whatever lies at a place: a name, an expression, a section, a whole link."""
@@ -76,3 +78,15 @@ def has_problem_within(at: Located) -> bool:
     return any(
         problem.start <= at.end and problem.end >= at.start for problem in at.island.problems
     )
+
+
+def with_lines(at: Located) -> Place:
+    """Return a place with the blanks behind it, or with its lines if nothing else is on them."""
+    text = at.island.text
+    start = len(text[: at.start].rstrip(" \t"))
+    end = len(text) - len(text[at.end :].lstrip(" \t"))
+    is_last = end == len(text)
+    if (not start or text[:start].endswith(_BREAKS)) and (is_last or text.startswith(_BREAKS, end)):
+        end += 0 if is_last else 2 if text.startswith("\r\n", end) else 1
+        return Place(at.island, start, end)
+    return Place(at.island, at.start, end)

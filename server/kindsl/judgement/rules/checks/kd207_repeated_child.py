@@ -27,9 +27,7 @@ from kindsl.judgement.rules.context import ROBCOGEN2, Context
 from kindsl.judgement.rules.reference_defects import reference_defects
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.places import Located, Place
-
-_BREAKS = ("\r", "\n")
+from kindsl.language.semantics.places import with_lines
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
@@ -39,7 +37,9 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
         )
         related = Related(first.child, f"'{first.child.link}' via '{first.child.joint}'")
         is_same = again.child.joint == first.child.joint
-        removed = Fix("Remove the repetition", (removal(again.child),), is_safe=True)
+        removed = Fix(
+            "Remove the repetition", (Replacement(with_lines(again.child), ""),), is_safe=True
+        )
         fix, tag = (removed, Tag.UNNECESSARY) if is_same else (None, None)
         is_fatal = not is_same and ROBCOGEN2 in context.targets
         severity = Severity.ERROR if is_fatal else Severity.WARNING
@@ -47,14 +47,3 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
 
 
 RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.STRUCTURE)
-
-
-def removal(at: Located) -> Replacement:
-    """Return the change that removes a piece, with its lines if nothing else is on them."""
-    text = at.island.text
-    start = len(text[: at.start].rstrip(" \t"))
-    end = len(text) - len(text[at.end :].lstrip(" \t"))
-    if text[:start].endswith(_BREAKS) and text.startswith(_BREAKS, end):
-        end += 2 if text.startswith("\r\n", end) else 1
-        return Replacement(Place(at.island, start, end), "")
-    return Replacement(Place(at.island, at.start, end), "")

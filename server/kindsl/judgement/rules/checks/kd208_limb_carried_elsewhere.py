@@ -35,7 +35,8 @@ from kindsl.judgement.rules.limb_verdicts import limb_names
 from kindsl.judgement.rules.subject import link_subject
 from kindsl.language.semantics.aspects import Aspect
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.places import Located, Place
+from kindsl.language.semantics.places import Place, with_lines
+from kindsl.language.syntax.insertions import inserted_section, last_section
 from kindsl.robots.limbs.attachments import Misplaced
 
 
@@ -58,36 +59,15 @@ def _moved(model: Model, misplaced: Misplaced) -> Fix | None:
         return _with_other_parent(model, misplaced)
     parent = model.body_named.get(misplaced.meant or "")
     section = next(parent.node.nodes("children"), None) if parent is not None else None
-    closing = list(section.tokens())[-1] if section is not None else None
-    if parent is None or closing is None or closing.text != "}":
+    if parent is None or section is None:
         return None
-    entry = child.island.text[child.start : child.end]
-    added = _added(entry, Place(parent.island, closing.start, closing.start))
-    changes = (Replacement(_with_its_line(child), ""), added)
+    entry, text = child.island.text[child.start : child.end], parent.island.text
+    added = inserted_section(text, section, last_section(section), (entry,))
+    if added is None:
+        return None
+    at = Place(parent.island, added.start, added.end)
+    changes = (Replacement(with_lines(child), ""), Replacement(at, added.text))
     return Fix(f"Move '{child.link}' to '{parent.name}'", changes)
-
-
-def _with_its_line(child: Located) -> Place:
-    """Return the place of a child with the blanks behind it, or with its line where it is alone."""
-    text, start, end = child.island.text, child.start, child.end
-    while text[end : end + 1] in (" ", "\t"):
-        end += 1
-    before = text[:start].rstrip(" \t")
-    if before.endswith("\n") and text[end : end + 1] in ("\r", "\n"):
-        start = len(before.removesuffix("\n").removesuffix("\r"))
-    return Place(child.island, start, end)
-
-
-def _added(entry: str, closing: Place) -> Replacement:
-    """Return the change that lists a child last: in a line of its own where the brace has one."""
-    text = closing.island.text[: closing.start]
-    before = text.rstrip()
-    line, gap = before.splitlines()[-1], text[len(before) :]
-    if "\n" in gap and not before.endswith("{"):
-        indent = line[: len(line) - len(line.lstrip())]
-        place = Place(closing.island, len(before), len(before))
-        return Replacement(place, gap[: gap.index("\n") + 1] + indent + entry)
-    return Replacement(closing, f"{entry} " if gap else f" {entry} ")
 
 
 def _with_other_parent(model: Model, misplaced: Misplaced) -> Fix | None:
