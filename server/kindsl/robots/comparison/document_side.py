@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator
 
 from kindsl.language.semantics.declarations import Link, Pose
-from kindsl.language.semantics.expressions import Expression, Values
+from kindsl.language.semantics.expressions import Expression, Values, half_unit
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import mass_distribution, triple, written_pose
 from kindsl.language.semantics.unknown import inertia_expressions
@@ -84,6 +84,8 @@ def _numbers(expressions: Iterable[Expression | None], values: Values) -> Number
 def _number(expression: Expression, values: Values) -> WrittenNumber:
     value = expression.value(values) or 0.0
     half = expression.rounding(values) if _is_decimal(expression.node) else 0.0
+    if not value and expression.node.kind == "number":
+        half = half_unit(expression.text)
     return WrittenNumber(expression.text, value, half, expression)
 
 

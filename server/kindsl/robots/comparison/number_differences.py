@@ -201,7 +201,7 @@ def _own_slacks(form: Form, bounds: Tolerances) -> list[float]:
 
 
 def _own_slack(number: WrittenNumber, bounds: Tolerances) -> float:
-    if bounds.digits is None or not number.value:
+    if bounds.digits is None:
         return number.slack
     return max(number.slack, min(number.half, bounds.digits.half(number.value)))
 

@@ -147,4 +147,4 @@ def _number_pairs(
 
 def _is_rounding(coarse: WrittenNumber, fine: WrittenNumber) -> bool:
     is_near = abs(coarse.value - fine.value) <= coarse.half * (1.0 + _FLOAT)
-    return is_near and coarse.value != 0.0 and not coarse.is_implied and coarse.half > fine.half
+    return is_near and not coarse.is_implied and coarse.half > fine.half
