@@ -152,6 +152,21 @@ def test_an_option_without_effect_is_refused(
 
 @pytest.mark.parametrize(
     "option",
+    ["--language python", "-o other", "--name other", "--frames tip", "--parameters all",
+     "--derivatives", "--real float", "--sources", "--force"],
+)  # fmt: skip
+def test_a_check_takes_options_of_the_code_from_its_folder(
+    option: str, kindsl: Runner, document: Path
+) -> None:
+    assert kindsl(*_c(document, "--quantities", "poses")).status == 0
+    told = kindsl("generate", document, "--check", "out", *option.split())
+    name = option.split()[0].replace("-o", "--output")
+    message = f"{name} cannot be used with --check, which takes it from 'out'"
+    assert (told.status, told.err) == (2, f"kindsl generate: error: {message}\n")
+
+
+@pytest.mark.parametrize(
+    "option",
     ["--name other", "--quantities poses", "--derivatives", "--control", "--real float",
      "--single-header", "--frames tip", "--layout robcogen", "--runtime", "--namespace a::b",
      "--sources", "--transforms listed.dtdsl"],

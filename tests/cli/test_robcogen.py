@@ -142,6 +142,22 @@ def test_a_transforms_document_is_not_overwritten(kindsl: Runner, document: Path
     assert "mine.dtdsl" in told.err and "--force overwrites it" in told.err
 
 
+@pytest.mark.parametrize(
+    ("options", "why"),
+    [(("--layout", "robcogen"), "--layout has no effect without --language"),
+     (("-o", "out"), "--output has no effect without --language"),
+     (("--frames", "tool"), "--frames cannot be used with --write-transforms"),
+     (("--language", "robcogen", "-o", "out", "--frames", ""),
+      "--frames cannot be used with --write-transforms")],
+)  # fmt: skip
+def test_a_written_transforms_document_has_all_pairs(
+    options: tuple[str, ...], why: str, kindsl: Runner, document: Path
+) -> None:
+    told = kindsl("generate", "arm.kindsl", "--write-transforms", "mine.dtdsl", *options)
+    assert (told.status, told.err) == (2, f"kindsl generate: error: {why}\n")
+    assert not Path("mine.dtdsl").exists()
+
+
 def test_frames_of_joints_are_frames(kindsl: Runner, document: Path) -> None:
     text = "Robot Arm\nFrames { fr_lift, fr_slider, tool }\nTransforms { fr_lift <- tool }\n"
     Path("arm.dtdsl").write_text(f"{text}Jacobians {{ fr_slider <- fr_lift }}\n")

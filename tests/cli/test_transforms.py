@@ -135,6 +135,26 @@ def test_code_for_the_pairs(kindsl: Runner, beside: Path, folder: Path) -> None:
     )
 
 
+@pytest.mark.parametrize("named", [(), ("--transforms", "named.dtdsl")])
+def test_code_no_longer_fits_when_its_transforms_document_changed(
+    named: tuple[str, ...], kindsl: Runner, beside: Path, folder: Path
+) -> None:
+    beside.write_text(GOOD)
+    used = folder / "named.dtdsl" if named else beside
+    used.write_text(GOOD.replace("base=tip, target=fr_upper", ""))
+    options = ("--language", "python", "--quantities", "poses", "-o", "out")
+    assert kindsl("generate", "arm.kindsl", *options, *named).status == 0
+    check = ("generate", "arm.kindsl", "--check", "out")
+    used.write_text(used.read_text() + "// a comment\n")
+    assert kindsl(*check).status == 0
+    used.write_text(GOOD)
+    told = kindsl(*check)
+    message = "the transforms document has changed since 'out' was generated"
+    assert (told.status, told.err) == (1, f"arm.kindsl: error: {message}\n")
+    used.unlink()
+    assert kindsl(*check).status == 0
+
+
 @settings(max_examples=300, deadline=None, derandomize=True)
 @given(st.lists(st.sampled_from(WORDS), max_size=12))
 def test_what_is_accepted_is_what_the_grammar_says(words: list[str]) -> None:

@@ -113,26 +113,42 @@ def run(args: argparse.Namespace) -> int:
         0; 1 if the document gives no mechanism, or code does not fit it; 2 for wrong usage or what
         cannot be read or written.
     """
-    if args.write_transforms is not None and args.language is None and args.check is None:
-        return _write_transforms(args, _source(args))
-    if args.check is None and (args.language is None or not args.output):
+    is_document_alone = args.write_transforms is not None and args.language is None
+    if args.check is None and not is_document_alone and not (args.language and args.output):
         raise CommandError.about("kindsl generate", "--language and -o DIR are needed")
-    if args.check is None:
-        _refuse_unheeded(args)
+    _refuse_unheeded(args)
     source = _source(args)
     if args.write_transforms is not None:
         _write_transforms(args, source)
-    return _generate(args, source) if args.check is None else _check(args, source)
+    if args.check is not None:
+        return _check(args, source)
+    return 0 if is_document_alone else _generate(args, source)
 
 
 def _refuse_unheeded(args: argparse.Namespace) -> None:
     heeded = {name: language_named(name).options for name in language_names()}
-    for option in sorted(frozenset().union(*heeded.values()) - heeded[args.language]):
-        given = option.removeprefix("--").replace("-", "_")
-        if getattr(args, given) != args.default_of(given):
+    of_some = frozenset().union(*heeded.values())
+    why = "has no effect without --language"
+    unheeded = {"--output", "--parameters", *of_some}
+    if args.check is not None:
+        why = f"cannot be used with --check, which takes it from '{args.check}'"
+        unheeded |= {"--language", "--frames", "--force"}
+    elif args.language is not None:
+        why = ""
+        unheeded = {*(of_some - heeded[args.language])}
+    for option in sorted(unheeded):
+        if _is_given(args, option):
             others = listed([name for name, options in heeded.items() if option in options])
-            message = f"{option} has no effect with --language {args.language}, only with {others}"
-            raise CommandError.about("kindsl generate", message)
+            why = why or f"has no effect with --language {args.language}, only with {others}"
+            raise CommandError.about("kindsl generate", f"{option} {why}")
+    if args.write_transforms is not None and _is_given(args, "--frames"):
+        message = "--frames cannot be used with --write-transforms"
+        raise CommandError.about("kindsl generate", message)
+
+
+def _is_given(args: argparse.Namespace, option: str) -> bool:
+    name = option.removeprefix("--").replace("-", "_")
+    return bool(getattr(args, name) != args.default_of(name))
 
 
 def _source(args: argparse.Namespace) -> "Source":
@@ -174,10 +190,28 @@ def _seen_from(folder: Path, path: str) -> str:
 
 
 def _transforms(args: argparse.Namespace) -> tuple[str, str] | None:
-    """Return path and text of the transforms document that is named, or beside the model."""
-    beside = Path(args.file).with_suffix(".dtdsl")
-    path = args.transforms or (str(beside) if args.file != STDIN and beside.is_file() else None)
+    """Return path and text of the transforms document that is named, or beside the model.
+
+    Code that is checked names the one it was generated with.
+    """
+    path = args.transforms
+    if path is None:
+        then = None if args.check is None else _transforms_file(Path(args.check))
+        document = Path(args.file)
+        found = document.with_suffix(".dtdsl") if then is None else document.parent / then
+        path = str(found) if args.file != STDIN and found.is_file() else None
     return None if path is None else (path, read_whole(path))
+
+
+def _transforms_file(folder: Path) -> str | None:
+    from kindsl.products.codegen.library import GenerationError
+    from kindsl.products.codegen.manifest import read_manifest
+
+    try:
+        manifest = read_manifest(folder)
+    except (GenerationError, OSError):
+        return None  # The check itself says why.
+    return None if manifest is None else manifest.transforms_file
 
 
 def _judge_transforms(path: str, text: str, model: "Model") -> None:

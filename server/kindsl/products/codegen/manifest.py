@@ -1,6 +1,7 @@
 """The manifest of a folder of generated code, so that it can be checked and replaced."""
 
 import json
+import shlex
 from collections.abc import Mapping
 from dataclasses import asdict
 from pathlib import Path
@@ -30,6 +31,12 @@ class Manifest(NamedTuple):
     bindings: dict[str, float]
     transforms: str | None
     files: dict[str, str]
+
+    @property
+    def transforms_file(self) -> str | None:
+        """The transforms document that the command named, seen from the document's folder."""
+        words = iter(shlex.split(self.stamp.options))
+        return next(words, None) if "--transforms" in words else None
 
 
 def manifest_text(
