@@ -133,3 +133,17 @@ def test_a_project_is_built_as_it_stands(name: str, tmp_path: Path) -> None:
     assert (done.returncode, done.stderr) == (0, "")
     told = subprocess.run([tmp_path / "program"], capture_output=True, text=True, check=True)
     assert told.stdout == "right\n"
+
+
+@needs_cpp
+def test_headers_that_a_project_lacks_build_on_its_own_ones(tmp_path: Path) -> None:
+    made, own = tmp_path / "made", tmp_path / "own/iit/rbd"
+    generated(CRAB, VALUES, made, layout="robcogen-0.5")
+    shutil.copytree(RUNTIME / "iit/rbd", own)
+    (own / "scalar_traits.h").unlink()
+    for header in own.glob("*.h"):
+        header.write_text(header.read_text().replace("IIT_RBD_", "OWN_"))
+    (tmp_path / "main.cpp").write_text('#include "rbd_types.h"\n')
+    command = [QUICK, "-std=c++14", "-fsyntax-only", "-I", "own", "-I", "made",
+               "-isystem", str(EIGEN), "main.cpp"]  # fmt: skip
+    subprocess.run(command, cwd=tmp_path, timeout=280, check=True)

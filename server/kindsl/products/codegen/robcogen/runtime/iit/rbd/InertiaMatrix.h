@@ -3,7 +3,7 @@
 #define IIT_RBD_INERTIAMATRIX_H_
 // The inertia of a rigid body as a 6x6 matrix about some origin.
 
-#include "rbd.h"
+#include <iit/rbd/rbd.h>
 
 namespace iit {
 namespace rbd {

@@ -3,7 +3,7 @@
 #define IIT_RBD_STATEDEPENDENTBASE_H_
 // What depends on a state; the class derived from it has the function `update`.
 
-#include "rbd.h"
+#include <iit/rbd/rbd.h>
 
 namespace iit {
 namespace rbd {

@@ -5,8 +5,8 @@
 
 #include <iostream>
 
-#include "StateDependentBase.h"
-#include "rbd.h"
+#include <iit/rbd/StateDependentBase.h>
+#include <iit/rbd/rbd.h>
 
 namespace iit {
 namespace rbd {

@@ -3,7 +3,7 @@
 #define IIT_RBD_TRANSFORMSBASE_H_
 // Transforms and Jacobians that depend on a state.
 
-#include "StateDependentMatrix.h"
+#include <iit/rbd/StateDependentMatrix.h>
 
 namespace iit {
 namespace rbd {

@@ -3,7 +3,7 @@
 #define IIT_RBD_EIGEN_TRAITS_H_
 // Transforms are for Eigen what their matrices are.
 
-#include "TransformsBase.h"
+#include <iit/rbd/TransformsBase.h>
 
 namespace Eigen {
 namespace internal {

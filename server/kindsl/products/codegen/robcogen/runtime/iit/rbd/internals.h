@@ -3,7 +3,7 @@
 #define IIT_RBD_INTERNALS_H_
 // The entries of 3x3 matrices by their names.
 
-#include "InertiaMatrix.h"
+#include <iit/rbd/InertiaMatrix.h>
 
 namespace iit {
 namespace rbd {

@@ -3,10 +3,10 @@
 #define IIT_RBD_ROBCOGEN_COMMONS_H_
 // Functions of spatial vectors and inertias that programs for generated code use too.
 
-#include "InertiaMatrix.h"
-#include "TransformsBase.h"
-#include "internals.h"
-#include "rbd.h"
+#include <iit/rbd/InertiaMatrix.h>
+#include <iit/rbd/TransformsBase.h>
+#include <iit/rbd/internals.h>
+#include <iit/rbd/rbd.h>
 
 namespace iit {
 namespace rbd {

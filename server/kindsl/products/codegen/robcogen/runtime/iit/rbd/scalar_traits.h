@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "rbd.h"
+#include <iit/rbd/rbd.h>
 
 namespace iit {
 namespace rbd {

@@ -3,7 +3,7 @@
 #define IIT_RBD_TYPES_H_
 // The headers that have short names for the types of one type of numbers.
 
-#include "InertiaMatrix.h"
-#include "rbd.h"
+#include <iit/rbd/InertiaMatrix.h>
+#include <iit/rbd/rbd.h>
 
 #endif

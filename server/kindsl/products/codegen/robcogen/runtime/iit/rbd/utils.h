@@ -8,7 +8,7 @@
 #include <ctime>
 #include <iostream>
 
-#include "rbd.h"
+#include <iit/rbd/rbd.h>
 
 namespace iit {
 namespace rbd {

@@ -2,6 +2,6 @@
 #ifndef IIT_RBD_TRAITS_FLOATTRAIT_H_
 #define IIT_RBD_TRAITS_FLOATTRAIT_H_
 
-#include "../scalar_traits.h"
+#include <iit/rbd/scalar_traits.h>
 
 #endif

@@ -3,7 +3,7 @@
 #define IIT_RBD_TRAITS_TRAITSELECTOR_H_
 // The functions that belong to a type of numbers.
 
-#include "../scalar_traits.h"
+#include <iit/rbd/scalar_traits.h>
 
 namespace iit {
 namespace rbd {
