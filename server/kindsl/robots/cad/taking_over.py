@@ -182,9 +182,10 @@ def _check_units(report: Report, numbers: Numbers) -> None:
 
 def _check_digits(report: Report, numbers: Numbers) -> None:
     moments = [numbers_of(numbers)[entry] for entry in PAIRS[:3]]
-    if not any(moment.printed for moment in moments):
-        reason = f"all moments of inertia are rounded to zero: {more_digits(report.program)}"
-        raise ReportError(report.program, reason)
+    for what, group in (("the mass is", [numbers.mass]), ("all moments of inertia are", moments)):
+        if not any(number.printed for number in group):
+            reason = f"{what} rounded to zero: {more_digits(report.program)}"
+            raise ReportError(report.program, reason)
 
 
 def _reasons_of_both(reasons: dict[int, list[str]]) -> list[str]:
