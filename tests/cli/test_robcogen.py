@@ -171,6 +171,21 @@ def test_frames_of_joints_are_frames(kindsl: Runner, document: Path) -> None:
     assert "jacobian_slider" in Path("module/arm.py").read_text()
 
 
+@pytest.mark.parametrize("language", ["robcogen", "octave", "python"])
+def test_a_chosen_frame_without_pairs_is_refused_where_it_has_nothing_else(
+    language: str, kindsl: Runner, document: Path
+) -> None:
+    text = "Robot Arm\nFrames { fr_base, tool }\nTransforms { fr_base <- tool }\n"
+    Path("arm.dtdsl").write_text(text)
+    given = ("--language", language, "--frames", "tool,fr_slider")
+    told = kindsl("generate", "arm.kindsl", "-o", "out", *given)
+    message = "--frames: no pair of the transforms document has the frame 'fr_slider'"
+    if language != "python":
+        assert (told.status, told.err) == (1, f"arm.kindsl: error: {message}\n")
+    else:
+        assert told.status == 0
+
+
 @pytest.mark.parametrize("language", ["robcogen", "python"])
 def test_frames_can_be_chosen(language: str, kindsl: Runner, document: Path) -> None:
     assert kindsl(*GENERATE, "--language", language, "--frames", "fr_slider").status == 0

@@ -25,7 +25,7 @@ from kindsl.products.codegen.manifest import NAME, manifest_text
 from kindsl.products.codegen.names_in_code import command_line, file_name
 from kindsl.products.codegen.reference import Reference, independent_contacts, sample
 from kindsl.products.codegen.resistance import refuse_unresisted
-from kindsl.products.codegen.wanted import restricted, wanted_pairs
+from kindsl.products.codegen.wanted import restricted, wanted_pairs, without_pairs
 from kindsl.robots.interchange.generated_folder import digest, robot_record
 from kindsl.robots.mechanism.build import Mechanism
 from kindsl.robots.mechanism.symbolic import symbolic_robot
@@ -60,7 +60,7 @@ def generate(
         stamp: Origin that the files tell; None for the truth.
 
     Raises:
-        GenerationError: A quantity or a name cannot be generated.
+        GenerationError: A quantity, name or pair of frames cannot be generated.
         kindsl.robots.mechanism.errors.ModelError: The document describes no mechanism.
     """
     language = language_named(options.language)
@@ -97,7 +97,11 @@ def generate(
                 )
         wanted = wanted_pairs(listed, model, robot) if listed else NO_PAIRS
         if options.frames is not None:
+            lacking = without_pairs(wanted, options.frames) if language.makes_transforms else []
             robot, wanted = restricted(robot, wanted, options.frames)
+            for frame in lacking:
+                message = f"no pair of the transforms document has the frame '{frame}'"
+                raise GenerationError(f"--frames: {message}")
         library = library_of(
             robot, name, defaults, options, stamp, wanted, has_loops=language.has_loops
         )

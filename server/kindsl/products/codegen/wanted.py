@@ -54,7 +54,7 @@ def restricted(robot: Robot, wanted: Wanted, names: Sequence[str]) -> tuple[Robo
     """
     links = {f"{LINK_PREFIX}{name}": name for name in robot.link_names}
     known = {target.name for target in robot.targets}
-    of_pairs = {frame.name for pairs in wanted for pair in pairs for frame in pair}
+    of_pairs = _names(wanted)
     chosen = {name if name in known else links.get(name, name) for name in names}
     for name in sorted(chosen - known - of_pairs):
         close = hint(nearest_name(name, [*known, *links, *of_pairs]))
@@ -65,3 +65,13 @@ def restricted(robot: Robot, wanted: Wanted, names: Sequence[str]) -> tuple[Robo
         tuple(p for p in pairs if not listed.isdisjoint((p[0].name, p[1].name))) for pairs in wanted
     )
     return replace(robot, chosen=frames), Wanted(*kept)
+
+
+def without_pairs(wanted: Wanted, names: Sequence[str]) -> list[str]:
+    """Return which of some links and frames no pair has."""
+    of_pairs = _names(wanted)
+    return [name for name in names if of_pairs.isdisjoint((name, f"{LINK_PREFIX}{name}"))]
+
+
+def _names(wanted: Wanted) -> set[str]:
+    return {frame.name for pairs in wanted for pair in pairs for frame in pair}
