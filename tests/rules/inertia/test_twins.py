@@ -149,9 +149,9 @@ def test_products_of_which_one_has_the_wrong_sign_are_named() -> None:
     assert told("KD312", pair(left, changed(right, {7: "0.4"}))) == [sign("Ixy, Ixz or Iyz")]
 
 
-def shifted_by(times: float, side: float) -> tuple[str, ...]:
+def shifted_by(times: float, side: float, mass: float = 20.0) -> tuple[str, ...]:
     moments = (2.84, 2.25, 1.2, side * 0.4, 0.6, side * 1.2)
-    body = MassDistribution(20.0, (0.1, side * 0.2, 0.3), moments)
+    body = MassDistribution(mass, (0.1, side * 0.2, 0.3), moments)
     body = shifted(body, times) if times else body
     return tuple(f"{number:.9f}" for number in (body.mass, *body.com, *body.moments))
 
@@ -381,3 +381,36 @@ def test_a_part_of_the_next_limb_is_no_other_part() -> None:
     left = section("0.5702", "0.0248, 0.0, 0.0", "0.000371", "0.000622", "0.000603")
     names = "L1_coxa R1_coxa L2_coxa R2_coxa"
     assert told("KD312", row(left, right, left.replace("371", "372"), right, names=names)) == []
+
+
+def test_one_number_in_which_a_part_differs_from_many_is_theirs() -> None:
+    """The mass of each would be possible by itself, and has a digit less."""
+    numbers = ("0.35", "0.12", "0.02", "0.0", "0.00165", "0.01188", "0.0134", "0.0019")
+    masses = ("0.35", "0.35", "0.35", "0.5")
+    sections = [section(mass, ", ".join(numbers[1:4]), *numbers[4:]) for mass in masses]
+    text = row(*sections, names="lower0 lower1 lower2 lower3")
+    (finding,) = found("KD509", text)
+    assert finding.message == "mass of 'lower3' is 0.5, by its twins 0.35"
+    assert finding.fix is not None
+    assert apply_edits(text, finding.fix.edits) == text.replace("mass = 0.5 ", "mass = 0.35 ")
+
+
+def of_pairs(**rights: tuple[str, ...]) -> str:
+    """Return pairs of parts, each of a size of its own, with what is on the right of each."""
+    sections, names = [], []
+    for size, (part, right) in enumerate(rights.items(), 1):
+        for side, numbers in (("left", shifted_by(0.0, 1.0, 5.0)), ("right", right)):
+            mass, *moments = (f"{float(x) * size:.9f}" for x in (numbers[0], *numbers[4:]))
+            sections.append(section(mass, ", ".join(numbers[1:4]), *moments))
+            names.append(f"{side}_{part}")
+    return row(*sections, names=" ".join(names))
+
+
+def test_where_most_pairs_differ_in_one_way_another_one_is_told() -> None:
+    right, twice = shifted_by(0.0, -1.0, 5.0), shifted_by(1.0, -1.0, 5.0)
+    signs = changed(right, {i: right[i].removeprefix("-") for i in (7, 9)})
+    usual = dict.fromkeys(("hip", "knee", "foot"), signs)
+    assert told("KD312", of_pairs(**usual)) == []
+    (message,) = told("KD312", of_pairs(**usual, arm=twice))
+    likely = "'left_arm' is not the mirror image of 'right_arm': it would most likely be if "
+    assert message.startswith(likely)

@@ -184,14 +184,14 @@ def candidates(found: Judgement, around: LinkSurroundings) -> list[Cause]:
     slips = frozenset(Slip) if found.is_impossible else _OF_SIZE
     tried = hypotheses(found.body, found.half, slips)
     kept = merged([cause for h in tried if (cause := weighed(h, found, around)) is not None])
-    for h in _typed_anew(found, around):
+    for h in typed_anew(found, around):
         is_known = any(is_same_body(h.body, cause.hypothesis.body) for cause in kept)
         cause = None if is_known else weighed(h, found, around)
         kept += [] if cause is None else [cause]
     return [*kept, *_without_meaning(found, around, kept)]
 
 
-def _typed_anew(found: Judgement, around: LinkSurroundings) -> Iterator[Hypothesis]:
+def typed_anew(found: Judgement, around: LinkSurroundings) -> Iterator[Hypothesis]:
     """Yield the numbers with the mass or the moment in which alone a counterpart differs.
 
     Of its images the one whose other numbers are nearest tells the sign, else the nearest number.

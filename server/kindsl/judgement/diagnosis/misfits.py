@@ -15,6 +15,7 @@ from kindsl.judgement.diagnosis.judge import (
     merged,
     ranked,
     traceless,
+    typed_anew,
     weighed,
     weighed_as_written,
 )
@@ -79,6 +80,8 @@ def _tried(
     near = [h for h in tried if is_mirror_image(h.body, meant, within)]
     if not near and not is_mirror_image(body, meant, APART):
         near = [h for h in tried if is_mirror_image(h.body, meant, NEARLY)]
+    if not near and len(peers) > 1:
+        near = [*typed_anew(found, around)]
     # Where some mistakes leave exactly what is meant, others that come near it are none.
     matching = [h for h in near if is_mirror_image(h.body, meant, _AS_COMPUTED)] or near
     causes = [c for h in matching if (c := weighed(h, found, around)) is not None]

@@ -39,12 +39,14 @@ class Unlike(NamedTuple):
         body: Its numbers.
         peers: Links that are images of one another, and nearly of it, with their numbers.
         within: How near they are, as a share of the greatest number of a kind.
+        is_usual: Whether more pairs of the robot differ than agree.
     """
 
     link: Link
     body: MassDistribution
     peers: tuple[tuple[Link, MassDistribution], ...]
     within: float
+    is_usual: bool = False
 
     @property
     def is_outvoted(self) -> bool:
@@ -61,8 +63,7 @@ def unlike_links(model: Model) -> list[Unlike]:
 def unlike_among(model: Model, body_of: Callable[[Link], MassDistribution | None]) -> list[Unlike]:
     """Return the links whose numbers differ from those of their counterparts.
 
-    Of a pair the first one is returned. Frames that lie otherwise explain a difference, and where
-    more pairs differ than agree they are meant to.
+    Of a pair the first one is returned. Frames that lie otherwise explain a difference.
 
     Args:
         body_of: Returns the numbers of a link as they are written, None of one that is left out.
@@ -78,7 +79,7 @@ def unlike_among(model: Model, body_of: Callable[[Link], MassDistribution | None
             found[link] = unlike
     n_pairs = sum(not each.is_outvoted for each in found.values())
     is_usual = n_pairs > max(1, n_alike // 2)
-    return [each for each in found.values() if each.is_outvoted or not is_usual]
+    return [u._replace(is_usual=is_usual and not u.is_outvoted) for u in found.values()]
 
 
 def _compared(

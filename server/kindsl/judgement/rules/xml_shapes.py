@@ -186,7 +186,7 @@ def _far_slides(model: Model, bodies: Sequence[XmlBody]) -> Iterator[Finding]:
 
 def _unlike(model: Model, told_of: Container[Link]) -> Iterator[tuple[Link, Finding]]:
     """Yield the parts that differ in one way from two others or more, which are all alike."""
-    for link, body, peers, within in unlike_among(model, _as_written):
+    for link, body, peers, within, _ in unlike_among(model, _as_written):
         inertia = link.inertia
         if link in told_of or inertia is None or len(peers) < _ENOUGH:
             continue

@@ -1,5 +1,6 @@
 """Findings of the rules that tell a cause of an inertia, and the fix that they offer."""
 
+from collections import Counter
 from collections.abc import Sequence
 from math import sqrt
 
@@ -20,13 +21,14 @@ from kindsl.judgement.diagnosis.judgements import (
     keyword,
     verdict_of,
 )
-from kindsl.judgement.diagnosis.misfits import misfits
+from kindsl.judgement.diagnosis.misfits import Misfit, misfits
 from kindsl.judgement.diagnosis.slips import Slip
 from kindsl.judgement.diagnosis.unlike import Unlike, unlike_links
 from kindsl.judgement.rules.base import Finding, Fix, Related, Replacement, Severity
 from kindsl.judgement.rules.context import ROBCOGEN, ROBCOGEN2, Context
 from kindsl.judgement.rules.inertia.told import (
     LIKELY,
+    MOST_DIGITS,
     SURE,
     is_plausible,
     likely_cause,
@@ -42,6 +44,7 @@ from kindsl.language.semantics.lowering import OtherIsland
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.unknown import inertia_expressions
 from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.language.text.decimals import significant_decimal
 from kindsl.language.text.facts import Fact
 from kindsl.language.text.quantities import with_unit
 from kindsl.mechanics.rigid.body import MassDistribution, eigensystem, second_moments_about_com
@@ -85,7 +88,19 @@ def findings(
         places = {finding.at for _, finding in told}
         known = {b for b in model.bodies if b.inertia is not None and keyword(b.inertia) in places}
         unlike = [u for u in unlike if known.isdisjoint((u.link, *dict(u.peers)))]
-    return told + [each for u in unlike if (each := _of_unlike(u, model, context)) is not None]
+    explained = [(u, misfits(u, model, context.values)) for u in unlike]
+    ways = Counter(_way(m) for u, m in explained if u.is_usual)
+    odd = (each for each in explained if not each[0].is_usual or _is_odd(each[1], ways))
+    return told + [each for u, m in odd if (each := _of_unlike(u, m, model, context)) is not None]
+
+
+def _is_odd(found: Sequence[Misfit], ways: Counter[tuple[Slip, ...]]) -> bool:
+    """Return whether a pair differs in a way in which no other pair does."""
+    return bool(found) and found[0].cause.probability >= LIKELY and ways[_way(found)] == 1
+
+
+def _way(found: Sequence[Misfit]) -> tuple[Slip, ...]:
+    return found[0].cause.hypothesis.slips if found else ()
 
 
 def length_unit(causes: Sequence[Cause]) -> tuple[str, bool]:
@@ -117,10 +132,11 @@ def _of_causes(diagnosis: Diagnosis, context: Context) -> _Coded | None:
     return found.link.facts.made_of(_TELLINGS, (causes, at, context.targets), find)
 
 
-def _of_unlike(unlike: Unlike, model: Model, context: Context) -> _Coded | None:
+def _of_unlike(
+    unlike: Unlike, found: Sequence[Misfit], model: Model, context: Context
+) -> _Coded | None:
     """Return what is told of a link that is not as its counterparts, None if all may be meant."""
-    found = misfits(unlike, model, context.values)
-    if not found or sum(each.cause.probability for each in found) < LIKELY:
+    if sum(each.cause.probability for each in found) < LIKELY:
         return None
     first, *others = found
     at, sides = keyword(first.found.inertia), [keyword(m.found.inertia) for m in others]
@@ -217,6 +233,8 @@ def _changes(found: Judgement, cause: Cause) -> list[Replacement] | None:
     """Return the changes that write the numbers as they were meant."""
     h, (mass, *others) = cause.hypothesis, inertia_expressions(found.inertia)
     if h.body.mass != found.body.mass:
+        if Slip.NUMBER in h.slips and mass.literal is not None:
+            return [Replacement(mass, significant_decimal(h.body.mass, MOST_DIGITS))]
         return rescaled([mass], [h.body.mass])
     if h.body.com != found.body.com:
         return (rescaled if h.unit else rewritten)(others[:3], h.body.com)

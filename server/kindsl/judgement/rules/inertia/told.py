@@ -4,9 +4,10 @@ from collections.abc import Sequence
 
 from kindsl.judgement.diagnosis.evidence import density, vanishing_products
 from kindsl.judgement.diagnosis.judge import Cause
-from kindsl.judgement.diagnosis.judgements import Verdict, can_be_of_matter, verdict_of
+from kindsl.judgement.diagnosis.judgements import TEN, Verdict, can_be_of_matter, verdict_of
 from kindsl.judgement.diagnosis.misfits import Misfit
 from kindsl.judgement.diagnosis.slips import Hypothesis, Slip
+from kindsl.language.text.decimals import significant_decimal
 from kindsl.language.text.phrases import listed
 from kindsl.language.text.quantities import with_unit
 
@@ -15,6 +16,8 @@ _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 # not. Of 250 planted slips 119 fixes of 121 are right, with twice the doubt 126 of 130, with half
 # of it 115 of 117.
 SURE, LIKELY = 0.9, 0.5
+# Of a number that counterparts have: all that people write.
+MOST_DIGITS = 9
 _LENGTHS = {"in": "inches"}
 _WITHOUT_MEANING = (Slip.PLACEHOLDER, Slip.COPY)
 _CLAUSES = {
@@ -74,6 +77,12 @@ def _verb(probability: float) -> str:
 def unlike_cause(first: Misfit) -> str:
     """Return what the most likely explanation says of a link that is not as its counterparts."""
     own, said = first.found.link.name, clause(first.cause.hypothesis)
+    if first.cause.hypothesis.slips == (Slip.NUMBER,):
+        # As it is said of limbs, of which the same may be known.
+        what = first.cause.hypothesis.names[0]
+        of_both = (each.numbers for each in (first.found.body, first.cause.hypothesis.body))
+        written, meant = (significant_decimal(n[TEN.index(what)], MOST_DIGITS) for n in of_both)
+        return f"{what} of '{own}' is {written}, by its twins {meant}"
     if first.cause.hypothesis.slips[0] in _WITHOUT_MEANING:
         return f"inertia of '{own}' {said}, unlike that of {_quoted(first.peers)}"
     verb = _verb(first.cause.probability).removesuffix(" consistent")
