@@ -5,6 +5,8 @@ Tolerance as in `test_against_pinocchio`: the condition of the inertia costs som
 
 from collections.abc import Iterator
 from dataclasses import replace
+from types import SimpleNamespace
+from typing import cast
 
 import numpy as np
 import pytest
@@ -174,6 +176,26 @@ def test_contacts_are_chosen_such_that_none_is_held_twice() -> None:
     name = bodies.frames[0].name
     chosen = independent_contacts(Mechanics(bodies), np.zeros(bodies.n_links), [name, name])
     assert chosen.tolist() == [1.0, 0.0]
+
+
+class _AlmostTheSame:
+    """Mechanics of contacts whose second one holds one motion of the first, but for little."""
+
+    def __init__(self, difference: float) -> None:
+        self.bodies = SimpleNamespace(n_velocities=6)
+        self.difference = difference
+
+    def jacobian(self, _: object, name: str) -> Array:
+        if name == "first":
+            return np.eye(6)
+        return np.vstack((np.eye(6)[:3], [1.0, 0.0, self.difference, 0.0, 0.0, 0.0], np.eye(6)[:2]))
+
+
+@pytest.mark.parametrize(("difference", "is_held"), [(1e-3, False), (0.1, True)])
+def test_contacts_that_are_nearly_held_are_not_chosen(difference: float, is_held: bool) -> None:
+    mechanics = cast(Mechanics, _AlmostTheSame(difference))
+    chosen = independent_contacts(mechanics, np.zeros(6), ["first", "second"])
+    assert chosen.tolist() == [1.0, float(is_held)]
 
 
 def test_without_contacts_the_motion_is_free() -> None:
