@@ -144,6 +144,25 @@ def test_xacro_says_its_sentence_once(text: str, message: str, tmp_path: Path) -
     assert str(caught.value) == f"xacro cannot expand it: {message.format(folder=tmp_path)}"
 
 
+def test_an_error_in_another_file_or_a_macro_has_its_place(tmp_path: Path) -> None:
+    path, leg = tmp_path / "robot.xacro", tmp_path / "leg.xacro"
+    path.write_text(f'{HEAD}<xacro:include filename="leg.xacro"/><xacro:leg x="1"/></robot>')
+    said = "name 'y' is not defined when evaluating expression 'y'"
+    macro = f'{HEAD}<xacro:macro name="leg" params="x"><link name="${{y}}"/></xacro:macro></robot>'
+    for text, place in (
+        (macro, "in the macro 'leg' of leg.xacro"),
+        (f'{HEAD}<xacro:if value="${{y}}"/></robot>', "in leg.xacro"),
+    ):
+        leg.write_text(text)
+        with pytest.raises(FormatError) as caught:
+            format_named("xacro").read(path, AS_WRITTEN)
+        assert str(caught.value) == f"xacro cannot expand it: {said}, {place}"
+    path.write_text(macro.replace("</robot>", '<xacro:leg x="1"/></robot>'))
+    with pytest.raises(FormatError) as caught:
+        format_named("xacro").read(path, AS_WRITTEN)
+    assert str(caught.value) == f"xacro cannot expand it: {said}, in the macro 'leg'"
+
+
 def test_what_never_ends_is_given_up(tmp_path: Path) -> None:
     path = tmp_path / "robot.xacro"
     path.write_text(FOREVER)

@@ -39,7 +39,8 @@ def main() -> int:
             arguments.require_asked(task["arguments"])
             status = 0
     except Exception as error:
-        text, status = _reason(error), 1
+        reason = _reason(error)
+        text, status = f"{reason}{_place(xacro, task['file'], reason)}", 1
     sys.stdout.buffer.write(text.encode("utf-8", "replace"))
     return status
 
@@ -110,6 +111,17 @@ def _reason(error: Exception) -> str:
             is_nested = any(known.startswith(_EVALUATING) for known in parts)
             parts.append(plain.replace(_EVALUATING, "in") if is_nested else plain)
     return " ".join(parts) or type(error).__name__
+
+
+def _place(xacro: Any, file: str, reason: str) -> str:
+    """Return which macro and included file an error is in, nothing that the reason names."""
+    macro = next(reversed(xacro.macrostack or ()), None)
+    where = str((macro.history if macro else [xacro.filestack])[-1][-1] or "")
+    parts = [f"the macro '{macro.body.getAttribute('name')}'"] if macro else []
+    is_told = where in reason or not Path(where).is_file() or Path(where).samefile(file)
+    if not is_told:
+        parts.append(Path(where).name)
+    return f", in {' of '.join(parts)}" if parts else ""
 
 
 def _parts(error: BaseException) -> Iterator[str]:
