@@ -34,8 +34,9 @@ from kindsl.language.syntax.transforms_text import (
 from kindsl.language.text.edits import TextEdit
 from kindsl.language.text.nearest import nearest_name
 
-_WORD_BEFORE = re.compile(r"\w*\Z")
+_WORD_BEFORE = re.compile(r"(?:[<>-]+|\w*)\Z")
 _BEHIND_WORD = re.compile(r"\W")
+_ARROWS = {"'<-'": "the base first", "'->'": "the base last"}
 _PAIR = "base=${1:frame}, target=${2:frame}"
 _IN_LIST = re.compile(r"\bFrames\s*\{[^}]*\Z")
 
@@ -64,8 +65,9 @@ def _items(text: str, start: int, model: Model | None) -> Iterator[CompletionIte
     for expected in before.expected:
         if expected == "a frame":
             yield from _frames(text, start, model)
-        elif expected == "'<-'":
-            yield CompletionItem("<-", "keyword", "<- ", "the base first")
+        elif expected in _ARROWS:
+            arrow = expected.strip("'")
+            yield CompletionItem(arrow, "keyword", f"{arrow} ", _ARROWS[expected])
         elif expected == "a robot name":
             if model is not None and model.name:
                 yield CompletionItem(str(model.name), "link", str(model.name), "the robot")
