@@ -242,6 +242,8 @@ def _few_digits(numbers: Numbers) -> list[str]:
     )
     return [
         f"{what} has {counted(digits, 'significant digit')}"
+        if digits
+        else f"{what} is rounded to zero"
         for what, digits, enough in carried
         if digits < enough
     ]
