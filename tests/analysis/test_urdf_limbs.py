@@ -183,6 +183,15 @@ def test_an_inertia_that_three_legs_have_otherwise_is_restored(old: str, new: st
     assert found.code == "KD509" and apply_edits(spoilt, found.fix.edits) == text
 
 
+def test_no_zero_is_written_as_the_opposite_of_a_small_number() -> None:
+    text = placed_legs().replace('xyz="0.01 0 -0.1"', 'xyz="0.01 -0.0 -0.1"')
+    before, name, after = text.partition('<link name="RH_thigh"')
+    spoilt = before + name + after.replace("0.01 -0.0 ", "0.0 0.01 ", 1)
+    (found,) = (each for each in analyse(spoilt).findings if each.fix is not None)
+    assert found.fix is not None
+    assert apply_edits(spoilt, found.fix.edits) == text
+
+
 @pytest.mark.parametrize(("part", "is_offered"), [("shank", True), ("foot", False)])
 def test_an_inertia_with_something_fixed_to_it_is_restored(part: str, is_offered: bool) -> None:
     """What is wrong in a foot is no fault of the shank that it is fixed to."""
@@ -200,6 +209,28 @@ def test_an_inertia_with_something_fixed_to_it_is_restored(part: str, is_offered
     assert (found.fix is not None) == is_offered
     if found.fix is not None:
         assert apply_edits(spoilt, found.fix.edits) == text
+
+
+@pytest.mark.parametrize("parent", ["LF_thigh", "RF_thigh"])
+def test_a_link_is_moved_to_the_part_that_carries_its_twins(parent: str) -> None:
+    """Shanks hang on what is fixed to a thigh, away from it: the thigh is another place."""
+    plates = "".join(
+        link(f"{leg}_plate")
+        + joint(f"{leg}_screw", f"{leg}_thigh", f"{leg}_plate", "fixed").replace(
+            "<parent", '<origin xyz="0 0 -0.07"/><parent'
+        )
+        for leg in LEGS
+    )
+    text = placed_legs().replace("</robot>", f"{plates}</robot>")
+    text = re.sub(r'"(..)_thigh"/><child link="(.._shank)"', r'"\1_plate"/><child link="\2"', text)
+    assert analyse(text).findings == ()
+    spoilt = text.replace(
+        '"RF_plate"/><child link="RF_shank"', f'"{parent}"/><child link="RF_shank"'
+    )
+    found = [each for each in analyse(spoilt).findings if each.code == "KD208"]
+    assert [each.fix and apply_edits(spoilt, each.fix.edits) == text for each in found] == (
+        [True] if parent == "LF_thigh" else []
+    )
 
 
 def test_a_side_in_another_unit_does_not_accuse_the_other() -> None:

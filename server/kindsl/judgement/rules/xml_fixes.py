@@ -66,7 +66,8 @@ def _in_its_way(word: str, text: str) -> str:
     """Return a new number, whole as the old one, or that in its sign or exponent changed."""
     if text.lstrip("-") == EXACT_ZERO:
         return "0"
-    meant, rounding = float(text), half_unit(text)
+    meant = float(text)
+    rounding = min(half_unit(text), _NEARLY * abs(meant))
     ways = [_with_other_sign(word)]
     mantissa, e, exponent = word.partition("E" if "E" in word else "e")
     if e:

@@ -38,6 +38,7 @@ from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.places import Place, with_lines
 from kindsl.language.syntax.insertions import inserted_section, last_section
 from kindsl.robots.limbs.attachments import Misplaced
+from kindsl.robots.limbs.names import label_of
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
@@ -71,13 +72,19 @@ def _moved(model: Model, misplaced: Misplaced) -> Fix | None:
 
 
 def _with_other_parent(model: Model, misplaced: Misplaced) -> Fix | None:
-    """Return the fix that names another parent, None of one that is fixed to what carries it."""
-    (link, parent, _), meant, _ = misplaced
-    connection = carrying(model, link)
-    if connection is None or connection.parent != parent or meant not in model.body_named:
+    """Return the fix that names another parent: that part of a body which carries its twins."""
+    # Imported for robots in XML only, since it delays the linter's start.
+    from kindsl.judgement.rules.xml_bodies import xml_bodies
+
+    link, meant, peers = misplaced.attachment.link, misplaced.meant, misplaced.peers
+    parts = next((b.parts for b in xml_bodies(model) if b.link.name == meant), ())
+    carriers = [c.parent for peer in peers if (c := carrying(model, peer.link)) is not None]
+    words = {label_of(name).words for name in carriers}
+    found = [str(p.link.name) for p in parts if label_of(str(p.link.name)).words in words]
+    if len(words) != 1 or len(found) != 1:
         return None
-    change = Replacement(place_of_parent(model, link), str(meant))
-    return Fix(f"Move '{link}' to '{meant}'", (change,))
+    change = Replacement(place_of_parent(model, link), found[0])
+    return Fix(f"Move '{link}' to '{found[0]}'", (change,))
 
 
 RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.STRUCTURE)
