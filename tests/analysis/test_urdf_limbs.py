@@ -464,3 +464,17 @@ def test_of_axes_in_senses_of_their_own_none_is_written() -> None:
     (found,) = analyse(_with_axis(text, "RF_KFE", "0 1 0")).findings
     assert (found.code, found.fix, found.choices) == ("KD510", None, ())
     assert found.message.startswith("axis of 'RF_KFE' and axis of 'LF_KFE' differ")
+
+
+def test_a_sign_of_a_com_is_one_of_the_file_where_the_axis_is_tilted() -> None:
+    text = placed_legs("-0.045 0 0.999", ' rpy="0 0 0"')
+    for name in ("LH", "RH"):
+        text = re.sub(rf'<(link|joint) name="{name}_.*?</\1>', "", text, flags=re.DOTALL)
+    for side, y in (("L", "0.0017"), ("R", "-0.0017")):
+        com = re.compile(rf'(name="{side}F_\w+">\s*<inertial><origin xyz=")[^"]*')
+        text = com.sub(rf"\g<1>-0.0612 {y} -0.0001", text)
+    assert analyse(text).findings == ()
+    before, name, after = text.partition('<link name="RF_shank"')
+    spoilt = before + name + after.replace("-0.0612", "0.0612", 1)
+    (found,) = analyse(spoilt).findings
+    assert text in [apply_edits(spoilt, each.edits) for each in found.choices]

@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence, Set
 from itertools import chain
 from math import dist
 
+from kindsl.judgement.diagnosis.counterparts import are_near
 from kindsl.judgement.rules.limb_places import OF_A_LINK, PARTS, numbers_at, place_at
 from kindsl.judgement.rules.xml_axes import odd_axes
 from kindsl.judgement.rules.xml_bodies import XmlBody, XmlPart, odd_links, xml_bodies
@@ -25,6 +26,7 @@ from kindsl.mechanics.rigid.pose import (
 from kindsl.robots.limbs.attachments import Attachment, LimbNames
 from kindsl.robots.limbs.limb import Body, Limbs, assembled, base_origin, groups_of, names_of
 from kindsl.robots.limbs.mirrored import PairOfLimbs, pairs_of, unmirrored
+from kindsl.robots.limbs.odd_masses import AS_DRAWN
 from kindsl.robots.limbs.slips import angles_near
 from kindsl.robots.limbs.verdicts import ComparedLimbs, verdicts
 from kindsl.robots.limbs.weighing import LimbVerdict, MeantNumbers
@@ -63,7 +65,8 @@ def xml_limb_verdicts(model: Model) -> list[LimbVerdict]:
         links = (part.link for name in weighed for part in named[name].parts)
         is_zero = verdict.may_be_zero and _is_turned_on_one_side(verdict, bodies, named)
         if odd.isdisjoint(links) and not is_zero:
-            repairs = tuple(map(written.repair, verdict.repairs))
+            is_exact = verdict.is_convicted
+            repairs = tuple(written.repair(each, is_exact) for each in verdict.repairs)
             known = tuple(each for each in repairs if each is not None)
             untold = () if verdict.is_convicted else verdict.repairs
             nothing = tuple(each._replace(meant=()) for each in untold)
@@ -131,8 +134,12 @@ class _LimbsAsWritten:
         self.named = {str(body.link.name): body for body in self.bodies}
         self.masses = _masses(self.bodies)
 
-    def repair(self, repair: MeantNumbers) -> MeantNumbers | None:
-        """Return what is to be written at a place, None where its numbers do not tell alone."""
+    def repair(self, repair: MeantNumbers, is_exact: bool) -> MeantNumbers | None:
+        """Return what is to be written at a place, None where its numbers do not tell alone.
+
+        Args:
+            is_exact: Whether peers tell all digits; else what is nearly another sign is that.
+        """
         place = repair.place
         own = [value.literal or 0.0 for value in numbers_at(self._model, place)]
         if place.what in ("kind", "axis"):
@@ -144,6 +151,9 @@ class _LimbsAsWritten:
         near = [*own, *(v.literal or 0.0 for t in peers for v in numbers_at(self._model, t))]
         size = 1.0 if place.what == "angles" else max(map(abs, (*found, *own)))
         meant = tuple(_rounded(x, near, _ROUNDED * size) for x in found)
+        if place.what == "com" and not is_exact:
+            # A sign in the frame of a tilted axis is none in that of the file.
+            meant = _with_other_sign(own, meant) or meant
         # What is fixed to a link may be wrong instead: its own numbers stand at a peer then.
         is_alone = place.what not in OF_A_LINK or len(_heavy(self.named[place.link])) == 1
         is_known = is_alone or {*map(abs, meant)} <= {*map(abs, near)}
@@ -208,6 +218,13 @@ def _is_half_turned(body: XmlBody) -> bool:
 
 def _heavy(body: XmlBody) -> list[XmlPart]:
     return [part for part in body.parts if part.mass is not None and part.mass.mass]
+
+
+def _with_other_sign(own: Sequence[float], meant: Sequence[float]) -> tuple[float, ...]:
+    """Return the numbers that stand there, one sign changed, if they are nearly what is meant."""
+    odd = max(range(len(own)), key=lambda n: abs(own[n] - meant[n]))
+    signed = tuple(-x if n == odd else x for n, x in enumerate(own))
+    return signed if are_near(signed, meant, AS_DRAWN) else ()
 
 
 def _rounded(value: float, near: Sequence[float], within: float) -> float:

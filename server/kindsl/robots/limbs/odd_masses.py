@@ -23,7 +23,7 @@ SMALLEST = {"LR": 3, "HELD": 2}
 # How far a left and a right part are apart whose numbers come from drawings of their own, as a
 # share of the greatest moment, and of what a sign of the CoM changes. Of 609 published robots none
 # has such a sign off but in bodies that were copied.
-_AS_DRAWN = 0.1
+AS_DRAWN = 0.1
 # So many times nearer as mirror images than as copies moments are of bodies that were mirrored,
 # not of copies with cables besides.
 _NEARER = 5.0
@@ -175,7 +175,7 @@ def _meant_coms(c: WeighedComparison, index: int) -> tuple[Vector3, ...]:
     as_copies = c.differing({index: IDENTITY.rotation})
     if here is None or there is None or any((index, "com") not in each for each in differ):
         return ()
-    if _apart(here.com, there.com) <= _AS_DRAWN * max(map(abs, there.com)):
+    if _apart(here.com, there.com) <= AS_DRAWN * max(map(abs, there.com)):
         off = min(_apart(seen_by(here, C).moments, there.moments) for C in ways)
         if _apart(here.moments, there.moments) <= _NEARER * off:
             return ()
@@ -197,10 +197,10 @@ def _sign_off(written: MassDistribution, meant: MassDistribution) -> Rotation | 
     """
     axis = max(range(3), key=lambda i: abs(written.com[i] - meant.com[i]))
     changed = seen_by(written, MIRRORS[axis])
-    near = _AS_DRAWN * abs(written.com[axis] - meant.com[axis])
+    near = AS_DRAWN * abs(written.com[axis] - meant.com[axis])
     off, off_if_changed = (_apart(each.moments, meant.moments) for each in (written, changed))
     is_near = _apart(changed.com, meant.com) <= near
-    is_alike = off <= min(_AS_DRAWN * max(map(abs, meant.moments)), off_if_changed)
+    is_alike = off <= min(AS_DRAWN * max(map(abs, meant.moments)), off_if_changed)
     return MIRRORS[axis] if is_near and is_alike else None
 
 
