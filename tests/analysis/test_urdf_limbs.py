@@ -478,3 +478,13 @@ def test_a_sign_of_a_com_is_one_of_the_file_where_the_axis_is_tilted() -> None:
     spoilt = before + name + after.replace("-0.0612", "0.0612", 1)
     (found,) = analyse(spoilt).findings
     assert text in [apply_edits(spoilt, each.edits) for each in found.choices]
+
+
+def test_a_length_that_is_hardly_apart_from_its_counterpart_is_not_changed() -> None:
+    text = placed_legs("0 0 1", ' rpy="0 0 0"').replace("0.02 -0.0623", "0.0201 -0.0622")
+    for name in ("LH", "RH"):
+        text = re.sub(rf'<(link|joint) name="{name}_.*?</\1>', "", text, flags=re.DOTALL)
+    assert analyse(text).findings == ()
+    spoilt = text.replace("0.0201 -0.0622 -0.05", "0.0201 -0.0622 0")
+    (found,) = analyse(spoilt).findings
+    assert text in [apply_edits(spoilt, each.edits) for each in found.choices]

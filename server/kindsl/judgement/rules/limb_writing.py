@@ -11,6 +11,7 @@ from kindsl.robots.limbs.comparison import LOOSE
 _SAME = 1e-9
 _NEAR_PI = 1e-6
 _MOST_DECIMALS = 6
+_LENGTHS = ("translation", "com")
 
 
 def retyped(
@@ -20,6 +21,7 @@ def retyped(
     assignments: Sequence[Values],
     kinds: Sequence[slice] = (),
     share: float = LOOSE.share,
+    what: str = "",
 ) -> tuple[str, ...] | None:
     """Return numbers as they should be written, None where that takes a new formula.
 
@@ -30,14 +32,16 @@ def retyped(
         assignments: Of the parameters.
         kinds: Those of a kind, where the author's own may differ a little to be kept.
         share: How much, of the greatest number of its kind.
+        what: What the numbers are: lengths are compared loosely, so that the author's are kept.
     """
+    as_written = LOOSE.length if what in _LENGTHS else _SAME
     texts = []
     for index, expression in enumerate(own):
         kind = next((each for each in kinds if index in range(10)[each]), slice(len(own)))
         words = [e for peer in peers for e in peer[kind]]
         wanted = [numbers[index] for numbers in meant]
         size = max(abs(x) for numbers in meant for x in numbers[kind])
-        little = max(share, _SAME) * size if kinds else _SAME
+        little = max(share, _SAME) * size if kinds else as_written
         exactly = _SAME * (size if kinds else 1)
         text = _retyped(expression, words, wanted, assignments, little, exactly)
         if text is None:

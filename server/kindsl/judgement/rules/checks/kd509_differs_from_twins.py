@@ -163,7 +163,8 @@ def _texts(model: Model, context: Context, verdict: LimbVerdict, share: float) -
     assignments = limb_slips(model, context).assignments
     kinds = list(PARTS.values())[:3] if place.what == "inertia" else [slice(len(own))]
     kinds = kinds if place.what in OF_A_LINK else []
-    return retyped(own, peers, verdict.repairs[0].meant, assignments, kinds, share) or ()
+    meant = verdict.repairs[0].meant
+    return retyped(own, peers, meant, assignments, kinds, share, place.what) or ()
 
 
 def _copied(model: Model, verdict: LimbVerdict) -> str:

@@ -104,7 +104,8 @@ def _texts(
     if not repair.meant:
         return None
     own, peer = numbers_at(model, repair.place), numbers_at(model, other.place)
-    return retyped(own, [peer], repair.meant, limb_slips(model, context).assignments)
+    assignments, what = limb_slips(model, context).assignments, repair.place.what
+    return retyped(own, [peer], repair.meant, assignments, what=what)
 
 
 RULE = Rule(__name__, Severity.WARNING, check_document=check_document, reads=Aspect.NUMBERS)
