@@ -8,26 +8,23 @@ from kindsl.judgement.diagnosis.counterparts import are_near
 from kindsl.judgement.rules.limb_places import OF_A_LINK, PARTS, numbers_at, place_at
 from kindsl.judgement.rules.xml_axes import odd_axes
 from kindsl.judgement.rules.xml_bodies import XmlBody, XmlPart, odd_links, xml_bodies
-from kindsl.language.semantics.declarations import FixedAxes
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.numbers import pose_of_com
+from kindsl.language.semantics.numbers import pose_of_com, triple
 from kindsl.language.text.facts import kept
 from kindsl.mechanics.rigid.body import MassDistribution, less, seen_from, shifted
-from kindsl.mechanics.rigid.pose import (
-    IDENTITY,
-    RigidPose,
-    Vector3,
-    angles,
-    pose_from,
-    product,
-    transposed,
-    turned,
-)
+from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Vector3, angles, turned
 from kindsl.robots.limbs.attachments import Attachment, LimbNames
-from kindsl.robots.limbs.limb import Body, Limbs, assembled, base_origin, groups_of, names_of
+from kindsl.robots.limbs.limb import (
+    Body,
+    JointAsWritten,
+    Limbs,
+    assembled,
+    base_origin,
+    groups_of,
+    names_of,
+)
 from kindsl.robots.limbs.mirrored import PairOfLimbs, pairs_of, unmirrored
 from kindsl.robots.limbs.odd_masses import AS_DRAWN
-from kindsl.robots.limbs.slips import angles_near
 from kindsl.robots.limbs.verdicts import ComparedLimbs, verdicts
 from kindsl.robots.limbs.weighing import LimbVerdict, MeantNumbers
 
@@ -162,23 +159,11 @@ class _LimbsAsWritten:
     def _of_joint(self, repair: MeantNumbers) -> Vector3 | None:
         (link, _, what), (meant, *_) = repair
         body = self.named[link]
-        carrier, parent = body.carrier, self.bodies[body.parent or 0]
-        if carrier is None or not carrier.is_told or len(meant) != 3:
-            return None
-        part = next(p for p in parent.parts if p.link.name == carrier.parent)
-        above = part.pose.inverse().then(parent.axis_pose)
-        if what == "translation":
-            x, y, z = meant
-            return above.point((x, y, z))
-        if not isinstance(carrier.joint.pose.rotation, FixedAxes):
+        written = _as_written(body, self.bodies[body.parent or 0])
+        if written is None or len(meant) != 3:
             return None
         x, y, z = meant
-        turn = product(above.rotation, pose_from((0.0, 0.0, 0.0), (x, y, z)).rotation)
-        turn = product(turn, transposed(body.axis_pose.rotation))
-        # Turns about fixed axes are those about own axes of the reverse, backwards.
-        a, b, c = (v.literal or 0.0 for v in carrier.joint.pose.rotation.components)
-        x, y, z = angles_near(transposed(turn), (-a, -b, -c), (-a, -b, -c))
-        return 0.0 - x, 0.0 - y, 0.0 - z
+        return written.to_write(what, (x, y, z))
 
     def _of_link(self, repair: MeantNumbers) -> Sequence[float] | None:
         (link, _, what), (meant, *_) = repair
@@ -262,4 +247,18 @@ def _limb_body(body: XmlBody, parent: XmlBody, carried: tuple[Body, ...]) -> Bod
     pose = parent.axis_pose.inverse().then(body.placement).then(body.axis_pose)
     turns = angles(pose.rotation, _WITHIN)
     names = str(body.link.name), str(carrier.joint.name)
-    return assembled(*names, carrier.joint.kind, pose, turns, carried)
+    made = assembled(*names, carrier.joint.kind, pose, turns, carried)
+    return None if made is None else made._replace(written=_as_written(body, parent))
+
+
+def _as_written(body: XmlBody, parent: XmlBody) -> JointAsWritten | None:
+    """Return the numbers of a joint in its frame, None where others place it."""
+    carrier = body.carrier
+    if carrier is None or not carrier.is_told:
+        return None
+    part = next(p for p in parent.parts if p.link.name == carrier.parent)
+    above = part.pose.inverse().then(parent.axis_pose)
+    at, turns = (triple(each, {}) for each in carrier.joint.pose)
+    if at is None or turns is None:
+        return None
+    return JointAsWritten(above, body.axis_pose.rotation, at, turns)

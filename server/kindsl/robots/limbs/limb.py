@@ -9,8 +9,17 @@ from kindsl.language.semantics.expressions import Values
 from kindsl.language.semantics.kinematic_tree import Edge, KinematicTree
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.numbers import triple, written_pose
-from kindsl.mechanics.rigid.pose import IDENTITY, RigidPose, Rotation, Vector3
+from kindsl.mechanics.rigid.pose import (
+    IDENTITY,
+    RigidPose,
+    Rotation,
+    Vector3,
+    pose_from,
+    product,
+    transposed,
+)
 from kindsl.robots.limbs.names import is_held, label_of
+from kindsl.robots.limbs.slips import angles_near
 
 # No robot has more or longer ones that are written by hand, and comparing takes their square.
 _MOST_LIMBS, _MOST_BODIES = 12, 48
@@ -21,6 +30,33 @@ _FEWEST = {True: 2, False: 3}
 
 AT_ORIGIN = IDENTITY.translation
 Side = tuple[object, ...]
+
+
+class JointAsWritten(NamedTuple):
+    """The numbers of a joint frame in a file whose frames are not turned with axes.
+
+    Attributes:
+        above: The frame of the limb's body above in that in which the joint is placed.
+        below: How the frame of the body that moves is turned in the joint's.
+        translation: As written, metres.
+        angles: As written, about fixed axes, radians.
+    """
+
+    above: RigidPose
+    below: Rotation
+    translation: Vector3
+    angles: Vector3
+
+    def to_write(self, what: str, meant: Vector3) -> Vector3:
+        """Return what is to be written for a `translation` or `angles` in the limb's frames."""
+        if what == "translation":
+            return self.above.point(meant)
+        turn = product(self.above.rotation, pose_from(AT_ORIGIN, meant).rotation)
+        turn = product(turn, transposed(self.below))
+        # Turns about fixed axes are those about own axes of the reverse, backwards.
+        a, b, c = self.angles
+        x, y, z = angles_near(transposed(turn), (-a, -b, -c), (-a, -b, -c))
+        return 0.0 - x, 0.0 - y, 0.0 - z
 
 
 class Body(NamedTuple):
@@ -36,6 +72,7 @@ class Body(NamedTuple):
         children: The bodies that it carries, in written order, without those that it holds.
         held: Tools and hands that it holds, by their names; their own parts are not told apart.
         n_bodies: The number of bodies, with all that it carries.
+        written: The joint frame's numbers where they are those of other frames.
     """
 
     name: str
@@ -47,6 +84,16 @@ class Body(NamedTuple):
     children: tuple["Body", ...] = ()
     held: tuple["Body", ...] = ()
     n_bodies: int = 1
+    written: JointAsWritten | None = None
+
+    def as_written(self, what: str) -> Vector3:
+        """Return the `translation` or `angles` of its joint frame as they stand in the text."""
+        own: Vector3 = getattr(self.written or self, what)
+        return own
+
+    def to_write(self, what: str, meant: Vector3) -> Vector3:
+        """Return what is to be written for a `translation` or `angles` in the limb's frames."""
+        return meant if self.written is None else self.written.to_write(what, meant)
 
 
 class Limbs(NamedTuple):

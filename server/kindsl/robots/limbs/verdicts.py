@@ -72,7 +72,7 @@ def _of_group(weighed: Weighed) -> list[LimbVerdict]:
     if all(c.n_slips == 0 for c in weighed.values()):
         within = [verdict for c in weighed.values() for verdict in _within_each_other(c)]
         return within or [verdict for alike in _connected(weighed) for verdict in odd_masses(alike)]
-    return _convicted(weighed) or [v for c in weighed.values() for v in _of_pair(c)]
+    return _convicted(weighed) or _of_pairs(list(weighed.values()))
 
 
 def agreed(found: Sequence[Sequence[LimbVerdict]]) -> list[LimbVerdict]:
@@ -214,6 +214,23 @@ def _agree(one: Accusation, other: Accusation) -> bool:
 
 def _matrix(x: float, y: float, z: float) -> tuple[float, ...]:
     return pose_from((0.0, 0.0, 0.0), (x, y, z)).numbers
+
+
+def _of_pairs(pairs: Sequence[WeighedComparison]) -> list[LimbVerdict]:
+    """Return what differs between left and right limbs; not where all are copies of one another.
+
+    What carries them may be mirrored then.
+    """
+    odd = [(c, found) for c in pairs if (found := list(_of_pair(c)))]
+    are_copies = all(_is_copied(c, each.places) for c, found in odd for each in found)
+    return [] if are_copies and len(odd) > 1 else [each for _, found in odd for each in found]
+
+
+def _is_copied(c: WeighedComparison, places: Sequence[Suspect]) -> bool:
+    """Return whether two joints have the same translation in the text, and that is told."""
+    at = {body.joint: body for _, *both in c.limbs.rows for body in both}
+    written = {at[place.joint].as_written("translation") for place in places}
+    return len(written) == 1 and all(place.what == "translation" for place in places)
 
 
 def _of_pair(c: WeighedComparison) -> Iterator[LimbVerdict]:

@@ -42,10 +42,10 @@ class Accusation(NamedTuple):
     Attributes:
         place: Where it stands.
         peer: The link that says so.
-        meant: The numbers that should be written; none of a kind of joint.
+        meant: The numbers that it should have; none of a kind of joint.
         cost: Of what is odd besides.
-        n_retyped: How many of the numbers no sign, order or unit explains.
-        n_slips: How many slips make the written numbers of those meant.
+        n_retyped: How many of the numbers that stand in the text no sign, order or unit explains.
+        n_slips: How many slips make these of those meant.
         change: The greatest difference of a number.
         free_axis: Along which the peer can say nothing, if any.
     """
@@ -188,9 +188,8 @@ class WeighedComparison:
             if what == "angles":
                 own, meant = body.angles, angles_near(rotation, body.angles, peer.angles)
             change = max(abs(x - y) for x, y in zip(own, meant, strict=True))
-            n_new, n_all = (
-                n(own, meant, are_angles=what == "angles") for n in (n_retyped, n_slips)
-            )
+            typed = body.as_written(what), body.to_write(what, meant)
+            n_new, n_all = (n(*typed, are_angles=what == "angles") for n in (n_retyped, n_slips))
             suspect = Suspect(body.name, body.joint, what)
             return Accusation(suspect, peer.name, meant, cost, n_new, n_all, change, free_axis)
 
