@@ -19,10 +19,10 @@ def n_retyped(written: Vector3, meant: Vector3, *, are_angles: bool) -> int:
 
     A triple that has only zeros was left as it was, which counts as one.
     """
-    if all(map(_is_near, sorted(map(abs, written)), sorted(map(abs, meant)))):
+    if all(map(is_near, sorted(map(abs, written)), sorted(map(abs, meant)))):
         return 0
-    odd = [(x, y) for x, y in zip(written, meant, strict=True) if not _is_near(x, y)]
-    if any(all(_is_near(abs(x), f * abs(y), f) for x, y in odd) for f in _FACTORS):
+    odd = [(x, y) for x, y in zip(written, meant, strict=True) if not is_near(x, y)]
+    if any(all(is_near(abs(x), f * abs(y), f) for x, y in odd) for f in _FACTORS):
         return 0
     if are_angles and len(odd) == 1 and _are_turned(odd):
         return 0
@@ -37,15 +37,15 @@ def n_slips(written: Vector3, meant: Vector3, *, are_angles: bool) -> int:
     for i, j in combinations(range(3), 2):
         swapped = list(meant)
         swapped[i], swapped[j] = meant[j], meant[i]
-        if not _is_near(meant[i], meant[j]) and all(map(_is_near, written, swapped)):
+        if not is_near(meant[i], meant[j]) and all(map(is_near, written, swapped)):
             return 1
-    odd = [(x, y) for x, y in zip(written, meant, strict=True) if not _is_near(x, y)]
+    odd = [(x, y) for x, y in zip(written, meant, strict=True) if not is_near(x, y)]
     if are_angles and _are_turned(odd):
         return len(odd)
     n_new = n_retyped(written, meant, are_angles=are_angles)
     # A sign beside another unit; what is typed anew, or in another order, is so with its sign.
     sizes = [abs(y) for y in meant]
-    n_with_sign = sum(x * y < 0.0 and not any(_is_near(abs(x), z) for z in sizes) for x, y in odd)
+    n_with_sign = sum(x * y < 0.0 and not any(is_near(abs(x), z) for z in sizes) for x, y in odd)
     return len(odd) + (n_new or n_with_sign)
 
 
@@ -96,5 +96,6 @@ def _are_turned(odd: Sequence[tuple[float, float]]) -> bool:
     return all(abs(remainder(x - y, pi / 2)) < _PEER for x, y in odd)
 
 
-def _is_near(here: float, there: float, scale: float = 1.0) -> bool:
+def is_near(here: float, there: float, scale: float = 1.0) -> bool:
+    """Return whether two numbers are the same as far as numbers of two limbs are."""
     return abs(here - there) <= _NEAR * scale + _SHARE * abs(there)

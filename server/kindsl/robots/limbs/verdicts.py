@@ -257,14 +257,18 @@ def _of_pair(c: WeighedComparison) -> Iterator[LimbVerdict]:
     if tied and likeliest[1] <= most:
         tied.sort(key=lambda both: (both[0].n_slips + both[1].n_slips, both[1].change))
         places = dict.fromkeys(said.place for both in tied for said in both)
-        # Each as the reading has it in which it has the fewest slips, and mirrored rather than
-        # where its peer is.
+        # Each as the reading has it in which it has the fewest slips, turned as its peer is, and
+        # mirrored rather than where its peer is.
         at = {body.name: body.translation for _, *both in limbs.rows for body in both}
         repairs = []
         for i, first in enumerate(tied[0]):
             own = (both[i] for both in c.accusations if both[i].place == first.place)
             meant = min(
-                own, key=lambda said: (said.n_slips, said.cost, said.meant == at[said.peer])
+                own,
+                key=lambda said: (
+                    *(said.n_slips, said.cost, said.n_unlike),
+                    said.meant == at[said.peer],
+                ),
             )
             repairs.append(MeantNumbers(meant.place, (meant.meant,)))
         is_zero = any(_is_of_other_zero(limbs, said) for both in tied for said in both)

@@ -11,7 +11,7 @@ from kindsl.mechanics.rigid.pose import Rotation, Vector3, product, transposed, 
 from kindsl.robots.limbs.comparison import LOOSE, LimbComparison, Reading, Tolerance
 from kindsl.robots.limbs.limb import Body
 from kindsl.robots.limbs.mounts import Way
-from kindsl.robots.limbs.slips import angles_near, n_retyped, n_slips
+from kindsl.robots.limbs.slips import angles_near, is_near, n_retyped, n_slips
 
 # Cost of a mass, CoM or tensor that differs: it breaks ties, and many are less than a slip. Half
 # and twice of it change nothing in 111 planted slips.
@@ -46,6 +46,7 @@ class Accusation(NamedTuple):
         cost: Of what is odd besides.
         n_retyped: How many of the numbers that stand in the text no sign, order or unit explains.
         n_slips: How many slips make these of those meant.
+        n_unlike: How many of those meant are not the peer's, but for signs.
         change: The greatest difference of a number.
         free_axis: Along which the peer can say nothing, if any.
     """
@@ -56,6 +57,7 @@ class Accusation(NamedTuple):
     cost: float = 0.0
     n_retyped: int = 0
     n_slips: int = 0
+    n_unlike: int = 0
     change: float = 0.0
     free_axis: int | None = None
 
@@ -190,8 +192,11 @@ class WeighedComparison:
             change = max(abs(x - y) for x, y in zip(own, meant, strict=True))
             typed = body.as_written(what), body.to_write(what, meant)
             n_new, n_all = (n(*typed, are_angles=what == "angles") for n in (n_retyped, n_slips))
+            theirs = zip(typed[1], peer.as_written(what), strict=True)
+            n_unlike = sum(not is_near(abs(x), abs(y)) for x, y in theirs)
+            counts = n_new, n_all, n_unlike
             suspect = Suspect(body.name, body.joint, what)
-            return Accusation(suspect, peer.name, meant, cost, n_new, n_all, change, free_axis)
+            return Accusation(suspect, peer.name, meant, cost, *counts, change, free_axis)
 
         return accusation(one, other, turned(back, (x, y, z)), backward), accusation(
             other, one, there, forward
