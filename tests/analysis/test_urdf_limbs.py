@@ -488,3 +488,38 @@ def test_a_length_that_is_hardly_apart_from_its_counterpart_is_not_changed() -> 
     spoilt = text.replace("0.0201 -0.0622 -0.05", "0.0201 -0.0622 0")
     (found,) = analyse(spoilt).findings
     assert text in [apply_edits(spoilt, each.edits) for each in found.choices]
+
+
+def front_legs(axis: str) -> str:
+    text = placed_legs(axis, ' rpy="0 0 0"')
+    for name in ("LH", "RH"):
+        text = re.sub(rf'<(link|joint) name="{name}_.*?</\1>', "", text, flags=re.DOTALL)
+    return text
+
+
+@pytest.mark.parametrize("axis", ["0 1 0", "0.6 0 0.8"])
+@pytest.mark.parametrize(
+    ("name", "old", "new"),
+    [
+        ("RF_HFE", "0.02 -0.0623 -0.05", "-0.0623 0.02 -0.05"),
+        ("RF_HFE", "0.02 -0.0623 -0.05", "0.02 -0.05 -0.0623"),
+        ("LF_HFE", "0.02 0.0623 -0.05", "0.02 0.0623 0.05"),
+        ("LF_HFE", "0.02 0.0623 -0.05", "0.02 0.623 -0.05"),
+        ("LF_HFE", '-0.05" rpy="0 0 0"', '-0.05" rpy="0 1.5708 0"'),
+        ("LF_KFE", '-0.3" rpy="0 0 0"', '-0.3" rpy="0 0 1.5708"'),
+    ],
+)
+def test_slips_are_those_of_the_numbers_in_the_file(
+    name: str, old: str, new: str, axis: str
+) -> None:
+    """Frames that are turned with tilted axes have other numbers, in which none is exchanged."""
+    text = front_legs(axis)
+    before, joint_name, after = text.partition(f'<joint name="{name}"')
+    spoilt = before + joint_name + after.replace(old, new, 1)
+    (found,) = analyse(spoilt).findings
+    assert text in [apply_edits(spoilt, each.edits) for each in found.choices]
+
+
+@pytest.mark.parametrize("axis", ["0 0.6 0.8", "0.3 0.5 0.8"])
+def test_frames_that_are_mirrored_are_not_accused_of_axes_that_are_not(axis: str) -> None:
+    assert analyse(front_legs(axis)).findings == analyse(placed_legs(axis)).findings == ()

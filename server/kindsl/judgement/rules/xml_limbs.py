@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence, Set
 from itertools import chain
-from math import dist
+from math import dist, pi, remainder
 
 from kindsl.judgement.diagnosis.counterparts import are_near
 from kindsl.judgement.rules.limb_places import OF_A_LINK, PARTS, numbers_at, place_at
@@ -25,6 +25,7 @@ from kindsl.robots.limbs.limb import (
 )
 from kindsl.robots.limbs.mirrored import PairOfLimbs, pairs_of, unmirrored
 from kindsl.robots.limbs.odd_masses import AS_DRAWN
+from kindsl.robots.limbs.slips import is_near
 from kindsl.robots.limbs.verdicts import ComparedLimbs, verdicts
 from kindsl.robots.limbs.weighing import LimbVerdict, MeantNumbers
 
@@ -84,10 +85,34 @@ def _verdicts(
     for groups, as_placed in zip(carried, in_file, strict=True):
         told = verdicts(groups, masses)
         for limbs, placed, own in zip(groups, as_placed, told, strict=True):
-            is_turned = any(place.what == "angles" for each in own for place in each.places)
+            if _are_alike(limbs):
+                yield from own
+                continue
+            is_turned = any(_tells(each, "angles") for each in own)
             is_long = any(len(pair.rows) >= _FEWEST for pair in limbs.pairs.values())
-            odd = [] if _are_alike(limbs) else list(odd_axes(placed, axes))
-            yield from [v for v in odd if v.is_convicted or is_long or is_turned] or own
+            odd = [v for v in odd_axes(placed, axes) if v.is_convicted or is_long or is_turned]
+            # Frames that are written alike are right, and the axis is wrong; else the frame is.
+            unlike = [v for v in own if _tells(v, "angles") and not _are_turned_alike(placed, v)]
+            is_placed = _are_alike(placed)
+            others = [v for v in own if not (is_placed and _tells(v, "translation"))]
+            yield from unlike or odd or [v for v in others if not _tells(v, "angles")]
+
+
+def _tells(verdict: LimbVerdict, what: str) -> bool:
+    return all(place.what == what for place in verdict.places)
+
+
+def _are_turned_alike(limbs: ComparedLimbs, verdict: LimbVerdict) -> bool:
+    """Return whether the joint frames of what is accused, and of its peers, are written alike.
+
+    Of what is mirrored they may be half a turn apart.
+    """
+    rows = (row for pair in limbs.pairs.values() for row in pair.rows)
+    bodies = {body.name: body for _, *both in rows for body in both}
+    links = (*(place.link for place in verdict.places), *verdict.peers)
+    angles = (bodies[link].as_written("angles") for link in links)
+    own, *others = ([abs(remainder(x, pi)) for x in each] for each in angles)
+    return all(all(map(is_near, own, each)) for each in others)
 
 
 def _compared(groups: Sequence[Limbs]) -> list[ComparedLimbs]:
