@@ -156,7 +156,7 @@ def _convicted(pairs: Weighed) -> list[LimbVerdict]:
         if meant is not None and others and all(c.n_slips == 0 for c in others):
             cost = sum(min(said.cost for said in each) for each in by_peer) / len(by_peer)
             is_there = _is_at_another(pairs, label, meant)
-            likelihood = -len(by_peer), is_there, round(cost, 2), meant.n_slips
+            likelihood = -len(by_peer), is_there, round(cost, 2), meant.n_slips, meant.n_unlike
             ranked.append((likelihood, meant, by_peer))
     ranked.sort(key=lambda each: each[0])
     likeliest = [each for each in ranked if each[0] == ranked[0][0]]
@@ -197,8 +197,8 @@ def _likeliest(by_peer: _ByPeer) -> Accusation | None:
     ranked = []
     for order, each in enumerate(said for options in by_peer for said in options):
         n_agreeing = sum(any(_agree(each, other) for other in options) for options in by_peer)
-        likelihood = each.free_axis is not None, each.n_slips, round(each.cost, 3), each.change
-        ranked.append(((-n_agreeing, *likelihood, order), each))
+        n_odd = each.free_axis is not None, each.n_slips, round(each.cost, 3), each.n_unlike
+        ranked.append(((-n_agreeing, *n_odd, each.change, order), each))
     (n_agreeing, *_), meant = min(ranked)
     return meant if -n_agreeing > 1 else None
 
