@@ -950,7 +950,7 @@ def ring(bearings: tuple[int, ...], place: str = "", turn: str = "") -> str:
         (
             _FIVE,
             {"turn": "-1.256637"},
-            "rotation of 'shoulder2' is (0.0, 0.0, -1.256637), by its twins (0.0, 0.0, 1.256636)",
+            "rotation of 'shoulder2' is (0.0, 0.0, -1.256637), by its twins (0.0, 0.0, 1.256637)",
         ),
         # Nobody types the angle that would be needed otherwise, or both numbers of a place.
         (
