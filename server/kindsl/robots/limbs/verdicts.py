@@ -156,7 +156,7 @@ def _convicted(pairs: Weighed) -> list[LimbVerdict]:
         if meant is not None and others and all(c.n_slips == 0 for c in others):
             cost = sum(min(said.cost for said in each) for each in by_peer) / len(by_peer)
             is_there = _is_at_another(pairs, label, meant)
-            likelihood = -len(by_peer), is_there, round(cost, 2), meant.n_slips, meant.n_unlike
+            likelihood = -len(by_peer), is_there, round(cost, 2), meant.n_slips, meant.n_unlike > 0
             ranked.append((likelihood, meant, by_peer))
     ranked.sort(key=lambda each: each[0])
     likeliest = [each for each in ranked if each[0] == ranked[0][0]]
