@@ -296,6 +296,51 @@ def test_rounded_numbers_are_so_about_another_point_too(seed: int, digits: int) 
         assert not compared_mechanics(urdf, wrong).is_equal
 
 
+CAMERA = """\
+Robot arm {
+RobotBase base { children { flange via turn } }
+link flange {
+    id = 1
+    inertia_params {
+        mass = 1.3471 CoM = (0.0135365, 0.0, 0.0141219)
+        Ix = 0.0178777 Iy = 0.0178777 Iz = 0.0178777 Ixy = 0.0 Ixz = 0.0 Iyz = 0.0
+    }
+    children {}
+    frames { camera { translation = (0.1, 0.0, 0.0) rotation = (PI/2.0, PI/2.0, 0.0) } }
+}
+r_joint turn { ref_frame { translation = (0.0, 0.0, 0.1) rotation = (0.0, 0.0, 0.0) } }
+}
+"""
+CAMERA_IN_URDF = """\
+<robot name="arm"><link name="base"/><link name="flange"><inertial>
+<origin xyz="{com}"/><mass value="{mass}"/><inertia ixx="0.01760905046" iyy="0.01736221212"
+izz="0.01763086166" ixy="0" ixz="0.00025751312" iyz="0"/></inertial></link><link name="camera"/>
+<joint name="turn" type="continuous"><parent link="base"/><child link="flange"/>
+<origin xyz="0 0 0.1"/><axis xyz="0 0 1"/></joint>
+<joint name="seat" type="fixed"><parent link="flange"/><child link="camera"/>
+<origin xyz="0.1 0 0" rpy="{turns}"/></joint></robot>
+"""
+
+
+# Where the second angle is a quarter turn, the first and third are any of one difference.
+@pytest.mark.parametrize(
+    ("turns", "com", "mass", "is_equal"),
+    [("1.5707963267948966 0 1.5707963267948966", "0.0135365 0 0.0141219", "1.3471", True),
+     ("1.5708 0 1.5708", "0.0135365 0 0.0141219", "1.3471", True),
+     ("1.571 0 1.571", "0.01354 0 0.01412", "1.347", True),
+     ("1.5758 0 1.5708", "0.0135365 0 0.0141219", "1.3471", False)],
+)  # fmt: skip
+def test_a_frame_is_turned_alike_though_its_angles_are_others(
+    turns: str, com: str, mass: str, is_equal: bool
+) -> None:
+    urdf = CAMERA_IN_URDF.format(turns=turns, com=com, mass=mass)
+    ours, theirs = described_text(CAMERA)[0], described_urdf(urdf, is_floating=False)
+    for pair in ((ours, theirs), (theirs, ours)):
+        found = compared_mechanics(*pair)
+        assert found.is_equal == is_equal, found.numbers
+        assert {number.owner for number in found.numbers} <= {"camera"}
+
+
 FLANGE = """\
 Robot arm {
 RobotBase base { children { flange via turn } }

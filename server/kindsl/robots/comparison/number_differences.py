@@ -132,6 +132,10 @@ def frame_differences(
     if other is not None:
         slack = list(map(max, slack, _own_slacks(other, bounds)))
     unlike = _unlike(frame, values, scales, bounds, slack)
+    # Angles may be ill-defined, a turn is not.
+    turn = _turn_slack(frame, bounds) + sum(slack[3:])
+    if angle_between(frame.pose(), frame.pose(values)) <= turn:
+        unlike = tuple(k for k in unlike if k < 3)
     wanted = _WantedNumbers(frame, values, unlike)
     near = (None,) * len(POSE) if other is None else other.numbers
     return [

@@ -43,12 +43,16 @@ class XmlNumbers:
     def keep_place(
         self, kind: str, owner: str, names: Sequence[str], numbers: Sequence[WrittenNumber]
     ) -> None:
-        """Keep one place for all that is said there in another form; its values are not known."""
+        """Keep one place for all that is said there in another form; its values are not known.
+
+        They are no more exact than the numbers there, whole ones apart.
+        """
         if numbers:
             places = [number.at for number in numbers if isinstance(number.at, TextPlace)]
             text = " ".join(number.text for number in numbers)
             at = places[0]._replace(end=places[-1].end)
-            whole = WrittenNumber(text, 0.0, 0.0, at, is_implied=True)
+            half = max((number.half for number in numbers if number.value % 1.0), default=0.0)
+            whole = WrittenNumber(text, 0.0, half, at, is_implied=True)
             self.found |= {(kind, owner, name): whole for name in names}
 
     def of_attribute(self, element: Any, name: str) -> list[WrittenNumber]:
