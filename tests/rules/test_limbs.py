@@ -1026,3 +1026,26 @@ def test_a_cause_in_a_limb_that_its_peers_outvote_is_told(monkeypatch: pytest.Mo
 
     monkeypatch.setattr(kd312_mirrored_pair_differs, "explained", explained)
     assert [each.message for each in found("KD312", text)] == ["told by its cause"]
+
+
+def test_a_com_in_millimetres_is_told_without_what_its_twins_have() -> None:
+    thin = section(0.039158, "0.1, 0.1, 0.0", 0.000734782, 0.000734782, 0.001351121, 0.00061634)
+    legs = dict.fromkeys(("LF", "RF", "LH"), thin)
+    text = legs_with(**legs, RH=thin.replace("0.1, 0.1", "100.0, 100.0"))
+    (finding,) = (f for f in analyse(text).findings if f.code in (*CODES, "KD502"))
+    assert finding.code == "KD502"
+    assert finding.fix is not None
+    assert apply_edits(text, finding.fix.edits) == legs_with(**legs, RH=thin)
+
+
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_of_two_sides_the_one_with_a_com_in_millimetres_is_told(side: str) -> None:
+    forearm = section(2.0, "0.02, 0.0, 0.05", 0.03, 0.031, 0.02)
+    text = two_arms("0.3, -0.1, 0.02")
+    for name in ("left_forearm", "right_forearm"):
+        at = text.index("inertia_params", text.index(f"link {name}"))
+        text = text[:at] + forearm + text[text.index("}", at) + 1 :]
+    at = text.index("0.02, 0.0, 0.05", text.index(f"link {side}_forearm"))
+    far = f"{text[:at]}20.0, 0.0, 50.0{text[at + len('0.02, 0.0, 0.05') :]}"
+    told = [f.code for f in analyse(far).findings if f.code in (*CODES, "KD312", "KD502")]
+    assert (codes(text), told) == ([], ["KD502"])

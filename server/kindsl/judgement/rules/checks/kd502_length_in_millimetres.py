@@ -41,6 +41,7 @@ from kindsl.language.syntax.document import Chunk
 from kindsl.language.syntax.tree import Island
 from kindsl.language.text.facts import kept
 
+_OF_TWINS = frozenset(("KD509",))
 _ANY = SuspectCom("mm", is_sure=True)
 
 
@@ -64,7 +65,7 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
                 if vector in coms or not is_partly_in_metres(model, vector):
                     message += f"; is it in {name}?"
                     fix = converted(vector, factor, is_com=vector in coms) if is_sure else None
-                yield Finding(value, message, fix=fix)
+                yield Finding(value, message, fix=fix, explains=_OF_TWINS)
                 told.add(vector)
             break
     sections = [keyword(inertia) for inertia in inertias if inertia.com in told]

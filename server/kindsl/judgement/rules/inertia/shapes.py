@@ -6,7 +6,12 @@ written besides.
 
 from collections.abc import Iterator
 
-from kindsl.judgement.diagnosis.body_verdicts import OF_LENGTH, BodyVerdict, body_verdicts
+from kindsl.judgement.diagnosis.body_verdicts import (
+    GREATEST_LENGTH,
+    OF_LENGTH,
+    BodyVerdict,
+    body_verdicts,
+)
 from kindsl.judgement.diagnosis.judgements import (
     Verdict,
     is_impossible,
@@ -44,7 +49,10 @@ def shape_doubts(
 
 
 def is_told_of(body: Link, model: Model, context: Context) -> bool:
-    """Return whether a body is reported as impossible, or behind its joint."""
+    """Return whether a body is reported as impossible, too far away, or behind its joint."""
+    com = body.inertia.com if body.inertia is not None else None
+    if com is not None and any(abs(c.literal or 0.0) > GREATEST_LENGTH for c in com.components):
+        return True
     if is_impossible(body, context.values) or frame_of_com(body) is not None:
         return is_impossible(body, context.values)
     return any(shape_doubts(body, model.tree.joints_on(body), context, "KD511"))
