@@ -135,6 +135,25 @@ def test_the_document_that_is_used_can_be_written_and_edited(
     assert "fr_base_J_fr_upper" in header and "fr_base_J_tool" not in header
 
 
+def test_no_transforms_document_is_written_that_could_not_be_read(
+    kindsl: Runner, document: Path
+) -> None:
+    document.write_text(LIFT.replace("slider", "größe"))
+    told = kindsl("generate", document, "--write-transforms", "mine.dtdsl")
+    assert (told.status, told.err) == (
+        1,
+        f"{document}: error: 'fr_größe' is not a valid name in RobCoGen's code: "
+        "use letters a to z, digits and '_'\n",
+    )
+    assert not Path("mine.dtdsl").exists()
+
+
+def test_the_base_is_chosen_by_its_name_too(kindsl: Runner, document: Path) -> None:
+    for frame in ("base", "fr_base"):
+        assert kindsl(*GENERATE, "--frames", frame).status == 0
+        assert "fr_base_J_tool" in Path("out/jacobians.h").read_text()
+
+
 def test_a_transforms_document_is_not_overwritten(kindsl: Runner, document: Path) -> None:
     Path("mine.dtdsl").write_text("mine")
     told = kindsl("generate", "arm.kindsl", "--write-transforms", "mine.dtdsl")

@@ -126,3 +126,8 @@ def test_a_frame_is_not_listed_in_a_text_that_is_not_read_to_its_end() -> None:
 def test_a_name_that_is_like_no_other_is_not_replaced() -> None:
     text = LISTED.replace("tip", "elsewhere")
     assert [*offered(text, 0, len(text))] == [ALL]
+
+
+def test_nothing_is_written_for_names_that_no_document_can_have() -> None:
+    model = analyse("Robot Größe { RobotBase base { children {} } }").model
+    assert transforms_actions("", model, 0, 0) == []

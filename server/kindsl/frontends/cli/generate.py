@@ -255,7 +255,7 @@ def _generate(args: argparse.Namespace, source: "Source") -> int:
 
 def _write_transforms(args: argparse.Namespace, source: "Source") -> int:
     """Write the transforms document of a robot, unless there is a file already."""
-    from kindsl.language.semantics.transforms import transforms_document
+    from kindsl.language.semantics.transforms import UnwritableNameError, transforms_document
 
     path, model = args.write_transforms, source.analysis.model
     if not model.bodies or not model.name:
@@ -263,7 +263,8 @@ def _write_transforms(args: argparse.Namespace, source: "Source") -> int:
         raise CommandError.about(args.file, message, status=1)
     if os.path.exists(path) and not args.force:
         raise CommandError.about(path, "the file exists; --force overwrites it")
-    write_output(path, transforms_document(model))
+    with refusals(args.file, UnwritableNameError, status=1):
+        write_output(path, transforms_document(model))
     return 0
 
 

@@ -17,6 +17,7 @@ from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.model import Model
 from kindsl.language.semantics.transforms import (
     LINK_PREFIX,
+    UnwritableNameError,
     frame_names,
     joint_frame_names,
     transforms_document,
@@ -97,7 +98,10 @@ def transforms_actions(text: str, model: Model | None, start: int, end: int) -> 
     if not text.strip():
         if model is None or not model.name or not model.bodies:
             return []
-        edit = TextEdit(0, len(text), transforms_document(model))
+        try:
+            edit = TextEdit(0, len(text), transforms_document(model))
+        except UnwritableNameError:
+            return []
         return [CodeAction(f"Write the transforms of '{model.name}'", REWRITE, (edit,))]
     found = [*_listings(text, document, start, end)]
     if model is not None:

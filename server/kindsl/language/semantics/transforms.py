@@ -1,6 +1,7 @@
 """The meaning of names in a transforms document, and their defects."""
 
 import math
+import re
 from collections.abc import Iterable, Iterator
 
 from kindsl.language.semantics.declarations import Frame
@@ -10,6 +11,11 @@ from kindsl.language.syntax.transforms_text import Defect, PlacedName, Transform
 from kindsl.language.text.nearest import hint, nearest_name
 
 LINK_PREFIX = "fr_"
+_OF_OTHER_LETTERS = re.compile(r"\w*[^\W\x00-\x7f]\w*")
+
+
+class UnwritableNameError(ValueError):
+    """RobCoGen cannot read a name in a transforms document."""
 
 
 def frame_names(model: Model) -> dict[str, str]:
@@ -93,12 +99,21 @@ def transforms_document(model: Model) -> str:
 
     Tips are the outermost frames on links without children, such as feet and tools, or such a link
     itself if it has none. All is seen from the base; without one, from the first link.
+
+    Raises:
+        UnwritableNameError: A name has other letters than a to z.
     """
     frames = list(frame_names(model))
     base, poses = frames[0], _pairs(frames[0], frames)
     jacobians = _pairs(base, _tips(model))
     listed = f"Frames {{\n    {', '.join(frames)}\n}}"
-    return f"Robot {model.name}\n{listed}\nTransforms {{\n{poses}}}\nJacobians {{\n{jacobians}}}\n"
+    text = f"Robot {model.name}\n{listed}\nTransforms {{\n{poses}}}\nJacobians {{\n{jacobians}}}\n"
+    if foreign := _OF_OTHER_LETTERS.search(text):
+        raise UnwritableNameError(
+            f"'{foreign[0]}' is not a valid name in RobCoGen's code: "
+            "use letters a to z, digits and '_'"
+        )
+    return text
 
 
 def _pairs(base: str, targets: Iterable[str]) -> str:

@@ -1,6 +1,5 @@
 """From a document and options to the text of all files."""
 
-import re
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import NamedTuple
@@ -8,7 +7,7 @@ from typing import NamedTuple
 from kindsl import __version__
 from kindsl.judgement.analysis.analysis import Analysis
 from kindsl.language.semantics.model import Model
-from kindsl.language.semantics.transforms import transforms_document
+from kindsl.language.semantics.transforms import UnwritableNameError, transforms_document
 from kindsl.language.text.nearest import hint, nearest_name
 from kindsl.products.codegen.c_test_program import parameter_values
 from kindsl.products.codegen.language import language_named
@@ -90,11 +89,6 @@ def generate(
         listed = source.transforms
         if listed is None and language.makes_transforms:
             listed = transforms_document(model)
-            if foreign := re.search(r"\w*[^\W\x00-\x7f]\w*", listed):
-                raise GenerationError(
-                    f"'{foreign[0]}' is not a valid name in RobCoGen's code: "
-                    "use letters a to z, digits and '_'"
-                )
         wanted = wanted_pairs(listed, model, robot) if listed else NO_PAIRS
         if options.frames is not None:
             lacking = without_pairs(wanted, options.frames) if language.makes_transforms else []
@@ -113,7 +107,7 @@ def generate(
             values_of_arguments["active"] = active
         reference = Reference(mechanics, values_of_arguments, parameters)
         files = language.files(library, reference)
-    except OverflowError as error:
+    except (OverflowError, UnwritableNameError) as error:
         raise GenerationError(str(error)) from None
     numbers = robot_record(mechanics.linkage)
     files[NAME] = manifest_text(stamp, options, source.bindings, source.transforms, files, numbers)

@@ -56,10 +56,11 @@ def restricted(robot: Robot, wanted: Wanted, names: Sequence[str]) -> tuple[Robo
     known = {target.name for target in robot.targets}
     of_pairs = _names(wanted)
     chosen = {name if name in known else links.get(name, name) for name in names}
-    for name in sorted(chosen - known - of_pairs):
+    for name in without_pairs(wanted, sorted(chosen - known)):
         close = hint(nearest_name(name, [*known, *links, *of_pairs]))
         raise GenerationError(f"--frames: the robot has no frame '{name}'{close}")
-    listed = {*chosen, *(f"{LINK_PREFIX}{name}" for name in chosen & {*robot.link_names})}
+    bodies = {robot.base_name, *robot.link_names}
+    listed = {*chosen, *(f"{LINK_PREFIX}{name}" for name in chosen & bodies)}
     frames = tuple(target for target in robot.targets if target.name in chosen)
     kept = (
         tuple(p for p in pairs if not listed.isdisjoint((p[0].name, p[1].name))) for pairs in wanted
