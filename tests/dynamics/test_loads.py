@@ -1,5 +1,6 @@
 """External forces, a given acceleration of the base, and motions between poses and frames."""
 
+import inspect
 from itertools import pairwise
 
 import numpy as np
@@ -180,3 +181,8 @@ def test_a_step_in_time_refuses_what_it_would_lose() -> None:
         robot.integrate(rest, rest, 0.1, np.eye(4))
     with pytest.raises(ValueError, match="'dt' holds a value that is not finite"):
         robot.integrate(rest, rest, np.nan)
+
+
+def test_help_names_the_types_of_poses() -> None:
+    signature = "(A_T_B: 'npt.ArrayLike', A_T_C: 'npt.ArrayLike') -> 'Array'"
+    assert str(inspect.signature(kindsl.pose_error)) == signature

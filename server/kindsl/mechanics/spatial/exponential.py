@@ -10,7 +10,7 @@ from kindsl.mechanics.spatial.cross_products import skew
 SMALL_ANGLE = 1e-4
 
 
-def pose_error(A_T_B: npt.ArrayLike, A_T_C: npt.ArrayLike) -> Array:
+def pose_error(A_T_B: "npt.ArrayLike", A_T_C: "npt.ArrayLike") -> "Array":
     """Return the motion that takes frame B to frame C in a unit of time, shape (..., 6).
 
     It is the logarithm of `B_T_C`: a constant spatial velocity in B's coordinates, angular part
