@@ -184,10 +184,15 @@ def candidates(found: Judgement, around: LinkSurroundings) -> list[Cause]:
     slips = frozenset(Slip) if found.is_impossible else _OF_SIZE
     tried = hypotheses(found.body, found.half, slips)
     kept = merged([cause for h in tried if (cause := weighed(h, found, around)) is not None])
-    for h in typed_anew(found, around):
-        is_known = any(is_same_body(h.body, cause.hypothesis.body) for cause in kept)
-        cause = None if is_known else weighed(h, found, around)
-        kept += [] if cause is None else [cause]
+    # Of two possible bodies either may have the number that was meant.
+    is_told = found.is_impossible or len(around.peers) > 1
+    for h in typed_anew(found, around) if is_told else ():
+        if not any(is_same_body(h.body, cause.hypothesis.body) for cause in kept):
+            # One number may be all that a slip changes that is not tried of possible bodies.
+            rest = hypotheses(found.body, found.half, frozenset(Slip) - slips)
+            same = next((each for each in rest if is_same_body(each.body, h.body)), h)
+            cause = weighed(same, found, around)
+            kept += [] if cause is None else [cause]
     return [*kept, *_without_meaning(found, around, kept)]
 
 

@@ -305,7 +305,8 @@ TABLE = {
     Slip.MOMENT: SlipRow("KD308", _RARE, _one_scaled),
     Slip.MASS: SlipRow("KD314", _RARE, _other_mass),
     Slip.NUMBER: SlipRow("KD308", _RARE, _unknown),
-    Slip.MINUS: SlipRow("KD307", _SELDOM, _other_moment_sign),
+    # No body has a moment below zero, in whatever frame or unit.
+    Slip.MINUS: SlipRow("KD307", _COMMON, _other_moment_sign),
     Slip.COM_SIGN: SlipRow("KD307", _SELDOM, _other_com_sign),
     Slip.SWAP: SlipRow("KD307", _RARE, _swapped),
     Slip.ROWS: SlipRow("KD307", _RARE, _by_rows),
