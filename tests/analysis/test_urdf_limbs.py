@@ -523,3 +523,26 @@ def test_slips_are_those_of_the_numbers_in_the_file(
 @pytest.mark.parametrize("axis", ["0 0.6 0.8", "0.3 0.5 0.8"])
 def test_frames_that_are_mirrored_are_not_accused_of_axes_that_are_not(axis: str) -> None:
     assert analyse(front_legs(axis)).findings == analyse(placed_legs(axis)).findings == ()
+
+
+@pytest.mark.parametrize("n_sides", [1, 2])
+def test_a_limb_on_what_the_other_side_is_fixed_by_is_told(n_sides: int) -> None:
+    """Both mounts are fixed to the base, and one body with it."""
+    mounts = "".join(
+        link(f"{leg}_mount")
+        + joint(f"{leg}_screw", "base", f"{leg}_mount", "fixed").replace(
+            "<parent", f'<origin xyz="0 {y} 0.02"/><parent'
+        )
+        for leg, y in (("LF", "0.12"), ("RF", "-0.12"))
+    )
+    text = front_legs("0 1 0").replace("</robot>", f"{mounts}</robot>")
+    text = re.sub(r'"base"/><child link="(.F)_hip"', r'"\1_mount"/><child link="\1_hip"', text)
+    assert analyse(text).findings == ()
+    spoilt = text.replace('"RF_mount"/><child link="RF_hip"', '"LF_mount"/><child link="RF_hip"')
+    if n_sides == 2:
+        text = spoilt = spoilt.replace('"LF_mount"/><child link="L', '"RF_mount"/><child link="L')
+    told = [(each.code, each.message) for each in analyse(spoilt).findings]
+    message = "link 'RF_hip' is a child of 'LF_mount', by its twin of 'RF_mount'"
+    assert told == ([("KD208", message)] if n_sides == 1 else [])
+    fixes = [each.fix for each in analyse(spoilt).findings if each.fix is not None]
+    assert [apply_edits(spoilt, fix.edits) for fix in fixes] == ([text] if n_sides == 1 else [])

@@ -1,5 +1,6 @@
 """The limbs of a robot in XML, and what its own numbers would be by their counterparts."""
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence, Set
 from itertools import chain
 from math import dist, pi, remainder
@@ -24,6 +25,7 @@ from kindsl.robots.limbs.limb import (
     names_of,
 )
 from kindsl.robots.limbs.mirrored import PairOfLimbs, pairs_of, unmirrored
+from kindsl.robots.limbs.names import label_of
 from kindsl.robots.limbs.odd_masses import AS_DRAWN
 from kindsl.robots.limbs.slips import is_near
 from kindsl.robots.limbs.verdicts import ComparedLimbs, verdicts
@@ -39,15 +41,33 @@ _FEWEST = 3
 
 @kept
 def xml_limb_names(model: Model) -> LimbNames:
-    """Return the names of links and joints, links that are fixed together as one."""
+    """Return the names of links and joints, links that are fixed together as one.
+
+    Where one limb hangs on a part of the other side, which is fixed to what is of none, the parts
+    that carry limbs called so are told apart.
+    """
     bodies = xml_bodies(model)
-    return LimbNames(
-        [
-            Attachment(*(str(each.name) for each in (b.link, bodies[b.parent].link, b.joint)))
-            for b in bodies
-            if b.parent is not None and b.joint is not None
-        ]
-    )
+    names = [
+        (str(b.link.name), str(bodies[b.parent].link.name), b.carrier.parent, str(b.joint.name))
+        for b in bodies
+        if b.parent is not None and b.carrier is not None and b.joint is not None
+    ]
+    count = Counter(label_of(link).words for link, *above, _ in names if _is_across(link, *above))
+    across = {words for words, number in count.items() if number == 1}
+    attachments = [
+        Attachment(link, part if label_of(link).words in across else body, joint)
+        for link, body, part, joint in names
+    ]
+    for body in bodies if across else ():
+        fixed = (str(part.link.name) for part in body.parts[1:])
+        attachments += (Attachment(name, str(body.link.name), "") for name in fixed)
+    return LimbNames(attachments)
+
+
+def _is_across(link: str, body: str, part: str) -> bool:
+    """Return whether a link hangs on a part of the other side, in a body that is of no side."""
+    own, whole, side = (label_of(name).side for name in (link, body, part))
+    return bool(own and side) and own != side and not whole
 
 
 def xml_limb_verdicts(model: Model) -> list[LimbVerdict]:

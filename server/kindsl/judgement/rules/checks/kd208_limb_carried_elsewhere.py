@@ -77,10 +77,12 @@ def _with_other_parent(model: Model, misplaced: Misplaced) -> Fix | None:
     from kindsl.judgement.rules.xml_bodies import xml_bodies
 
     link, meant, peers = misplaced.attachment.link, misplaced.meant, misplaced.peers
-    parts = next((b.parts for b in xml_bodies(model) if b.link.name == meant), ())
+    bodies = ([str(part.link.name) for part in body.parts] for body in xml_bodies(model))
+    parts = next((names for names in bodies if meant in names), [])
     carriers = [c.parent for peer in peers if (c := carrying(model, peer.link)) is not None]
     words = {label_of(name).words for name in carriers}
-    found = [str(p.link.name) for p in parts if label_of(str(p.link.name)).words in words]
+    found = [name for name in parts if label_of(name).words in words]
+    found = [meant] if meant in found else found
     if len(words) != 1 or len(found) != 1:
         return None
     change = Replacement(place_of_parent(model, link), found[0])
