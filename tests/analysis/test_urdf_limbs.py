@@ -546,3 +546,15 @@ def test_a_limb_on_what_the_other_side_is_fixed_by_is_told(n_sides: int) -> None
     assert told == ([("KD208", message)] if n_sides == 1 else [])
     fixes = [each.fix for each in analyse(spoilt).findings if each.fix is not None]
     assert [apply_edits(spoilt, fix.edits) for fix in fixes] == ([text] if n_sides == 1 else [])
+
+
+def test_a_sign_is_told_in_legs_whose_masses_are_copies() -> None:
+    """Read as copies, the hind legs would agree if one of their hips were half a turn apart."""
+    text = placed_legs("0 1 0", ' rpy="0 0 0"').replace('xyz="0.01 0 -0.1"', 'xyz="0 0.016 -0.02"')
+    text = re.sub(r'(_HAA".*?axis xyz=)"0 1 0"', r'\1"1 0 0"', text, flags=re.DOTALL)
+    text = re.sub(r"0.02 (-?)0.0623 -0.05", r"0 \g<1>0.0623 0", text)
+    assert analyse(text).findings == ()
+    before, name, after = text.partition('<joint name="LH_HFE"')
+    spoilt = before + name + after.replace("0.0623", "-0.0623", 1)
+    (found,) = analyse(spoilt).findings
+    assert found.fix is not None and apply_edits(spoilt, found.fix.edits) == text

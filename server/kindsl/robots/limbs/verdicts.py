@@ -143,8 +143,10 @@ def _convicted(pairs: Weighed) -> list[LimbVerdict]:
     It names one place where that is the cheapest alone.
     """
     cases: dict[tuple[Side, Suspect], dict[Pair, list[Accusation]]] = {}
+    usual = {c.limbs.how: c.best[0] for c in pairs.values() if c.n_slips == 0}
     for pair, c in pairs.items():
-        for both in c.accusations if len(c.limbs.rows) > 1 or c.limbs.other_kinds else ():
+        is_told = len(c.limbs.rows) > 1 or c.limbs.other_kinds
+        for both in c.accusations(usual.get(c.limbs.how, 0.0)) if is_told else ():
             for label, said in zip(pair, both, strict=True):
                 cases.setdefault((label, said.place), {}).setdefault(pair, []).append(said)
     ranked: list[tuple[tuple[float, ...], Accusation, _ByPeer]] = []
@@ -239,9 +241,10 @@ def _of_pair(c: WeighedComparison) -> Iterator[LimbVerdict]:
     if limbs.how not in SMALLEST:
         return
     most = 1 if len(limbs.rows) >= SMALLEST[limbs.how] else 0
+    accusations = c.accusations()
     ranked = [
         ((round(one.cost, 2), min(one.n_retyped, other.n_retyped)), (one, other))
-        for one, other in c.accusations
+        for one, other in accusations
     ]
     likeliest = min((likelihood for likelihood, _ in ranked), default=(0.0, most + 1))
     # What the likeliest readings cannot tell is not told of another one.
@@ -262,7 +265,7 @@ def _of_pair(c: WeighedComparison) -> Iterator[LimbVerdict]:
         at = {body.name: body.translation for _, *both in limbs.rows for body in both}
         repairs = []
         for i, first in enumerate(tied[0]):
-            own = (both[i] for both in c.accusations if both[i].place == first.place)
+            own = (both[i] for both in accusations if both[i].place == first.place)
             meant = min(
                 own,
                 key=lambda said: (

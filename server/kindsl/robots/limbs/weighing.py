@@ -1,7 +1,6 @@
 """The ways to read a limb as its peer with the masses of both, the likeliest first."""
 
 from collections.abc import Mapping
-from functools import cached_property
 from math import dist, inf
 from operator import sub
 from typing import NamedTuple
@@ -154,11 +153,13 @@ class WeighedComparison:
             for _, one, other in self.limbs.rows
         )
 
-    @cached_property
-    def accusations(self) -> list[tuple[Accusation, Accusation]]:
-        """The places that alone explain the difference at the least cost, as of either limb.
+    def accusations(self, usual: float = 0.0) -> list[tuple[Accusation, Accusation]]:
+        """Return the places that alone explain the difference at the least cost, as of either limb.
 
         Each is given with all numbers that it may have been meant to have, at any cost.
+
+        Args:
+            usual: The cost of limbs that agree: what costs no more explains as well.
         """
         if self.n_slips != 1:
             return []
@@ -168,7 +169,8 @@ class WeighedComparison:
                 Suspect(other.name, other.joint, "kind"),
             )
             return [(Accusation(here, other.name), Accusation(there, one.name))]
-        cheapest = {reading.slip or () for cost, reading in self.ranked if cost == self.best[0]}
+        most = max(self.best[0], usual)
+        cheapest = {reading.slip or () for cost, reading in self.ranked if cost <= most}
         ranked = sorted(self.ranked, key=lambda each: each[1].slip or ())
         return [self._accused(*each) for each in ranked if each[1].slip in cheapest]
 
