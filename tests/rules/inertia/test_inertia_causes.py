@@ -453,3 +453,17 @@ def test_a_possible_body_that_reaches_far_beyond_its_joint(
         # One body that is possible is a doubt, no conviction.
         assert finding.probability is not None and 0.5 < finding.probability < 0.9
         assert finding.severity == "hint"
+
+
+@pytest.mark.parametrize(("name", "typed"), [("Ix", "0.09528"), ("Iy", "0.08528")])
+def test_a_digit_that_was_lost_where_a_body_is_round_is_put_back(name: str, typed: str) -> None:
+    """The third moment times ten would make the body possible as well."""
+    moments = "Ix=0.098528 Iy=0.098528 Iz=0.00285 Ixy=0.0 Ixz=0.0 Iyz=0.0"
+    meant, wrong = (
+        row(f"inertia_params {{ mass = 1.714 CoM = (0.0, 0.0, 0.19) {each} }}", names="rod")
+        for each in (moments, moments.replace(f"{name}=0.098528", f"{name}={typed}"))
+    )
+    (finding,) = (f for code in CAUSES for f in found(code, wrong))
+    assert f"would be consistent if {name} were 0.09853 (" in finding.message
+    assert finding.fix is not None
+    assert apply_edits(wrong, finding.fix.edits) == meant

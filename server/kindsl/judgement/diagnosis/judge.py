@@ -15,6 +15,7 @@ are full of, are tried together.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import permutations
 from math import exp, log, log1p
 from typing import NamedTuple
 
@@ -49,6 +50,7 @@ from kindsl.language.semantics.expressions import Values
 from kindsl.language.semantics.lowering import OtherIsland
 from kindsl.language.semantics.model import Model
 from kindsl.language.syntax.vocabulary import MOMENTS
+from kindsl.language.text.decimals import significant_decimal, significant_digits
 from kindsl.language.text.facts import Fact
 from kindsl.mechanics.rigid.body import MassDistribution, second_moments_about_com, shifted
 
@@ -69,6 +71,8 @@ _OF_POSSIBLE = frozenset((Slip.TWICE,))
 # Of ten numbers those that are compared with each other: the mass, the CoM, the moments.
 _LEAST, _DIGITS = 1e-12, 9
 _KINDS = (slice(1), slice(1, 4), slice(4, 10))
+# Moments of so many digits are equal but for one by chance in a thousand bodies at most.
+_FEWEST_DIGITS, _MOST_DIGITS = 4, 9
 # Of the CoM a counterpart tells signs, order and unit.
 _TYPED = frozenset(("mass", *MOMENTS))
 _TRIALS: "Fact[tuple[object, _Tried]]" = Fact("tried causes")
@@ -186,7 +190,8 @@ def candidates(found: Judgement, around: LinkSurroundings) -> list[Cause]:
     kept = merged([cause for h in tried if (cause := weighed(h, found, around)) is not None])
     # Of two possible bodies either may have the number that was meant.
     is_told = found.is_impossible or len(around.peers) > 1
-    for h in typed_anew(found, around) if is_told else ():
+    round_ones = _with_lost_digit(found) if found.is_impossible else ()
+    for h in (*round_ones, *(typed_anew(found, around) if is_told else ())):
         if not any(is_same_body(h.body, cause.hypothesis.body) for cause in kept):
             # One number may be all that a slip changes that is not tried of possible bodies.
             rest = hypotheses(found.body, found.half, frozenset(Slip) - slips)
@@ -194,6 +199,23 @@ def candidates(found: Judgement, around: LinkSurroundings) -> list[Cause]:
             cause = weighed(same, found, around)
             kept += [] if cause is None else [cause]
     return [*kept, *_without_meaning(found, around, kept)]
+
+
+def _with_lost_digit(found: Judgement) -> Iterator[Hypothesis]:
+    """Yield the numbers with a moment that is another one but for a digit: the body is round."""
+    moments = found.body.moments
+    for i, j in permutations(range(3), 2):
+        n_left = significant_digits(significant_decimal(moments[i], _MOST_DIGITS))
+        text = significant_decimal(moments[j], n_left + 1)
+        left = (text[:k] + text[k + 1 :] for k, digit in enumerate(text) if digit.isdigit())
+        if significant_digits(text) >= _FEWEST_DIGITS and any(
+            each.strip(".") and float(each) == moments[i] for each in left
+        ):
+            meant = (*moments[:i], moments[j], *moments[i + 1 :])
+            body = MassDistribution.of((found.body.mass, *found.body.com, *meant))
+            weight = TABLE[Slip.NUMBER].weight * 10.0 ** (_FEWEST_DIGITS - 1)
+            names = MOMENTS[i], f"{_in_file(moments[j], MOMENTS[j], found.link):.4g}"
+            yield Hypothesis((Slip.NUMBER,), body, found.half, weight, names)
 
 
 def typed_anew(found: Judgement, around: LinkSurroundings) -> Iterator[Hypothesis]:
