@@ -199,8 +199,8 @@ def _likeliest(by_peer: _ByPeer) -> Accusation | None:
     ranked = []
     for order, each in enumerate(said for options in by_peer for said in options):
         n_agreeing = sum(any(_agree(each, other) for other in options) for options in by_peer)
-        n_odd = each.free_axis is not None, each.n_slips, round(each.cost, 3), each.n_unlike
-        ranked.append(((-n_agreeing, *n_odd, each.change, order), each))
+        likelihood = each.free_axis is not None, each.n_slips, round(each.cost, 3), each.n_unlike
+        ranked.append(((-n_agreeing, *likelihood, each.change, order), each))
     (n_agreeing, *_), meant = min(ranked)
     return meant if -n_agreeing > 1 else None
 
@@ -263,16 +263,14 @@ def _of_pair(c: WeighedComparison) -> Iterator[LimbVerdict]:
         # Each as the reading has it in which it has the fewest slips, turned as its peer is, and
         # mirrored rather than where its peer is.
         at = {body.name: body.translation for _, *both in limbs.rows for body in both}
+
+        def likelihood_of(said: Accusation) -> tuple[float, ...]:
+            return said.n_slips, said.cost, said.n_unlike, said.meant == at[said.peer]
+
         repairs = []
         for i, first in enumerate(tied[0]):
             own = (both[i] for both in accusations if both[i].place == first.place)
-            meant = min(
-                own,
-                key=lambda said: (
-                    *(said.n_slips, said.cost, said.n_unlike),
-                    said.meant == at[said.peer],
-                ),
-            )
+            meant = min(own, key=likelihood_of)
             repairs.append(MeantNumbers(meant.place, (meant.meant,)))
         is_zero = any(_is_of_other_zero(limbs, said) for both in tied for said in both)
         yield LimbVerdict(tuple(places), tuple(repairs[::-1]), (), False, is_zero)

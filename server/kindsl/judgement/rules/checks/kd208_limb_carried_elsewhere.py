@@ -3,7 +3,8 @@
 ## What it does
 Reports a link whose parent is not what its twins' parents let expect: `RF_shank` on `LF_thigh`
 where `LF_shank` is on `LF_thigh` and `RH_shank` on `RH_thigh`. Twins are told by their names:
-sides, rows or the numbers of limbs (`leg3_tibia`).
+sides, rows or the numbers of limbs (`leg3_tibia`). In XML a limb is told as well that hangs on a
+mount of the other side, both mounts being fixed to one body.
 
 ## Why is this bad?
 Blocks are copied from limb to limb, and one name is forgotten. The robot has a limb with two ends
