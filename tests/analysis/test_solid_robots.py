@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from random import Random
 
 import pytest
-from tests.support.solid_robots import DESIGNS, solid_robots, star
+from tests.support.solid_robots import DESIGNS, hand, solid_robots, star
 
 from kindsl.judgement.analysis.analysis import analyse
 from kindsl.robots.interchange.kindsl_writing import written_kindsl
@@ -35,3 +35,8 @@ def test_nothing_is_told_of_documents() -> None:
 @pytest.mark.parametrize("chance", ["4242 262", "4242 302"])
 def test_links_with_motors_at_both_ends_have_moments_about_their_com(chance: str) -> None:
     assert not [*told(star(Random(chance)).urdf())]
+
+
+@pytest.mark.parametrize("chance", ["77881 164", "77881 284"])
+def test_fingers_have_moments_about_their_com(chance: str) -> None:
+    assert not [*told(hand(Random(chance)).urdf())]
