@@ -142,6 +142,13 @@ def placed_legs(axis: str = "0 1 0", rpy: str = "") -> str:
     return robot(*blocks)
 
 
+def front_legs(axis: str, rpy: str = ' rpy="0 0 0"') -> str:
+    text = placed_legs(axis, rpy)
+    for name in ("LH", "RH"):
+        text = re.sub(rf'<(link|joint) name="{name}_.*?</\1>', "", text, flags=re.DOTALL)
+    return text
+
+
 @pytest.mark.parametrize(
     ("joint_name", "old", "new", "told"),
     [
@@ -234,9 +241,7 @@ def test_a_link_is_moved_to_the_part_that_carries_its_twins(parent: str) -> None
 
 
 def test_a_side_in_another_unit_does_not_accuse_the_other() -> None:
-    text = placed_legs()
-    for name in ("LH", "RH"):
-        text = re.sub(rf'<(link|joint) name="{name}_.*?</\1>', "", text, flags=re.DOTALL)
+    text = front_legs("0 1 0", "")
     spoilt = text.replace("0.02 0.0623 -0.05", "20 62.3 -50", 1)
     assert [each.code for each in analyse(spoilt).findings] == ["KD502"]
 
@@ -249,9 +254,7 @@ def test_a_side_in_another_unit_does_not_accuse_the_other() -> None:
     ],
 )
 def test_of_two_legs_either_may_be_wrong(old: str, new: str, said: str) -> None:
-    text = placed_legs("0 1 0", ' rpy="0 0 0"')
-    for name in ("LH", "RH"):
-        text = re.sub(rf'<(link|joint) name="{name}_.*?</\1>', "", text, flags=re.DOTALL)
+    text = front_legs("0 1 0")
     spoilt = text.replace(old, new)
     assert spoilt != text and analyse(text).findings == ()
     (found,) = analyse(spoilt).findings
@@ -467,9 +470,7 @@ def test_of_axes_in_senses_of_their_own_none_is_written() -> None:
 
 
 def test_a_sign_of_a_com_is_one_of_the_file_where_the_axis_is_tilted() -> None:
-    text = placed_legs("-0.045 0 0.999", ' rpy="0 0 0"')
-    for name in ("LH", "RH"):
-        text = re.sub(rf'<(link|joint) name="{name}_.*?</\1>', "", text, flags=re.DOTALL)
+    text = front_legs("-0.045 0 0.999")
     for side, y in (("L", "0.0017"), ("R", "-0.0017")):
         com = re.compile(rf'(name="{side}F_\w+">\s*<inertial><origin xyz=")[^"]*')
         text = com.sub(rf"\g<1>-0.0612 {y} -0.0001", text)
@@ -481,20 +482,11 @@ def test_a_sign_of_a_com_is_one_of_the_file_where_the_axis_is_tilted() -> None:
 
 
 def test_a_length_that_is_hardly_apart_from_its_counterpart_is_not_changed() -> None:
-    text = placed_legs("0 0 1", ' rpy="0 0 0"').replace("0.02 -0.0623", "0.0201 -0.0622")
-    for name in ("LH", "RH"):
-        text = re.sub(rf'<(link|joint) name="{name}_.*?</\1>', "", text, flags=re.DOTALL)
+    text = front_legs("0 0 1").replace("0.02 -0.0623", "0.0201 -0.0622")
     assert analyse(text).findings == ()
     spoilt = text.replace("0.0201 -0.0622 -0.05", "0.0201 -0.0622 0")
     (found,) = analyse(spoilt).findings
     assert text in [apply_edits(spoilt, each.edits) for each in found.choices]
-
-
-def front_legs(axis: str) -> str:
-    text = placed_legs(axis, ' rpy="0 0 0"')
-    for name in ("LH", "RH"):
-        text = re.sub(rf'<(link|joint) name="{name}_.*?</\1>', "", text, flags=re.DOTALL)
-    return text
 
 
 @pytest.mark.parametrize("axis", ["0 1 0", "0.6 0 0.8"])
