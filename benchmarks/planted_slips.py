@@ -131,7 +131,8 @@ def digit(generator: random.Random, texts: Sequence[str]) -> dict[int, str] | No
 
 
 def in_degrees(generator: random.Random, texts: Sequence[str]) -> dict[int, str] | None:
-    return _of_number(generator, texts, lambda x: f"{degrees(x):.4f}")
+    # With fewer decimals nothing could restore a robot to 1e-6.
+    return _of_number(generator, texts, lambda x: f"{degrees(x):.6f}")
 
 
 def quarter_turn(generator: random.Random, texts: Sequence[str]) -> dict[int, str] | None:
