@@ -58,6 +58,44 @@ def test_links_that_are_not_attached_as_their_peers(
 
 
 @pytest.mark.parametrize(
+    ("exchanged", "crossed"),
+    [
+        # Each has the joint of the other side.
+        (("LF_shank", "RF_shank"), [("LF_shank", "LF_KFE"), ("RF_shank", "RF_KFE")]),
+        # One of two sides has its joints exchanged, nothing says which.
+        (
+            ("RF_thigh", "RF_shank"),
+            [
+                *(("LF_thigh", "LF_KFE"), ("RF_thigh", "RF_HFE")),
+                *(("LF_shank", "LF_HFE"), ("RF_shank", "RF_KFE")),
+            ],
+        ),
+    ],
+)
+def test_joints_of_two_legs_that_are_exchanged(
+    exchanged: tuple[str, str], crossed: list[object]
+) -> None:
+    made = {each.link: each for each in legs(names=("LF", "RF"))}
+    one, other = (made[link] for link in exchanged)
+    made |= {one.link: one._replace(joint=other.joint), other.link: other._replace(joint=one.joint)}
+    assert misplaced(*made.values()) == ([], crossed)
+
+
+def test_of_two_sides_that_is_wrong_whose_joints_are_not_called_as_their_links() -> None:
+    arms = [
+        Attachment(
+            f"{side}_{link}", f"{side}_{above}" if above else "trunk", f"{side}_{link}_joint"
+        )
+        for side in ("left", "right")
+        for above, link in pairwise(("", "shoulder", "upper_arm", "elbow"))
+    ]
+    joints = [arms[1].joint, arms[0].joint, *(arm.joint for arm in arms[2:])]
+    arms = [arm._replace(joint=joint) for arm, joint in zip(arms, joints, strict=True)]
+    told = [("left_shoulder", "left_shoulder_joint"), ("left_upper_arm", "left_upper_arm_joint")]
+    assert misplaced(*arms) == ([], told)
+
+
+@pytest.mark.parametrize(
     ("change", "elsewhere"),
     [
         (("RF_shank", "RF_hip", "RF_KFE"), [("LF_shank", "LF_hip"), ("RF_shank", "RF_thigh")]),

@@ -76,6 +76,33 @@ def test_a_leg_that_is_up_at_its_zero_is_left_in_peace() -> None:
     assert codes((FIXTURES / "robots" / "leg_up.kindsl").read_text()) == []
 
 
+@pytest.mark.parametrize(
+    ("one", "other", "message", "n_choices"),
+    [
+        (
+            *("right_forearm via right_elbow", "right_wrist via right_roll"),
+            "link 'left_forearm' moves by joint 'left_elbow', 'right_forearm' by 'right_roll': "
+            "the joints of one of the two sides are exchanged",
+            2,
+        ),
+        (
+            *("left_wrist via left_roll", "right_wrist via right_roll"),
+            "link 'left_wrist' moves by joint 'right_roll', by its name by 'left_roll'",
+            0,
+        ),
+    ],
+)
+def test_exchanged_joints_are_told_once(one: str, other: str, message: str, n_choices: int) -> None:
+    text = two_arms("0.3, -0.1, 0.02")
+    (here, mine), (there, his) = (each.split(" via ") for each in (one, other))
+    spoilt = text.replace(one, f"{here} via {his}").replace(other, f"{there} via {mine}")
+    (finding,) = found("KD209", spoilt)
+    assert finding.message == message
+    fixes = [fix for fix in (finding.fix, *finding.choices) if fix is not None]
+    assert len(finding.choices) == n_choices
+    assert text in [apply_edits(spoilt, fix.edits) for fix in fixes]
+
+
 def test_front_and_hind_legs_may_differ() -> None:
     assert codes(four_legs(LH="0.1, 0.0, 0.0", RH="0.1, 0.0, 0.0")) == []
 

@@ -28,7 +28,7 @@ def elsewhere_findings(names: LimbNames, place_of: _PlaceOf) -> _Found:
         return
     for each in found:
         (name, parent, _), meant, peers = each
-        twins = "twins" if len(peers) > 1 else "twin"
+        twins = ("twins" if len(peers) > 1 else "twin") if peers else "name"
         by_peers = f"by its {twins} of '{meant}'" if meant else "unlike its twin"
         others = [other.attachment for other in found if other is not each]
         related = _carried((*others, *peers), place_of)
@@ -39,7 +39,7 @@ def elsewhere_findings(names: LimbNames, place_of: _PlaceOf) -> _Found:
 def crossed_findings(names: LimbNames, place_of: _PlaceOf) -> _Found:
     """Yield what is said of links that move by another joint than their peers let expect.
 
-    Two that have each other's joints are told of once.
+    Two that have each other's joints are told of once, and so are those of two sides.
 
     Args:
         names: Of the robot's links and joints.
@@ -50,13 +50,22 @@ def crossed_findings(names: LimbNames, place_of: _PlaceOf) -> _Found:
         if each not in told:
             (name, _, joint), meant, peers = each
             partners = [other for other in names.crossed if _are_exchanged(other, each)][:1]
-            told += partners
+            own = {name, *(partner.attachment.link for partner in partners)}
+            rivals = [
+                r for r in names.crossed if own.issuperset(a.link for a in r.peers) and r.peers
+            ]
+            rivals = rivals if partners else []
+            told += (*partners, *rivals)
             by = f"by its {'twins' if peers else 'name'} by '{meant}'" if meant else ""
             message = f"link '{name}' moves by joint '{joint}', {by or 'unlike its twin'}"
+            if rivals:
+                (link, _, other), *_ = rivals[0]
+                message = f"link '{name}' moves by joint '{joint}', '{link}' by '{other}': the "
+                message += "joints of one of the two sides are exchanged"
             others = (*(partner.attachment for partner in partners), *peers)
             moved = ((place_of(a.link), f"'{a.link}' moves by '{a.joint}'") for a in others)
             related = tuple(Related(*other) for other in moved)
-            yield Finding(place_of(name), message, related), [each, *partners]
+            yield Finding(place_of(name), message, related), [each, *partners, *rivals]
 
 
 def _carried(links: Iterable[Attachment], place_of: _PlaceOf) -> tuple[Related, ...]:

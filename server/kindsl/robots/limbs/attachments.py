@@ -108,7 +108,10 @@ class LimbNames:
     @cached_property
     def crossed(self) -> list[Misplaced]:
         """The links whose joint is another than their peers, or names, let expect."""
-        return self._misplaced(self._joints, "joint") or self._crossed_by_name()
+        found = self._misplaced(self._joints, "joint")
+        # Of two sides their names cannot tell which is wrong; how all others are named can.
+        are_two_sides = any(one.attachment in other.peers for one in found for other in found)
+        return (self._crossed_by_name() if are_two_sides or not found else []) or found
 
     def _misplaced(self, sided: _Sided, what: str) -> list[Misplaced]:
         """Return what is not attached as its peers; nothing where that is not a slip or two."""
@@ -136,24 +139,27 @@ class LimbNames:
             return across if not odd and len(across) <= _MOST_CROSSED else []
         told = [each for _, group in odd for each in group]
         if what == "joint" and len(odd) == 2 and odd[0][0] == odd[1][0]:
-            return told
+            return [m for _, group in odd for m in self._of_two(group, what, sided) or group]
         if what == "parent" and len(odd) == 1 and len(told) == 2:
-            return self._of_two(told, sided)
+            return self._of_two(told, what, sided)
         # A part that is only named otherwise has no place elsewhere.
         is_alone = len(odd) == 1 and (what == "parent" or len(told) == 1)
         return told if is_alone and all(each.meant is not None for each in told) else []
 
-    def _of_two(self, told: Sequence[Misplaced], sided: _Sided) -> list[Misplaced]:
+    def _of_two(self, told: Sequence[Misplaced], what: str, sided: _Sided) -> list[Misplaced]:
         """Return a left and a right link, of which either may be misplaced, each with the other.
 
-        Either could hang on what its peer's carrier is on its own side.
+        Either could hang on, or move by, what that of its peer is on its own side.
         """
+        if len(told) != 2:
+            return []
         here, there = (each.attachment for each in told)
         found = []
         for own, peer in ((here, there), (there, here)):
             (side, row), (other_side, other_row) = (self._read(a.link)[0] for a in (own, peer))
             is_pair = row == other_row and side and other_side
-            meant = self._counterpart((side, row), peer.parent, sided) if is_pair else None
+            of_peer = getattr(peer, what)
+            meant = self._counterpart((side, row), of_peer, sided) if is_pair else None
             if meant is None:
                 return []
             found.append(Misplaced(own, meant, (peer,)))
@@ -172,10 +178,14 @@ class LimbNames:
         peers: tuple[Attachment, ...],
         sided: _Sided,
     ) -> Misplaced:
-        """Return an attachment with what its peers, which are not accused, let expect."""
-        meant = None
-        if len({views[a] for a in peers}) == 1:
-            words, side = views[peers[0]]
+        """Return an attachment with what its peers, which are not accused, let expect.
+
+        Where all are, each is meant to have of its own side what it has of the other.
+        """
+        meant, own = None, views[accused]
+        seen = {views[a] for a in peers} or ({own} if own.side == "other" else set())
+        if len(seen) == 1:
+            words, side = seen.pop()
             label = self._read(accused.link)[0]
             alike = (n for n, own in sided.items() if own == label and self._read(n)[1] == words)
             meant = words[0] if side == "none" else next(alike, None)

@@ -4,7 +4,8 @@
 Reports a link whose joint is not what its twins let expect: `RF_thigh via RF_KFE` where the other
 legs have `LF_thigh via LF_HFE`. Twins are told by their names: sides, rows or numbers. Two links of
 one arm are reported, too, where each has the joint that is named after the other, and the rest of
-the robot's links have their own: `link2 via joint3` and `link3 via joint2`.
+the robot's links have their own: `link2 via joint3` and `link3 via joint2`. Of a left and a right
+limb alone either may have its joints exchanged: both are told at once, with a fix for each.
 
 ## Why is this bad?
 The joint's frame is then that of another part: the limb is bent where it should be long.
@@ -39,8 +40,13 @@ from kindsl.robots.limbs.attachments import Misplaced
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     found = crossed_findings(limb_names(model), partial(place_of_joint, model))
     for finding, odd in found:
-        fix = None if len(odd) < 2 else _exchanged(model, *odd)
-        yield finding._replace(fix=fix, subject=link_subject(odd[0].attachment.link))
+        finding = finding._replace(subject=link_subject(odd[0].attachment.link))
+        both = [odd[n : n + 2] for n in range(0, len(odd) - 1, 2)]
+        fixes = [fix for pair in both if (fix := _exchanged(model, *pair)) is not None]
+        if len(fixes) == 1:
+            yield finding._replace(fix=fixes[0])
+        else:
+            yield finding._replace(choices=tuple(fixes))
 
 
 def _exchanged(model: Model, *both: Misplaced) -> Fix | None:
