@@ -50,11 +50,9 @@ def crossed_findings(names: LimbNames, place_of: _PlaceOf) -> _Found:
         if each not in told:
             (name, _, joint), meant, peers = each
             partners = [other for other in names.crossed if _are_exchanged(other, each)][:1]
-            own = {name, *(partner.attachment.link for partner in partners)}
-            rivals = [
-                r for r in names.crossed if own.issuperset(a.link for a in r.peers) and r.peers
-            ]
-            rivals = rivals if partners else []
+            own = [each.attachment, *(partner.attachment for partner in partners)]
+            of_peers = [r for r in names.crossed if not {*own}.isdisjoint(r.peers)]
+            rivals = of_peers if partners else []
             told += (*partners, *rivals)
             by = f"by its {'twins' if peers else 'name'} by '{meant}'" if meant else ""
             message = f"link '{name}' moves by joint '{joint}', {by or 'unlike its twin'}"
@@ -62,7 +60,7 @@ def crossed_findings(names: LimbNames, place_of: _PlaceOf) -> _Found:
                 (link, _, other), *_ = rivals[0]
                 message = f"link '{name}' moves by joint '{joint}', '{link}' by '{other}': the "
                 message += "joints of one of the two sides are exchanged"
-            others = (*(partner.attachment for partner in partners), *peers)
+            others = (*own[1:], *peers)
             moved = ((place_of(a.link), f"'{a.link}' moves by '{a.joint}'") for a in others)
             related = tuple(Related(*other) for other in moved)
             yield Finding(place_of(name), message, related), [each, *partners, *rivals]
